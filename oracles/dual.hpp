@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+namespace carom::oracles {
+
+/// A number with its first derivatives by N inputs, in the field S: forward differentiation, exact up to the rounding of
+/// S. Only what the defining equations need: + − × ÷.
+template <class S, std::size_t N>
+struct Dual {
+  S value{0};
+  std::array<S, N> derivative{};
+
+  Dual() = default;
+  Dual(int constant) : value(constant) {}                // NOLINT(google-explicit-constructor)
+  explicit Dual(const S& constant) : value(constant) {}
+
+  /// The input with this index: its derivative by itself is 1.
+  static Dual input(const S& value, std::size_t index) {
+    Dual dual(value);
+    dual.derivative[index] = S(1);
+    return dual;
+  }
+
+  Dual& operator+=(const Dual& other) {
+    value += other.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      derivative[i] += other.derivative[i];
+    }
+    return *this;
+  }
+  Dual& operator-=(const Dual& other) {
+    value -= other.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      derivative[i] -= other.derivative[i];
+    }
+    return *this;
+  }
+  Dual& operator*=(const Dual& other) {
+    const S factor = other.value;
+    for (std::size_t i = 0; i < N; ++i) {
+      derivative[i] = derivative[i] * factor + value * other.derivative[i];
+    }
+    value *= factor;
+    return *this;
+  }
+  Dual& operator/=(const Dual& other) {
+    const S inverse = S(1) / other.value;
+    value *= inverse;
+    for (std::size_t i = 0; i < N; ++i) {
+      derivative[i] = (derivative[i] - value * other.derivative[i]) * inverse;
+    }
+    return *this;
+  }
+
+  friend Dual operator+(Dual left, const Dual& right) { return left += right; }
+  friend Dual operator-(Dual left, const Dual& right) { return left -= right; }
+  friend Dual operator*(Dual left, const Dual& right) { return left *= right; }
+  friend Dual operator/(Dual left, const Dual& right) { return left /= right; }
+  friend Dual operator-(Dual dual) {
+    dual.value = -dual.value;
+    for (S& d : dual.derivative) {
+      d = -d;
+    }
+    return dual;
+  }
+};
+
+}  // namespace carom::oracles
+
+namespace Eigen {
+
+template <class S, std::size_t N>
+struct NumTraits<carom::oracles::Dual<S, N>> : GenericNumTraits<carom::oracles::Dual<S, N>> {
+  using Real = carom::oracles::Dual<S, N>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = int;
+  enum { IsInteger = 0, IsSigned = 1, IsComplex = 0, RequireInitialization = 1, ReadCost = 1, AddCost = 8, MulCost = 16 };
+};
+
+}  // namespace Eigen

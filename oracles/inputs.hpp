@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <carom/collision/outcome.hpp>
+#include <carom/oracles/dual.hpp>
+
+/// The stored numbers of a collision, and of an outcome, as the inputs of forward differentiation.
+namespace carom::oracles {
+
+/// Room for the 43 numbers of a collision, and for the 12 of an outcome behind them; a multiple of four each.
+inline constexpr std::size_t collision_inputs = 44;
+inline constexpr std::size_t outcome_inputs = 12;
+
+template <class S, std::size_t N>
+struct DualInputs {
+  BasicCollision<Dual<S, N>> collision;
+  std::vector<double> magnitude;  // |x_j|
+};
+
+/// The collision with its j-th number as input j. `convert` takes a double to S.
+template <class S, std::size_t N, class Convert>
+[[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
+  DualInputs<S, N> inputs;
+  inputs.magnitude.reserve(collision_inputs);
+  inputs.collision = map_numbers<Dual<S, N>>(collision, [&](double number) {
+    const std::size_t index = inputs.magnitude.size();
+    inputs.magnitude.push_back(number < 0 ? -number : number);
+    return Dual<S, N>::input(convert(number), index);
+  });
+  return inputs;
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <carom/collision/outcome.hpp>
+
+/// The mechanics that the defining equations are written in, for any field T: rationals, dual numbers.
+namespace carom::oracles {
+
+/// The Hamilton product p q.
+template <class T>
+[[nodiscard]] Quaternion<T> product(const Quaternion<T>& p, const Quaternion<T>& q) {
+  const Vector3<T> u = p.template tail<3>();
+  const Vector3<T> v = q.template tail<3>();
+  const Vector3<T> imaginary = p[0] * v + q[0] * u + u.cross(v);
+  return {p[0] * q[0] - u.dot(v), imaginary[0], imaginary[1], imaginary[2]};
+}
+
+template <class T>
+[[nodiscard]] Quaternion<T> conjugate(const Quaternion<T>& q) {
+  return {q[0], -q[1], -q[2], -q[3]};
+}
+
+/// q v q* / ‖q‖²: v turned by the rotation that q stands for.
+template <class T>
+[[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
+  const Quaternion<T> pure{T(0), v[0], v[1], v[2]};
+  const T squared_length = q.dot(q);
+  return Vector3<T>(product<T>(product<T>(q, pure), conjugate(q)).template tail<3>()) / squared_length;
+}
+
+/// J x: turned into the body frame, times the principal moments, and back. Precondition: the body is movable.
+template <class T>
+[[nodiscard]] Vector3<T> apply_inertia(const BasicBody<T>& body, const Vector3<T>& x) {
+  const Vector3<T> in_body = turned<T>(conjugate(body.orientation), x);
+  return turned<T>(body.orientation, in_body.cwiseProduct(body.principal_inertia));
+}
+
+/// r = P − X.
+template <class T>
+[[nodiscard]] Vector3<T> lever_arm(const BasicBody<T>& body, const Vector3<T>& point) {
+  return point - body.position;
+}
+
+/// v + w × r, the velocity of the body's material point at P.
+template <class T>
+[[nodiscard]] Vector3<T> point_velocity(const BodyVelocity<T>& motion, const Vector3<T>& lever_arm) {
+  return motion.velocity + motion.angular_velocity.cross(lever_arm);
+}
+
+/// V = V_A − V_B at the contact point.
+template <class T>
+[[nodiscard]] Vector3<T> relative_velocity(const BasicCollision<T>& collision, const Outcome<T>& motion) {
+  return point_velocity<T>(motion.a, lever_arm(collision.a, collision.point)) -
+         point_velocity<T>(motion.b, lever_arm(collision.b, collision.point));
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/oracles/linear_system.hpp>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace carom::oracles {
+namespace {
+
+constexpr int unknowns = 15;
+constexpr int first_of_f = 12;  // columns 0-2 v_A, 3-5 w_A, 6-8 v_B, 9-11 w_B, 12-14 F
+
+using System = std::array<std::array<Rational, unknowns + 1>, unknowns>;  // the last column is the right-hand side
+using Rows3 = std::array<std::array<Rational, 3>, 3>;
+
+/// [x] with [x] y = x × y.
+Rows3 cross_product(const Vector3<Rational>& x) {
+  const Rational zero(0);
+  return {{{zero, -x[2], x[1]}, {x[2], zero, -x[0]}, {-x[1], x[0], zero}}};
+}
+
+Rows3 inertia_tensor(const BasicBody<Rational>& body) {
+  const Rational w = body.orientation[0];
+  const std::array<Rational, 3> q{body.orientation[1], body.orientation[2], body.orientation[3]};
+  const Rational imaginary = q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
+  const Rational squared_length = w * w + imaginary;
+  const Rows3 skew = cross_product({q[0], q[1], q[2]});
+  Rows3 rotation;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      Rational entry = 2 * q[i] * q[j] + 2 * w * skew[i][j];
+      if (i == j) {
+        entry += w * w - imaginary;
+      }
+      rotation[i][j] = entry / squared_length;
+    }
+  }
+  Rows3 tensor;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      tensor[i][j] = Rational(0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        tensor[i][j] += rotation[i][k] * body.principal_inertia[static_cast<int>(k)] * rotation[j][k];
+      }
+    }
+  }
+  return tensor;
+}
+
+/// Newton's and Euler's laws for one body in six rows: m v⁺ ∓ F = m v⁻ and J w⁺ ∓ r × F = J w⁻.
+void write_body(System& system, std::size_t first, const BasicBody<Rational>& body, const Vector3<Rational>& point,
+                int sign) {
+  const Rows3 tensor = body.immovable ? Rows3{} : inertia_tensor(body);
+  const Rows3 arm = cross_product(point - body.position);
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& linear = system[first + i];
+    auto& angular = system[first + 3 + i];
+    const int axis = static_cast<int>(i);
+    if (body.immovable) {
+      linear[first + i] = 1;
+      linear[unknowns] = body.velocity[axis];
+      angular[first + 3 + i] = 1;
+      angular[unknowns] = body.angular_velocity[axis];
+      continue;
+    }
+    linear[first + i] = body.mass;
+    linear[first_of_f + i] = -sign;
+    linear[unknowns] = body.mass * body.velocity[axis];
+    for (std::size_t j = 0; j < 3; ++j) {
+      angular[first + 3 + j] = tensor[i][j];
+      angular[first_of_f + j] = -sign * arm[i][j];
+      angular[unknowns] += tensor[i][j] * body.angular_velocity[static_cast<int>(j)];
+    }
+  }
+}
+
+/// The row x·V⁺ = right, with V⁺ = v_A + w_A × r_A − v_B − w_B × r_B and x·(w × r) = w·(r × x).
+void write_relative_velocity(System& system, std::size_t row, const BasicCollision<Rational>& c,
+                             const Vector3<Rational>& x, const Rational& right) {
+  const Vector3<Rational> moment_a = (c.point - c.a.position).cross(x);
+  const Vector3<Rational> moment_b = (c.point - c.b.position).cross(x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int axis = static_cast<int>(i);
+    system[row][i] = x[axis];
+    system[row][3 + i] = moment_a[axis];
+    system[row][6 + i] = -x[axis];
+    system[row][9 + i] = -moment_b[axis];
+  }
+  system[row][unknowns] = right;
+}
+
+Rational velocity_before_along(const BasicCollision<Rational>& c, const Vector3<Rational>& x) {
+  return x.dot(c.a.velocity - c.b.velocity) + c.a.angular_velocity.dot((c.point - c.a.position).cross(x)) -
+         c.b.angular_velocity.dot((c.point - c.b.position).cross(x));
+}
+
+/// Two vectors that span the plane normal to N, by exchanging components of N.
+std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
+  const int largest = n[0] * n[0] >= n[1] * n[1] ? (n[0] * n[0] >= n[2] * n[2] ? 0 : 2)
+                                                 : (n[1] * n[1] >= n[2] * n[2] ? 1 : 2);
+  std::array<Vector3<Rational>, 2> result;
+  for (int k = 0; k < 2; ++k) {
+    const int other = (largest + 1 + k) % 3;
+    Vector3<Rational> tangent{0, 0, 0};
+    tangent[other] = n[largest];
+    tangent[largest] = -n[other];
+    result[static_cast<std::size_t>(k)] = tangent;
+  }
+  return result;
+}
+
+std::array<Rational, unknowns> eliminate(System system) {
+  for (std::size_t column = 0; column < unknowns; ++column) {
+    std::size_t pivot = column;
+    while (pivot < unknowns && system[pivot][column] == 0) {
+      ++pivot;
+    }
+    if (pivot == unknowns) {
+      throw std::logic_error("the defining equations are singular");
+    }
+    std::swap(system[pivot], system[column]);
+    for (std::size_t row = 0; row < unknowns; ++row) {
+      if (row == column || system[row][column] == 0) {
+        continue;
+      }
+      const Rational factor = system[row][column] / system[column][column];
+      for (std::size_t k = column; k <= unknowns; ++k) {
+        if (system[column][k] != 0) {
+          system[row][k] -= factor * system[column][k];
+        }
+      }
+    }
+  }
+  std::array<Rational, unknowns> solution;
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    solution[i] = system[i][unknowns] / system[i][i];
+  }
+  return solution;
+}
+
+}  // namespace
+
+Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Model model) {
+  System system{};
+  write_body(system, 0, collision.a, collision.point, 1);
+  write_body(system, 6, collision.b, collision.point, -1);
+  const Vector3<Rational>& n = collision.normal;
+  write_relative_velocity(system, 12, collision, n, -collision.restitution * velocity_before_along(collision, n));
+  const auto tangent = tangents(n);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (model == Model::reflection) {
+      write_relative_velocity(system, 13 + k, collision, tangent[k], velocity_before_along(collision, tangent[k]));
+    } else if (model == Model::frictionless) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        system[13 + k][first_of_f + i] = tangent[k][static_cast<int>(i)];
+      }
+    } else {
+      throw std::invalid_argument("the model `any` determines no outcome");
+    }
+  }
+  const auto x = eliminate(std::move(system));
+  const auto part = [&](std::size_t first) { return Vector3<Rational>{x[first], x[first + 1], x[first + 2]}; };
+  return {part(first_of_f), {{part(0), part(3)}, {part(6), part(9)}}};
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/oracles/rational.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace carom::oracles {
+
+Rational lift(long double number) {
+  // A double holds the leading 53 bits and a second one the rest: up to 106 bits, more than extended has.
+  int exponent = 0;
+  const long double mantissa = std::frexp(number, &exponent);
+  const double high = static_cast<double>(mantissa);
+  const double low = static_cast<double>(mantissa - static_cast<long double>(high));
+  Rational result = Rational(high);
+  if (low != 0) {
+    result += Rational(low);
+  }
+  if (exponent == 0) {
+    return result;
+  }
+  // Scaling in GMP: the exponent of an extended number may lie outside the range of double.
+  const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
+  Rational shifted;
+  if (exponent > 0) {
+    mpq_mul_2exp(shifted.mpq(), result.mpq(), shift);
+  } else {
+    mpq_div_2exp(shifted.mpq(), result.mpq(), shift);
+  }
+  return shifted;
+}
+
+BasicCollision<Rational> lift(const Collision& collision) {
+  return map_numbers<Rational>(collision, [](double number) { return Rational(number); });
+}
+
+Outcome<Rational> lift(const ReportedOutcome& outcome) {
+  return map_outcome<Rational>(outcome, [](long double number) { return lift(number); });
+}
+
+double to_double(const Rational& number) { return mpq_get_d(number.mpq()); }
+
+double nearest_double(const Rational& number) {
+  // mpq_get_d rounds toward zero, so the nearest number is this one or its neighbour away from zero.
+  const double below = to_double(number);
+  const double away = number < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  const double above = std::nextafter(below, away);
+  if (!std::isfinite(above)) {
+    return below;
+  }
+  const Rational to_below = CGAL::abs(number - Rational(below));
+  const Rational to_above = CGAL::abs(Rational(above) - number);
+  if (to_below != to_above) {
+    return to_below < to_above ? below : above;
+  }
+  int exponent = 0;
+  const bool below_is_even = std::fmod(std::ldexp(std::frexp(below, &exponent), 53), 2.0) == 0;
+  return below_is_even ? below : above;
+}
+
+std::string to_text(const Rational& number) {
+  std::ostringstream text;
+  text << number.numerator();
+  if (number.denominator() != 1) {
+    text << '/' << number.denominator();
+  }
+  return text.str();
+}
+
+bool is_finite(const ReportedOutcome& outcome) {
+  bool finite = true;
+  for (const auto* vector : vectors(outcome)) {
+    for (int i = 0; i < 3; ++i) {
+      finite = finite && std::isfinite((*vector)[i]);
+    }
+  }
+  return finite;
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <carom/collision/precision.hpp>
+
+namespace carom::oracles {
+
+/// The limit that sound outcomes were found to stay below on every physically possible body, in ulps.
+inline constexpr double default_limit_ulps = 32;
+
+/// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
+/// stored numbers: it then vanishes for inputs and outputs that differ by `allowance`, relatively.
+struct Yardstick {
+  double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
+  double limit_ulps = default_limit_ulps;
+  std::optional<int> digits;  // decides in place of ulps where given
+
+  [[nodiscard]] double allowance() const {
+    return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff;
+  }
+};
+
+}  // namespace carom::oracles

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/families/bodies.hpp>
+
+#include <cmath>
+
+#include <carom/oracles/kinematics.hpp>
+#include <carom/properties/families/polyhedron.hpp>
+
+namespace carom::properties {
+namespace {
+
+double restitution(Stream& stream) {
+  switch (stream.integer(0, 3)) {
+    case 0:
+      return 0;
+    case 1:
+      return 1;
+    default:
+      return stream.unit();
+  }
+}
+
+void set_velocities(Stream& stream, Body& body, double size) {
+  const double speed = stream.power_of_two(-3, 3);
+  body.velocity = stream.vector() * speed;
+  body.angular_velocity = stream.vector() * (speed / size);
+}
+
+/// Principal moments of a body with these second moments: I_x = m (S_y + S_z), and so on.
+Vector3<double> moments(double mass, const Vector3<double>& s) {
+  return Vector3<double>{s[1] + s[2], s[0] + s[2], s[0] + s[1]} * mass;
+}
+
+double mass(Stream& stream) { return stream.power_of_two(-6, 6) * (1 + stream.unit()); }
+
+Body general_body(Stream& stream, const Vector3<double>& point) {
+  Body body;
+  const double size = stream.power_of_two(-3, 3);
+  body.mass = mass(stream);
+  Vector3<double> second_moments;
+  for (int i = 0; i < 3; ++i) {
+    const double semi_axis = size * stream.between(0.5, 1);
+    second_moments[i] = semi_axis * semi_axis / 5;
+  }
+  body.principal_inertia = moments(body.mass, second_moments);
+  body.orientation = stream.quaternion();
+  body.position = point - stream.vector() * size;
+  set_velocities(stream, body, size);
+  return body;
+}
+
+PrincipalShape random_ellipsoid(Stream& stream) {
+  const Vector3<double> direction = stream.direction();
+  const double inside = stream.chance(2) ? 1 : stream.unit();
+  const Vector3<double> on_unit_sphere = direction * (inside / std::sqrt(direction.dot(direction)));
+  return {Vector3<double>::Constant(0.2), on_unit_sphere};
+}
+
+Body convex_body(Stream& stream, const Vector3<double>& point) {
+  Body body;
+  PrincipalShape shape = stream.chance(3) ? random_ellipsoid(stream) : random_polyhedron(stream);
+  const double size = stream.power_of_two(-3, 3);
+  for (int i = 0; i < 3; ++i) {
+    // An ellipsoid is a stretched ball, and a stretched polyhedron is one.
+    const double stretch = size * stream.between(0.5, 1.5);
+    shape.second_moments[i] *= stretch * stretch;
+    shape.point[i] *= stretch;
+  }
+  body.mass = mass(stream);
+  body.principal_inertia = moments(body.mass, shape.second_moments);
+  body.orientation = stream.quaternion();
+  body.position = point - oracles::turned<double>(body.orientation, shape.point);
+  set_velocities(stream, body, size);
+  return body;
+}
+
+template <class MakeBody>
+Collision two_bodies(Stream& stream, MakeBody make_body) {
+  Collision collision;
+  collision.point = stream.vector() * stream.power_of_two(-2, 2);
+  collision.a = make_body(stream, collision.point);
+  collision.b = make_body(stream, collision.point);
+  collision.normal = stream.direction();
+  collision.restitution = restitution(stream);
+  make_approaching(collision);
+  return collision;
+}
+
+}  // namespace
+
+Vector3<double> relative_velocity(const Collision& collision) {
+  return oracles::relative_velocity<double>(collision, unchanged(collision));
+}
+
+void set_relative_velocity(Collision& collision, const Vector3<double>& wanted) {
+  const Vector3<double> change = wanted - relative_velocity(collision);
+  if (collision.a.immovable) {
+    collision.b.velocity -= change;
+  } else {
+    collision.a.velocity += change;
+  }
+}
+
+void make_approaching(Collision& collision) {
+  if (collision.normal.dot(relative_velocity(collision)) > 0) {
+    collision.normal = -collision.normal;
+  }
+}
+
+void make_immovable(Body& body) {
+  Body fixed;
+  fixed.immovable = true;
+  fixed.position = body.position;
+  body = fixed;
+}
+
+Case general_bodies(Stream& stream) { return {two_bodies(stream, general_body), false}; }
+
+Case convex_bodies(Stream& stream) { return {two_bodies(stream, convex_body), true}; }
+
+Case touching_spheres(Stream& stream) {
+  Case spheres;
+  spheres.convex_uniform = true;
+  Collision& c = spheres.collision;
+  // Few bits everywhere, so that X = P ± distance N is exact and the lever arms are parallel to N.
+  for (int i = 0; i < 3; ++i) {
+    c.normal[i] = stream.integer(-63, 63) / 64.0;
+    c.point[i] = stream.integer(-64, 64) / 16.0;
+  }
+  if ((c.normal.array() == 0).all()) {
+    c.normal[1] = 1;
+  }
+  for (Body* body : {&c.a, &c.b}) {
+    const double distance = stream.integer(1, 32) / 16.0;
+    const double squared_radius = distance * distance * c.normal.dot(c.normal);
+    body->mass = mass(stream);
+    body->principal_inertia.setConstant(body->mass * squared_radius * 2 / 5);
+    body->orientation = stream.quaternion();
+    const Vector3<double> centre_to_contact = c.normal * (body == &c.a ? -distance : distance);
+    body->position = c.point - centre_to_contact;
+    set_velocities(stream, *body, std::sqrt(squared_radius));
+  }
+  c.restitution = restitution(stream);
+  if (c.normal.dot(relative_velocity(c)) > 0) {
+    // Turning the normal alone would leave A on the wrong side of it.
+    c.a.velocity = -c.a.velocity;
+    c.b.velocity = -c.b.velocity;
+  }
+  return spheres;
+}
+
+Vector3<double> orthogonal(const Vector3<double>& vector) {
+  if (vector[0] != 0 || vector[1] != 0) {
+    return {-vector[1], vector[0], 0};
+  }
+  return {0, -vector[2], vector[1]};
+}
+
+}  // namespace carom::properties

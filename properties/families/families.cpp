@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/invalid.hpp>
+
+namespace carom::properties {
+namespace {
+
+/// The speed that a family scales its relative velocity with.
+double speed_of(const Collision& c) {
+  const double speed = std::sqrt(relative_velocity(c).squaredNorm());
+  return speed > 0 ? speed : 1;
+}
+
+Case generic(Stream& stream) {
+  Case result = general_bodies(stream);
+  if (stream.chance(8)) {
+    result.collision.normal = -result.collision.normal;
+  }
+  return result;
+}
+
+/// V = −s N, exactly where the bodies do not spin, up to rounding where they do.
+Case head_on(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  if (stream.chance(2)) {
+    c.a.angular_velocity.setZero();
+    c.b.angular_velocity.setZero();
+    c.b.velocity.setZero();
+    c.a.velocity = c.normal * -stream.power_of_two(-3, 3);
+  } else {
+    set_relative_velocity(c, c.normal * -stream.power_of_two(-3, 3));
+  }
+  return result;
+}
+
+Case near_head_on(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const double speed = stream.power_of_two(-3, 3);
+  const double ratio = stream.power_of_ten(-18, -1);
+  if (stream.chance(2)) {
+    c.a.angular_velocity.setZero();
+    c.b.angular_velocity.setZero();
+    c.b.velocity.setZero();
+  }
+  set_relative_velocity(c, c.normal * -speed + orthogonal(c.normal) * (speed * ratio));
+  return result;
+}
+
+/// Spheres whose contact lies 10^−k of a radius beside the line of centres.
+Case near_collinear(Stream& stream) {
+  Case result = touching_spheres(stream);
+  Collision& c = result.collision;
+  const double radius = std::sqrt((c.point - c.a.position).squaredNorm());
+  c.point += orthogonal(c.normal) * (radius * stream.power_of_ten(-16, -1));
+  make_approaching(c);
+  result.convex_uniform = false;
+  return result;
+}
+
+/// |N·V| = 10^−k ‖V‖ on either side of zero.
+Case grazing(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const double ratio = stream.power_of_ten(-18, -1) * (stream.chance(4) ? 1 : -1);
+  set_relative_velocity(c, (orthogonal(c.normal) + c.normal * ratio) * speed_of(c));
+  return result;
+}
+
+/// N·V⁻ = 0 exactly: sliding without spin, or no relative velocity at all.
+Case resting(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  c.a.angular_velocity.setZero();
+  c.b.angular_velocity.setZero();
+  c.b.velocity.setZero();
+  c.a.velocity = stream.chance(3) ? Vector3<double>(Vector3<double>::Zero())
+                                  : Vector3<double>(orthogonal(c.normal) * stream.power_of_two(-3, 3));
+  return result;
+}
+
+Case separating(Stream& stream) {
+  Case result = general_bodies(stream);
+  result.collision.normal = -result.collision.normal;
+  return result;
+}
+
+Case with_restitution(Stream& stream, double restitution) {
+  Case result = general_bodies(stream);
+  result.collision.restitution = restitution;
+  return result;
+}
+
+Case inelastic(Stream& stream) { return with_restitution(stream, 0); }
+
+Case elastic(Stream& stream) { return with_restitution(stream, 1); }
+
+Case mass_ratio(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const double ratio = stream.power_of_ten(1, 9);
+  Body& heavy = stream.chance(2) ? c.a : c.b;
+  heavy.mass *= ratio;
+  heavy.principal_inertia *= ratio;
+  return result;
+}
+
+Case with_immovable(Stream& stream, bool a, bool b) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  if (a) {
+    make_immovable(c.a);
+  }
+  if (b) {
+    make_immovable(c.b);
+  }
+  make_approaching(c);
+  return result;
+}
+
+Case immovable_a(Stream& stream) { return with_immovable(stream, true, false); }
+
+Case immovable_b(Stream& stream) { return with_immovable(stream, false, true); }
+
+void drive(Stream& stream, Body& wall) {
+  wall.velocity = stream.vector() * stream.power_of_two(-3, 3);
+  wall.angular_velocity = stream.vector() * stream.power_of_two(-3, 3);
+}
+
+Case driven_wall(Stream& stream) {
+  const bool a_is_wall = stream.chance(2);
+  Case result = with_immovable(stream, a_is_wall, !a_is_wall);
+  drive(stream, a_is_wall ? result.collision.a : result.collision.b);
+  make_approaching(result.collision);
+  return result;
+}
+
+Case both_immovable(Stream& stream) {
+  Case result = with_immovable(stream, true, true);
+  drive(stream, result.collision.a);
+  drive(stream, result.collision.b);
+  make_approaching(result.collision);
+  return result;
+}
+
+/// The contact at the centre of mass of one body or of both.
+Case zero_lever(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const int which = stream.integer(0, 2);
+  if (which != 1) {
+    c.a.position = c.point;
+  }
+  if (which != 0) {
+    c.b.position = c.point;
+  }
+  make_approaching(c);
+  return result;
+}
+
+Case far_from_origin(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const Vector3<double> offset = stream.vector() * stream.power_of_ten(1, 12);
+  c.point += offset;
+  c.a.position += offset;
+  c.b.position += offset;
+  make_approaching(c);
+  return result;
+}
+
+Case common_velocity(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const Vector3<double> common = stream.vector() * stream.power_of_ten(1, 12);
+  c.a.velocity += common;
+  c.b.velocity += common;
+  make_approaching(c);
+  return result;
+}
+
+Case long_normal(Stream& stream) {
+  Case result = general_bodies(stream);
+  result.collision.normal *= stream.power_of_ten(-30, 30);
+  return result;
+}
+
+Case long_quaternion(Stream& stream) {
+  Case result = general_bodies(stream);
+  result.collision.a.orientation *= stream.power_of_ten(-30, 30);
+  result.collision.b.orientation *= stream.power_of_ten(-30, 30);
+  return result;
+}
+
+constexpr std::array families{
+    Family{"generic", "two general bodies, seven in eight approaching", generic},
+    Family{"physical", "convex bodies of uniform density, the contact in or on both", convex_bodies},
+    Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on},
+    Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on},
+    Family{"collinear_spheres", "touching spheres, both centres and the contact exactly on one line along the normal",
+           touching_spheres},
+    Family{"near_collinear", "spheres with the contact 10^-k of a radius beside that line, k = 1 to 16",
+           near_collinear},
+    Family{"grazing", "|N·V⁻| = 10^-k ‖V⁻‖, k = 1 to 18, approaching or separating", grazing},
+    Family{"resting", "N·V⁻ = 0 exactly", resting},
+    Family{"separating", "N·V⁻ > 0: no impulse", separating},
+    Family{"inelastic", "restitution 0", inelastic},
+    Family{"elastic", "restitution 1", elastic},
+    Family{"mass_ratio", "one body 10^k times as heavy, k = 1 to 9", mass_ratio},
+    Family{"immovable_a", "A has infinite mass", immovable_a},
+    Family{"immovable_b", "B has infinite mass", immovable_b},
+    Family{"driven_wall", "one body has infinite mass and moves", driven_wall},
+    Family{"both_immovable", "both bodies have infinite mass and move: no impulse", both_immovable},
+    Family{"zero_lever", "the contact at the centre of mass of one body or of both", zero_lever},
+    Family{"far_from_origin", "10^k m from the origin, k = 1 to 12", far_from_origin},
+    Family{"common_velocity", "a common velocity of 10^k m/s added, k = 1 to 12", common_velocity},
+    Family{"long_normal", "a normal of length 10^k, k = -30 to 30", long_normal},
+    Family{"long_quaternion", "orientations of length 10^k, k = -30 to 30", long_quaternion},
+    Family{"invalid", "one field non-finite, negative, zero or out of range: to be refused", invalid},
+};
+
+}  // namespace
+
+std::span<const Family> all_families() { return families; }
+
+const Family* family_named(std::string_view name) {
+  for (const Family& family : families) {
+    if (family.name == name) {
+      return &family;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace carom::properties

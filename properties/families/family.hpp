@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <carom/collision/collision.hpp>
+#include <carom/properties/stream.hpp>
+
+namespace carom::properties {
+
+/// A collision, and what its family knows of it.
+struct Case {
+  Collision collision;
+  /// Both movable bodies are convex with uniform density and the contact lies in both, so that C ⪯ 16 λI.
+  bool convex_uniform = false;
+};
+
+/// A named distribution of collisions.
+struct Family {
+  std::string_view name;
+  std::string_view summary;
+  Case (*generate)(Stream&);
+};
+
+/// Every family, in the order of the design.
+[[nodiscard]] std::span<const Family> all_families();
+
+/// The family of this name; nullptr where there is none.
+[[nodiscard]] const Family* family_named(std::string_view name);
+
+}  // namespace carom::properties

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/properties/families/family.hpp>
+
+namespace carom::properties {
+
+/// A general collision with one field made invalid: each number in turn not finite, and each field that has a range
+/// outside of it.
+[[nodiscard]] Case invalid(Stream& stream);
+
+}  // namespace carom::properties

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+#include <carom/oracles/judge.hpp>
+
+namespace carom::properties {
+
+enum class Status {
+  holds,
+  violated,
+  skipped,  // outside the invariant's domain, or the case could not be posed to the subject
+};
+
+/// What one invariant says of one answer.
+struct Verdict {
+  Status status = Status::holds;
+  double residual = 0;        // of the law that is missed most, relative to what is allowed
+  double allowed = 0;
+  std::string detail;         // where violated or skipped: what was compared, or why not
+  std::vector<double> left;   // where violated: both sides of the formula
+  std::vector<double> right;
+};
+
+/// An answer, lifted: an outcome that is not finite cannot be.
+struct NotFinite {};
+using ExactAnswer = std::variant<Outcome<oracles::Rational>, NotFinite, Skipped, Refused>;
+[[nodiscard]] ExactAnswer lift(const Answer& answer);
+
+/// A further collision that an invariant asks about, and what is exactly known of it.
+struct Related {
+  const oracles::ExactCase& exact_case;
+  const ExactAnswer& answer;
+};
+
+/// What an invariant sees: one subject's outcome of one valid collision.
+struct Evidence {
+  const oracles::ExactCase& exact_case;
+  bool convex_uniform;                                 // of the case: C ⪯ 16 λI is claimed
+  Model model;
+  const oracles::Yardstick& yardstick;
+  const Outcome<oracles::Rational>& outcome;
+  const Matrix3<oracles::Rational>* collision_matrix;  // as the subject computed it; nullptr where it shows none
+  std::span<const Related> related;                    // the answers to the invariant's own questions
+
+  [[nodiscard]] double allowance() const { return yardstick.allowance(); }
+};
+
+/// A named statement about a collision and its outcome.
+struct Invariant {
+  std::string_view name;
+  std::string_view statement;  // one sentence
+  std::string_view formula;    // LaTeX
+  std::string_view source;
+  std::string_view domain;     // the collisions that it speaks of
+  std::vector<Model> models;   // that it is claimed for
+  Verdict (*check)(const Evidence&);
+  /// Further collisions to put to the subject, made from the collision and the outcome; nullptr where none are needed.
+  std::vector<Collision> (*questions)(const Collision&, const Outcome<double>&) = nullptr;
+
+  [[nodiscard]] bool claimed_for(Model model) const;
+};
+
+/// The catalogue, in the order of the design.
+[[nodiscard]] std::span<const Invariant> all_invariants();
+
+/// The invariant of this name; nullptr where there is none.
+[[nodiscard]] const Invariant* invariant_named(std::string_view name);
+
+}  // namespace carom::properties

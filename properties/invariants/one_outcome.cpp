@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/verdicts.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::Approach;
+using oracles::compare;
+using oracles::Rational;
+using oracles::Relation;
+
+bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::colliding; }
+
+bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
+
+/// The verdict of one law of laws.hpp.
+template <class Law>
+Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law) {
+  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.allowance()), what);
+}
+
+const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
+
+template <class T>
+const BasicBody<T>& body_of(const BasicCollision<T>& collision, bool a) {
+  return a ? collision.a : collision.b;
+}
+
+template <class T>
+const BodyVelocity<T>& motion_of(const Outcome<T>& outcome, bool a) {
+  return a ? outcome.a : outcome.b;
+}
+
+Verdict untouched_body(const Evidence& e, bool a) {
+  return law_holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
+                   [a](const auto& c, const auto& y) { return oracles::untouched(body_of(c, a), motion_of(y, a)); });
+}
+
+/// One vector of the outcome against what it should be, allowed what the law's sensitivity allows.
+Verdict vector_is(const Evidence& e, std::size_t k, const Vector3<Rational>& expected,
+                  const oracles::Sensitivity& sensitivity) {
+  const Vector3<Rational>& actual = *vectors(e.outcome)[k];
+  const Vector3<Rational> difference = actual - expected;
+  const Rational squared = difference.dot(difference);
+  if (squared == 0) {
+    return {};
+  }
+  oracles::Comparison comparison;
+  comparison.residual = std::sqrt(oracles::to_double(squared));
+  comparison.allowed = e.allowance() * sensitivity[k];
+  comparison.holds = squared <= Rational(comparison.allowed) * Rational(comparison.allowed);
+  if (!comparison.holds) {
+    for (int i = 0; i < 3; ++i) {
+      comparison.left.push_back(oracles::to_double(actual[i]));
+      comparison.right.push_back(oracles::to_double(expected[i]));
+    }
+  }
+  const std::string what = fmt::format("{}, after and before", outcome_vector_names[k]);
+  return verdict_of(std::move(comparison), what.c_str());
+}
+
+}  // namespace
+
+Verdict check_backward_error(const Evidence& e) {
+  const oracles::Accuracy accuracy = oracles::accuracy(e.exact_case, e.model, e.outcome, e.allowance());
+  const oracles::Truth<Rational>& truth = e.exact_case.truth(e.model);
+  Verdict worst;
+  for (std::size_t k = 0; k < accuracy.error.size(); ++k) {
+    const double allowed = e.allowance() * accuracy.sensitivity[k];
+    if (accuracy.error[k] == 0) {
+      continue;
+    }
+    Verdict verdict{Status::holds, accuracy.error[k], allowed, {}, {}, {}};
+    if (accuracy.error[k] > allowed) {
+      verdict.status = Status::violated;
+      verdict.detail = fmt::format("{}, computed and exact", outcome_vector_names[k]);
+      for (int i = 0; i < 3; ++i) {
+        verdict.left.push_back(oracles::to_double((*vectors(e.outcome)[k])[i]));
+        verdict.right.push_back(oracles::to_double((*vectors(truth.outcome)[k])[i]));
+      }
+    }
+    worst = both(std::move(worst), std::move(verdict));
+  }
+  if (worst.status == Status::violated && e.yardstick.digits &&
+      accuracy.relative_error <= std::pow(10.0, -*e.yardstick.digits)) {
+    worst = {};
+  }
+  return worst;
+}
+
+Verdict check_linear_momentum(const Evidence& e) {
+  if (body(e, true).immovable || body(e, false).immovable) {
+    return outside_domain("a body is immovable");
+  }
+  return law_holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B",
+                   [](const auto& c, const auto& y) { return oracles::linear_momentum(c, y); });
+}
+
+Verdict check_angular_momentum(const Evidence& e) {
+  Verdict worst = outside_domain("both bodies are immovable");
+  for (const bool a : {true, false}) {
+    if (!body(e, a).immovable) {
+      worst = both(std::move(worst),
+                   law_holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
+                             [a](const auto& c, const auto& y) {
+                               return oracles::angular_momentum(body_of(c, a), c.point, motion_of(y, a));
+                             }));
+    }
+  }
+  if (!body(e, true).immovable && !body(e, false).immovable) {
+    worst = both(std::move(worst),
+                 law_holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
+                           [](const auto& c, const auto& y) { return oracles::total_angular_momentum(c, y); }));
+  }
+  return worst;
+}
+
+Verdict check_restitution(const Evidence& e) {
+  if (!collides(e)) {
+    return outside_domain("the contact is not colliding");
+  }
+  return law_holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻",
+                   [](const auto& c, const auto& y) { return oracles::restitution(c, y); });
+}
+
+Verdict check_non_penetration(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  return law_holds(e, Relation::at_least, "N·V⁺ and 0",
+                   [](const auto& c, const auto& y) { return oracles::non_penetration(c, y); });
+}
+
+Verdict check_push(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  const bool off_a = e.exact_case.reads_impulse_off_a();
+  return law_holds(e, Relation::at_least, "N·F and 0",
+                   [off_a](const auto& c, const auto& y) { return oracles::push(c, y, off_a); });
+}
+
+Verdict check_separating_untouched(const Evidence& e) {
+  if (collides(e)) {
+    return outside_domain("the contact is colliding");
+  }
+  if (e.model == Model::any) {
+    // Within rounding of a colliding contact an unknown law may act, and what it allows is not known.
+    if (e.exact_case.is_grazing(e.allowance())) {
+      return outside_domain("within rounding of a colliding contact");
+    }
+    return both(untouched_body(e, true), untouched_body(e, false));
+  }
+  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const Outcome<Rational> before = unchanged(e.exact_case.exact());
+  Verdict worst;
+  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+    worst = both(std::move(worst), vector_is(e, k, *vectors(before)[k], sensitivity));
+  }
+  return worst;
+}
+
+Verdict check_immovable_untouched(const Evidence& e) {
+  Verdict worst = outside_domain("both bodies are movable");
+  for (const bool a : {true, false}) {
+    if (body(e, a).immovable) {
+      worst = both(std::move(worst), untouched_body(e, a));
+    }
+  }
+  return worst;
+}
+
+Verdict check_frictionless_direction(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  const bool off_a = e.exact_case.reads_impulse_off_a();
+  return law_holds(e, Relation::equal, "N × F and 0",
+                   [off_a](const auto& c, const auto& y) { return oracles::frictionless_direction(c, y, off_a); });
+}
+
+Verdict check_reflection_plane(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  return law_holds(e, Relation::equal, "N × V⁺ and N × V⁻",
+                   [](const auto& c, const auto& y) { return oracles::reflection_plane(c, y); });
+}
+
+Verdict check_energy(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  return law_holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall",
+                   [](const auto& c, const auto& y) { return oracles::energy(c, y); });
+}
+
+Verdict check_collinear_spin(const Evidence& e) {
+  if (!collides(e)) {
+    return outside_domain("the contact is not colliding");
+  }
+  const BasicCollision<Rational>& c = e.exact_case.exact();
+  for (const auto* one : {&c.a, &c.b}) {
+    const Vector3<Rational> moment = oracles::lever_arm(*one, c.point).cross(c.normal);
+    if (!one->immovable && moment.dot(moment) != 0) {
+      return outside_domain("a lever arm is not along the normal");
+    }
+  }
+  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  return both(vector_is(e, 1, c.a.angular_velocity, sensitivity), vector_is(e, 3, c.b.angular_velocity, sensitivity));
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/verdicts.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::Rational;
+using ExactOutcome = Outcome<Rational>;
+
+/// Compares two outcomes that a relation makes equal, each allowed its own rounding.
+Verdict agree(const ExactOutcome& left, const ExactOutcome& right, const oracles::Sensitivity& sensitivity,
+              double allowance) {
+  Verdict worst;
+  const auto of_left = vectors(left);
+  const auto of_right = vectors(right);
+  for (std::size_t k = 0; k < of_left.size(); ++k) {
+    const Vector3<Rational> difference = *of_left[k] - *of_right[k];
+    const Rational squared = difference.dot(difference);
+    if (squared == 0) {
+      continue;
+    }
+    const double allowed = allowance * sensitivity[k];
+    Verdict verdict{Status::holds, std::sqrt(oracles::to_double(squared)), allowed, {}, {}, {}};
+    if (squared > Rational(allowed) * Rational(allowed)) {
+      verdict.status = Status::violated;
+      verdict.detail = fmt::format("{}, as related and as computed", outcome_vector_names[k]);
+      for (int i = 0; i < 3; ++i) {
+        verdict.left.push_back(oracles::to_double((*of_left[k])[i]));
+        verdict.right.push_back(oracles::to_double((*of_right[k])[i]));
+      }
+    }
+    worst = both(std::move(worst), std::move(verdict));
+  }
+  return worst;
+}
+
+bool equal(const ExactOutcome& left, const ExactOutcome& right) {
+  const auto of_left = vectors(left);
+  const auto of_right = vectors(right);
+  for (std::size_t k = 0; k < of_left.size(); ++k) {
+    for (int i = 0; i < 3; ++i) {
+      if ((*of_left[k])[i] != (*of_right[k])[i]) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The outcome of a related collision, or the verdict where there is none.
+std::variant<const ExactOutcome*, Verdict> outcome_of(const Related& related) {
+  if (const auto* outcome = std::get_if<ExactOutcome>(&related.answer)) {
+    return outcome;
+  }
+  if (const auto* skipped = std::get_if<Skipped>(&related.answer)) {
+    return outside_domain("the related collision was skipped: " + skipped->why);
+  }
+  Verdict verdict;
+  verdict.status = Status::violated;
+  const auto* refused = std::get_if<Refused>(&related.answer);
+  verdict.detail = refused != nullptr ? "the related collision was refused: " + refused->why
+                                      : std::string("the outcome of the related collision is not finite");
+  return verdict;
+}
+
+/// The relation maps the collision exactly, so the exact outcome is mapped exactly and both sensitivities are the same.
+template <class Back>
+Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
+  const auto answer = outcome_of(related);
+  if (const auto* verdict = std::get_if<Verdict>(&answer)) {
+    return *verdict;
+  }
+  const ExactOutcome mapped_back = back(*std::get<const ExactOutcome*>(answer));
+  if (equal(mapped_back, e.outcome)) {
+    return {};
+  }
+  return agree(mapped_back, e.outcome, e.exact_case.sensitivity(e.model, e.allowance()), 2 * e.allowance());
+}
+
+/// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
+template <class Expected>
+Verdict related_pair(const Evidence& e, const Expected& expected) {
+  const auto first = outcome_of(e.related[0]);
+  const auto second = outcome_of(e.related[1]);
+  for (const auto* answer : {&first, &second}) {
+    if (const auto* verdict = std::get_if<Verdict>(answer)) {
+      return *verdict;
+    }
+  }
+  const ExactOutcome mapped = expected(*std::get<const ExactOutcome*>(first));
+  const ExactOutcome& actual = *std::get<const ExactOutcome*>(second);
+  if (equal(mapped, actual)) {
+    return {};
+  }
+  oracles::Sensitivity sensitivity = e.related[0].exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity& of_second = e.related[1].exact_case.sensitivity(e.model, e.allowance());
+  // A factor in `expected` multiplies the rounding of the first as well; three is the largest used.
+  constexpr double largest_factor = 3;
+  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+    sensitivity[k] = largest_factor * sensitivity[k] + of_second[k];
+  }
+  return agree(mapped, actual, sensitivity, e.allowance());
+}
+
+/// Applies `polar` to the vectors that a mirror reflects and `axial` to those that turn with it.
+template <class Polar, class Axial>
+Collision mapped_vectors(Collision c, const Polar& polar, const Axial& axial) {
+  for (Body* body : {&c.a, &c.b}) {
+    body->position = polar(body->position);
+    body->velocity = polar(body->velocity);
+    body->angular_velocity = axial(body->angular_velocity);
+  }
+  c.point = polar(c.point);
+  c.normal = polar(c.normal);
+  return c;
+}
+
+template <class Polar, class Axial>
+ExactOutcome mapped_vectors(const ExactOutcome& y, const Polar& polar, const Axial& axial) {
+  return {{polar(y.a.velocity), axial(y.a.angular_velocity)}, {polar(y.b.velocity), axial(y.b.angular_velocity)}};
+}
+
+/// A quarter turn that takes axis `from` to axis `to`, and `to` to the opposite of `from`.
+struct QuarterTurn {
+  int from;
+  int to;
+
+  template <class S>
+  [[nodiscard]] Vector3<S> operator()(const Vector3<S>& v) const {
+    Vector3<S> turned = v;
+    turned[to] = v[from];
+    turned[from] = -v[to];
+    return turned;
+  }
+  [[nodiscard]] QuarterTurn inverse() const { return {to, from}; }
+};
+
+constexpr QuarterTurn about_z{0, 1};
+constexpr QuarterTurn about_x{1, 2};
+
+/// The body axes are turned along with the world, T R Tᵀ, and the principal moments change places: exact, where T R would
+/// need √½ in the quaternion.
+Collision turned(const Collision& collision, const QuarterTurn& turn) {
+  Collision c = mapped_vectors(collision, turn, turn);
+  for (Body* body : {&c.a, &c.b}) {
+    body->orientation.tail<3>() = turn(Vector3<double>(body->orientation.tail<3>()));
+    std::swap(body->principal_inertia[turn.from], body->principal_inertia[turn.to]);
+  }
+  return c;
+}
+
+template <class S>
+Vector3<S> mirrored_polar(Vector3<S> v) {
+  v[0] = -v[0];
+  return v;
+}
+
+template <class S>
+Vector3<S> mirrored_axial(Vector3<S> v) {
+  v[1] = -v[1];
+  v[2] = -v[2];
+  return v;
+}
+
+/// Changes of the units of mass, length and time by powers of two: exact.
+constexpr int mass_exponent = 5;
+constexpr int length_exponent = -3;
+constexpr int time_exponent = 2;
+
+Rational times_power_of_two(const Rational& number, int exponent) {
+  return number * oracles::lift(std::ldexp(1.0L, exponent));
+}
+
+/// The largest component, as the exponent of a power of two above it; 1 stands for all zero.
+int exponent_above(std::initializer_list<const Vector3<double>*> of) {
+  double largest = 0;
+  for (const auto* vector : of) {
+    largest = std::max(largest, vector->cwiseAbs().maxCoeff());
+  }
+  int exponent = 1;
+  if (largest > 0) {
+    std::frexp(largest, &exponent);
+  }
+  return exponent;
+}
+
+/// Multiples of 2^(exponent − 48): sums of these below 2^(exponent + 1) are exact in binary64.
+Vector3<double> on_grid(const Vector3<double>& vector, int exponent) {
+  Vector3<double> result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = std::ldexp(std::round(std::ldexp(vector[i], 48 - exponent)), exponent - 48);
+  }
+  return result;
+}
+
+/// An offset as large as the largest component, in no special direction.
+Vector3<double> offset(int exponent) { return Vector3<double>{1, -0.5, 0.75} * std::ldexp(1.0, exponent); }
+
+/// Rounded so that three times each component is exact.
+Vector3<double> to_50_bits(const Vector3<double>& vector) {
+  Vector3<double> result;
+  for (int i = 0; i < 3; ++i) {
+    int exponent = 0;
+    const double mantissa = std::frexp(vector[i], &exponent);
+    result[i] = std::ldexp(std::round(std::ldexp(mantissa, 50)), exponent - 50);
+  }
+  return result;
+}
+
+constexpr double velocity_factor = 3;
+
+ExactOutcome plus_change(const ExactOutcome& y, const BasicCollision<Rational>& from,
+                         const BasicCollision<Rational>& to) {
+  const auto shifted = [](const BodyVelocity<Rational>& motion, const BasicBody<Rational>& before,
+                          const BasicBody<Rational>& after) {
+    return BodyVelocity<Rational>{motion.velocity + (after.velocity - before.velocity),
+                                  motion.angular_velocity + (after.angular_velocity - before.angular_velocity)};
+  };
+  return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
+}
+
+}  // namespace
+
+std::vector<Collision> ask_swap(const Collision& collision, const Outcome<double>&) {
+  Collision swapped = collision;
+  std::swap(swapped.a, swapped.b);
+  swapped.normal = -swapped.normal;
+  return {swapped};
+}
+
+Verdict check_swap(const Evidence& e) {
+  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) { return ExactOutcome{y.b, y.a}; });
+}
+
+std::vector<Collision> ask_galilean(const Collision& collision, const Outcome<double>&) {
+  const int exponent = exponent_above({&collision.a.velocity, &collision.b.velocity});
+  Collision rounded = collision;
+  rounded.a.velocity = on_grid(collision.a.velocity, exponent);
+  rounded.b.velocity = on_grid(collision.b.velocity, exponent);
+  Collision moving = rounded;
+  moving.a.velocity += offset(exponent);
+  moving.b.velocity += offset(exponent);
+  return {rounded, moving};
+}
+
+Verdict check_galilean(const Evidence& e) {
+  return related_pair(e, [&](const ExactOutcome& y) {
+    return plus_change(y, e.related[0].exact_case.exact(), e.related[1].exact_case.exact());
+  });
+}
+
+std::vector<Collision> ask_translation(const Collision& collision, const Outcome<double>&) {
+  const int exponent = exponent_above({&collision.a.position, &collision.b.position, &collision.point});
+  Collision rounded = collision;
+  for (Vector3<double>* place : {&rounded.a.position, &rounded.b.position, &rounded.point}) {
+    *place = on_grid(*place, exponent);
+  }
+  Collision translated = rounded;
+  for (Vector3<double>* place : {&translated.a.position, &translated.b.position, &translated.point}) {
+    *place += offset(exponent);
+  }
+  return {rounded, translated};
+}
+
+Verdict check_translation(const Evidence& e) {
+  return related_pair(e, [](const ExactOutcome& y) { return y; });
+}
+
+std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<double>&) {
+  return {turned(collision, about_z), turned(collision, about_x)};
+}
+
+Verdict check_rotation(const Evidence& e) {
+  const auto turned_back = [&](std::size_t index, const QuarterTurn& turn) {
+    return exactly_mapped(e, e.related[index], [back = turn.inverse()](const ExactOutcome& y) {
+      return mapped_vectors(y, back, back);
+    });
+  };
+  return both(turned_back(0, about_z), turned_back(1, about_x));
+}
+
+std::vector<Collision> ask_reflection_symmetry(const Collision& collision, const Outcome<double>&) {
+  Collision mirrored = mapped_vectors(collision, mirrored_polar<double>, mirrored_axial<double>);
+  for (Body* body : {&mirrored.a, &mirrored.b}) {
+    body->orientation.tail<3>() = mirrored_axial(Vector3<double>(body->orientation.tail<3>()));
+  }
+  return {mirrored};
+}
+
+Verdict check_reflection_symmetry(const Evidence& e) {
+  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) {
+    return mapped_vectors(y, mirrored_polar<Rational>, mirrored_axial<Rational>);
+  });
+}
+
+std::vector<Collision> ask_unit_scaling(const Collision& collision, const Outcome<double>&) {
+  const double mass = std::ldexp(1.0, mass_exponent);
+  const double length = std::ldexp(1.0, length_exponent);
+  const double time = std::ldexp(1.0, time_exponent);
+  Collision scaled = collision;
+  for (Body* body : {&scaled.a, &scaled.b}) {
+    body->mass *= mass;
+    body->principal_inertia *= mass * length * length;
+    body->position *= length;
+    body->velocity *= length / time;
+    body->angular_velocity /= time;
+  }
+  scaled.point *= length;
+  return {scaled};
+}
+
+Verdict check_unit_scaling(const Evidence& e) {
+  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) {
+    ExactOutcome back = y;
+    for (auto* motion : {&back.a, &back.b}) {
+      for (int i = 0; i < 3; ++i) {
+        motion->velocity[i] = times_power_of_two(motion->velocity[i], time_exponent - length_exponent);
+        motion->angular_velocity[i] = times_power_of_two(motion->angular_velocity[i], time_exponent);
+      }
+    }
+    return back;
+  });
+}
+
+std::vector<Collision> ask_homogeneous(const Collision& collision, const Outcome<double>&) {
+  Collision rounded = collision;
+  for (Body* body : {&rounded.a, &rounded.b}) {
+    body->velocity = to_50_bits(body->velocity);
+    body->angular_velocity = to_50_bits(body->angular_velocity);
+  }
+  Collision faster = rounded;
+  for (Body* body : {&faster.a, &faster.b}) {
+    body->velocity *= velocity_factor;
+    body->angular_velocity *= velocity_factor;
+  }
+  return {rounded, faster};
+}
+
+Verdict check_homogeneous(const Evidence& e) {
+  return related_pair(e, [](const ExactOutcome& y) {
+    return map_outcome<Rational>(y, [](const Rational& number) { return Rational(number * Rational(velocity_factor)); });
+  });
+}
+
+/// The same bodies meeting head-on without spin, and with a tangential velocity of 2^−30 of the approach. The normal is
+/// rounded to 20 bits so that both are exact.
+std::vector<Collision> ask_continuous(const Collision& collision, const Outcome<double>&) {
+  const int exponent = exponent_above({&collision.normal});
+  Collision head_on = collision;
+  for (int i = 0; i < 3; ++i) {
+    head_on.normal[i] = std::round(std::ldexp(collision.normal[i], 20 - exponent));
+  }
+  for (Body* body : {&head_on.a, &head_on.b}) {
+    body->velocity.setZero();
+    body->angular_velocity.setZero();
+  }
+  const Vector3<double> approach = head_on.normal * std::ldexp(1.0, -20);
+  const Vector3<double> tangential = orthogonal(approach) * std::ldexp(1.0, -30);
+  Collision oblique = head_on;
+  if (collision.a.immovable) {
+    head_on.b.velocity = approach;
+    oblique.b.velocity = approach + tangential;
+  } else {
+    head_on.a.velocity = -approach;
+    oblique.a.velocity = tangential - approach;
+  }
+  return {head_on, oblique};
+}
+
+Verdict check_continuous(const Evidence& e) { return check_galilean(e); }
+
+std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<double>& outcome) {
+  return {with_velocities(collision, outcome)};
+}
+
+Verdict check_repeat(const Evidence& e) {
+  if (e.exact_case.approach() != oracles::Approach::colliding || e.exact_case.collision().restitution == 0) {
+    return outside_domain("the contact is not colliding, or ε = 0");
+  }
+  const Related& second = e.related[0];
+  if (second.exact_case.is_grazing(e.allowance())) {
+    return outside_domain("the outcome is within rounding of a colliding contact");
+  }
+  const auto answer = outcome_of(second);
+  if (const auto* verdict = std::get_if<Verdict>(&answer)) {
+    return *verdict;
+  }
+  const ExactOutcome& after = *std::get<const ExactOutcome*>(answer);
+  const auto untouched = [&](bool a) {
+    return verdict_of(oracles::compare(
+                          [a](const auto& c, const auto& y) {
+                            return a ? oracles::untouched(c.a, y.a) : oracles::untouched(c.b, y.b);
+                          },
+                          oracles::Relation::equal, second.exact_case, after, e.allowance()),
+                      a ? "velocities of A, after a second impulse and before it"
+                        : "velocities of B, after a second impulse and before it");
+  };
+  return both(untouched(true), untouched(false));
+}
+
+}  // namespace carom::properties

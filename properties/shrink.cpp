@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/shrink.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <carom/collision/validate.hpp>
+
+namespace carom::properties {
+namespace {
+
+/// 0 for 0; 1 for 1; else the bits of the odd part, the size of the exponent, and a little for the sign.
+long complexity(double number) {
+  if (number == 0) {
+    return 0;
+  }
+  int exponent = 0;
+  double mantissa = std::frexp(std::abs(number), &exponent);
+  long bits = 0;
+  while (mantissa != 0) {
+    mantissa = mantissa * 2 - std::floor(mantissa * 2);
+    ++bits;
+  }
+  return 3 * bits + std::abs(exponent - 1) + (number < 0 ? 1 : 0);
+}
+
+double rounded_to_bits(double number, int bits) {
+  int exponent = 0;
+  const double mantissa = std::frexp(number, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
+}
+
+/// Calls f(body) for both bodies.
+template <class F>
+void for_each_body(Collision& collision, F&& f) {
+  f(collision.a);
+  f(collision.b);
+}
+
+void set_to_rest(Body& body) {
+  body.velocity.setZero();
+  body.angular_velocity.setZero();
+}
+
+Body immovable_at(const Vector3<double>& position) {
+  Body body;
+  body.immovable = true;
+  body.position = position;
+  return body;
+}
+
+class Candidates {
+ public:
+  explicit Candidates(const Collision& collision) : collision_(collision), complexity_(properties::complexity(collision)) {}
+
+  template <class Change>
+  void add(const Change& change) {
+    Collision changed = collision_;
+    change(changed);
+    if (properties::complexity(changed) < complexity_ && validate(changed).empty()) {
+      found_.push_back(changed);
+    }
+  }
+
+  [[nodiscard]] std::vector<Collision> take() { return std::move(found_); }
+
+ private:
+  Collision collision_;
+  long complexity_;
+  std::vector<Collision> found_;
+};
+
+}  // namespace
+
+long complexity(const Collision& collision) {
+  long sum = 0;
+  for_each_number(
+      [&](const FieldPath& path, const double& number) {
+        // 1, 0, 0, 0 is the simplest orientation, and 1 the simplest mass: both count as nothing.
+        const bool is_unit = number == 1 && (path.field == "mass" || path.field == "principal_inertia" ||
+                                             (path.field == "orientation" && path.component == 0));
+        sum += is_unit ? 0 : complexity(number);
+      },
+      collision);
+  return sum;
+}
+
+std::vector<Collision> simpler(const Collision& collision) {
+  Candidates candidates(collision);
+  candidates.add([](Collision& c) { c.b = immovable_at(c.b.position); });
+  candidates.add([](Collision& c) { c.a = immovable_at(c.a.position); });
+  candidates.add([](Collision& c) {
+    for_each_body(c, [&](Body& body) { body.position -= c.point; });
+    c.point.setZero();
+  });
+  candidates.add([](Collision& c) {
+    c.a.velocity -= c.b.velocity;
+    set_to_rest(c.b);
+  });
+  for (Body Collision::*body : {&Collision::b, &Collision::a}) {
+    candidates.add([&](Collision& c) { set_to_rest(c.*body); });
+    candidates.add([&](Collision& c) { (c.*body).angular_velocity.setZero(); });
+    candidates.add([&](Collision& c) { (c.*body).velocity.setZero(); });
+    candidates.add([&](Collision& c) { (c.*body).position = c.point; });
+    candidates.add([&](Collision& c) { (c.*body).orientation = {1, 0, 0, 0}; });
+    candidates.add([&](Collision& c) {
+      (c.*body).mass = 1;
+      (c.*body).principal_inertia.setOnes();
+    });
+    candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
+  }
+  for (const int bits : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 44}) {
+    candidates.add([&](Collision& c) {
+      for_each_number([&](const FieldPath&, double& number) { number = rounded_to_bits(number, bits); }, c);
+    });
+  }
+  int count = 0;
+  for_each_number([&](const FieldPath&, const double&) { ++count; }, collision);
+  for (int chosen = 0; chosen < count; ++chosen) {
+    const auto change_one = [&](const auto& changed) {
+      candidates.add([&](Collision& c) {
+        int index = 0;
+        for_each_number(
+            [&](const FieldPath&, double& number) {
+              if (index++ == chosen) {
+                number = changed(number);
+              }
+            },
+            c);
+      });
+    };
+    change_one([](double) { return 0.0; });
+    change_one([](double) { return 1.0; });
+    change_one([](double x) { return std::abs(x); });
+    for (const int bits : {1, 2, 3, 5, 8, 16, 32}) {
+      change_one([&](double x) { return rounded_to_bits(x, bits); });
+    }
+    change_one([](double x) { return std::round(x); });
+    change_one([](double x) { return x / 2; });
+    change_one([](double x) { return x * 2; });
+  }
+  return candidates.take();
+}
+
+Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
+                 std::size_t most_calls) {
+  std::vector<Collision> candidates = simpler(collision);
+  // Goes on behind the last success rather than from the start, and ends after a whole round of failures.
+  std::size_t next = 0;
+  std::size_t failures = 0;
+  for (std::size_t calls = 0; calls < most_calls && failures < candidates.size(); ++calls) {
+    next %= candidates.size();
+    if (still_fails(candidates[next])) {
+      collision = candidates[next];
+      candidates = simpler(collision);
+      failures = 0;
+    } else {
+      ++next;
+      ++failures;
+    }
+  }
+  return collision;
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/stream.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace carom::properties {
+namespace {
+
+std::uint64_t mixed(std::uint64_t z) {
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+// Written out: std::pow is not correctly rounded everywhere.
+constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10,
+                                               1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21,
+                                               1e22, 1e23, 1e24, 1e25, 1e26, 1e27, 1e28, 1e29, 1e30};
+
+}  // namespace
+
+int Stream::integer(int low, int high) {
+  const auto count = static_cast<std::uint64_t>(high - low) + 1;
+  return low + static_cast<int>(bits() % count);
+}
+
+double Stream::unit() {
+  constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
+  return chance(8) ? integer(0, 7) / 8.0 : static_cast<double>(bits() >> 11U) * two_to_minus_53;
+}
+
+double Stream::signed_unit() {
+  const double magnitude = unit();
+  return chance(2) ? -magnitude : magnitude;
+}
+
+double Stream::power_of_two(int low, int high) { return std::ldexp(1.0, integer(low, high)); }
+
+double Stream::power_of_ten(int low, int high) {
+  const int k = integer(low, high);
+  const double power = powers_of_ten.at(static_cast<std::size_t>(std::abs(k)));
+  return k < 0 ? 1 / power : power;
+}
+
+Vector3<double> Stream::vector() {
+  const double x = signed_unit();
+  const double y = signed_unit();
+  const double z = signed_unit();
+  return {x, y, z};
+}
+
+Vector3<double> Stream::direction() {
+  Vector3<double> result;
+  if (chance(4)) {
+    for (int i = 0; i < 3; ++i) {
+      result[i] = integer(-3, 3);
+    }
+  } else {
+    result = vector();
+  }
+  // Far enough from zero that its square is no rounding noise.
+  constexpr double short_length = 1.0 / 16;
+  if ((result.array().abs() < short_length).all()) {
+    result[integer(0, 2)] = 1;
+  }
+  return result;
+}
+
+Quaternion<double> Stream::quaternion() {
+  Quaternion<double> result;
+  for (int i = 0; i < 4; ++i) {
+    result[i] = signed_unit();
+  }
+  constexpr double short_length = 1.0 / 8;
+  if ((result.array().abs() < short_length).all()) {
+    result[integer(0, 3)] = 1;
+  }
+  return result;
+}
+
+Stream stream_from(std::uint64_t seed) {
+  return Stream([state = seed]() mutable {
+    state += 0x9e3779b97f4a7c15U;
+    return mixed(state);
+  });
+}
+
+Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index) {
+  std::uint64_t state = mixed(seed + 0x9e3779b97f4a7c15U);
+  for (const char letter : family) {
+    state = mixed(state ^ static_cast<unsigned char>(letter));
+  }
+  return stream_from(mixed(state + index));
+}
+
+}  // namespace carom::properties

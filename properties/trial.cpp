@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/trial.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <carom/collision/validate.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::Rational;
+
+bool same_numbers(const Collision& left, const Collision& right) {
+  bool same = left.a.immovable == right.a.immovable && left.b.immovable == right.b.immovable;
+  if (same) {
+    for_each_number([&](const FieldPath&, const double& x, const double& y) { same = same && x == y; }, left, right);
+  }
+  return same;
+}
+
+Verdict violated(std::string detail) { return {Status::violated, 0, 0, std::move(detail), {}, {}}; }
+
+/// `finite`, of the answer to a valid collision.
+Verdict finite(const ExactAnswer& answer) {
+  if (std::holds_alternative<NotFinite>(answer)) {
+    return violated("the outcome is not finite");
+  }
+  if (const auto* refused = std::get_if<Refused>(&answer)) {
+    return violated("a valid collision was refused: " + refused->why);
+  }
+  return {};
+}
+
+/// `invalid_refused`, of the answer to an invalid collision.
+Verdict invalid_refused(const ExactAnswer& answer) {
+  if (std::holds_alternative<Refused>(answer)) {
+    return {};
+  }
+  return violated("an invalid collision was answered");
+}
+
+}  // namespace
+
+Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
+  yardstick.unit_roundoff = unit_roundoff(subject.precision);
+  Claim claim{subject.model, yardstick, {}};
+  for (const Invariant& invariant : all_invariants()) {
+    const bool deviates =
+        std::find(subject.deviates.begin(), subject.deviates.end(), invariant.name) != subject.deviates.end();
+    if (invariant.claimed_for(subject.model) && !deviates) {
+      claim.invariants.push_back(&invariant);
+    }
+  }
+  return claim;
+}
+
+JudgedCase::JudgedCase(const Case& generated) : generated_(generated) {
+  if (validate(generated.collision).empty()) {
+    exact_.emplace(generated.collision);
+  }
+}
+
+const oracles::ExactCase* JudgedCase::related(const Collision& collision) const {
+  for (const auto& known : related_) {
+    if (same_numbers(known->collision(), collision)) {
+      return known.get();
+    }
+  }
+  if (!validate(collision).empty()) {
+    return nullptr;
+  }
+  related_.push_back(std::make_unique<oracles::ExactCase>(collision));
+  return related_.back().get();
+}
+
+Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
+             std::optional<Matrix3<Rational>> collision_matrix)
+    : judged_case_(&judged_case),
+      claim_(&claim),
+      answer_(std::move(answer)),
+      collision_matrix_(std::move(collision_matrix)),
+      question_count_(claim.invariants.size(), 0) {
+  const auto* outcome = std::get_if<Outcome<Rational>>(&answer_);
+  if (outcome == nullptr || !judged_case.is_valid()) {
+    return;
+  }
+  const auto rounded = map_outcome<double>(*outcome, [](const Rational& x) { return oracles::to_double(x); });
+  for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
+    if (claim.invariants[i]->questions == nullptr) {
+      continue;
+    }
+    const std::vector<Collision> asked = claim.invariants[i]->questions(judged_case.exact().collision(), rounded);
+    const bool all_valid = std::all_of(asked.begin(), asked.end(),
+                                       [&](const Collision& c) { return judged_case.related(c) != nullptr; });
+    if (all_valid) {
+      question_count_[i] = asked.size();
+      questions_.insert(questions_.end(), asked.begin(), asked.end());
+    }
+  }
+}
+
+Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
+  if (answers.size() != questions_.size()) {
+    throw std::invalid_argument("a trial needs one answer to each of its questions");
+  }
+  Judgement judgement;
+  if (const auto* skipped = std::get_if<Skipped>(&answer_)) {
+    judgement.skipped = *skipped;
+    return judgement;
+  }
+  const auto* outcome = std::get_if<Outcome<Rational>>(&answer_);
+  const bool has_truth = claim_->model != Model::any;
+  if (outcome != nullptr && judged_case_->is_valid() && has_truth) {
+    judgement.accuracy =
+        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick.allowance());
+  }
+  std::size_t next_question = 0;
+  for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
+    const Invariant& invariant = *claim_->invariants[i];
+    if (invariant.check == nullptr) {
+      const bool about_invalid = invariant.name == "invalid_refused";
+      if (about_invalid != judged_case_->is_valid()) {
+        judgement.verdicts.push_back({&invariant, about_invalid ? invalid_refused(answer_) : finite(answer_)});
+      }
+      continue;
+    }
+    if (outcome == nullptr || !judged_case_->is_valid()) {
+      continue;
+    }
+    std::vector<Related> related;
+    for (std::size_t q = 0; q < question_count_[i]; ++q, ++next_question) {
+      related.push_back({*judged_case_->related(questions_[next_question]), answers[next_question]});
+    }
+    if (invariant.questions != nullptr && related.empty()) {
+      judgement.verdicts.push_back(
+          {&invariant, {Status::skipped, 0, 0, "the related collision is out of range", {}, {}}});
+      continue;
+    }
+    const Evidence evidence{judged_case_->exact(),
+                            judged_case_->generated().convex_uniform,
+                            claim_->model,
+                            claim_->yardstick,
+                            *outcome,
+                            collision_matrix_ ? &*collision_matrix_ : nullptr,
+                            related};
+    judgement.verdicts.push_back({&invariant, invariant.check(evidence)});
+  }
+  return judgement;
+}
+
+Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
+                   const std::optional<Matrix3<Rational>>& collision_matrix) {
+  const Trial trial(judged_case, claim, solve(judged_case.generated().collision), collision_matrix);
+  std::vector<ExactAnswer> answers;
+  for (const Collision& question : trial.questions()) {
+    answers.push_back(solve(question));
+  }
+  return trial.judge(answers);
+}
+
+std::optional<Matrix3<Rational>> shown_collision_matrix(const Subject& subject, const JudgedCase& judged_case) {
+  if (!subject.collision_matrix || !judged_case.is_valid()) {
+    return std::nullopt;
+  }
+  const Matrix3<long double> shown = subject.collision_matrix(judged_case.generated().collision);
+  Matrix3<Rational> lifted;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!std::isfinite(shown(i, j))) {
+        return std::nullopt;
+      }
+      lifted(i, j) = oracles::lift(shown(i, j));
+    }
+  }
+  return lifted;
+}
+
+}  // namespace carom::properties

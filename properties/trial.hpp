@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <carom/properties/families/family.hpp>
+#include <carom/properties/invariant.hpp>
+
+/// One case put to one subject and judged on every invariant that the subject claims.
+namespace carom::properties {
+
+/// What is judged about a subject.
+struct Claim {
+  Model model = Model::any;
+  oracles::Yardstick yardstick;
+  std::vector<const Invariant*> invariants;  // claimed for the model, without those the subject deviates from
+};
+
+[[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
+
+/// A case, and what is exactly known of it and of the collisions related to it. Shared by the subjects that are judged on
+/// it; for one thread.
+class JudgedCase {
+ public:
+  explicit JudgedCase(const Case& generated);
+
+  [[nodiscard]] const Case& generated() const { return generated_; }
+  [[nodiscard]] bool is_valid() const { return exact_.has_value(); }
+
+  /// Precondition: is_valid().
+  [[nodiscard]] const oracles::ExactCase& exact() const { return *exact_; }
+
+  /// What is exactly known of a collision related to this one; remembered, since most subjects are asked the same.
+  /// nullptr where the collision is not valid (an extreme case that the relation takes out of range).
+  [[nodiscard]] const oracles::ExactCase* related(const Collision& collision) const;
+
+ private:
+  Case generated_;
+  std::optional<oracles::ExactCase> exact_;
+  mutable std::vector<std::unique_ptr<oracles::ExactCase>> related_;
+};
+
+/// The verdict of one invariant.
+struct NamedVerdict {
+  const Invariant* invariant;
+  Verdict verdict;
+};
+
+/// What came of a trial.
+struct Judgement {
+  std::vector<NamedVerdict> verdicts;
+  std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
+  std::optional<Skipped> skipped;             // the subject could not be posed the case
+};
+
+/// A trial in two steps, so that many can be put to a subject at once.
+class Trial {
+ public:
+  /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
+  Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
+        std::optional<Matrix3<oracles::Rational>> collision_matrix);
+
+  /// The related collisions that the claimed invariants ask about.
+  [[nodiscard]] const std::vector<Collision>& questions() const { return questions_; }
+
+  /// Precondition: one answer to each question, in order.
+  [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers) const;
+
+ private:
+  const JudgedCase* judged_case_;
+  const Claim* claim_;
+  ExactAnswer answer_;
+  std::optional<Matrix3<oracles::Rational>> collision_matrix_;
+  std::vector<Collision> questions_;
+  std::vector<std::size_t> question_count_;  // of each claimed invariant
+};
+
+/// Answers as exactly as it computes: lets solvers in ℚ be judged as well.
+using ExactSolve = std::function<ExactAnswer(const Collision&)>;
+
+/// A whole trial of one case.
+[[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
+                                 const std::optional<Matrix3<oracles::Rational>>& collision_matrix = std::nullopt);
+
+/// The collision matrix that the subject shows for a valid collision, lifted; none where it shows none or it is not
+/// finite.
+[[nodiscard]] std::optional<Matrix3<oracles::Rational>> shown_collision_matrix(const Subject& subject,
+                                                                               const JudgedCase& judged_case);
+
+}  // namespace carom::properties

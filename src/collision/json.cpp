@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/collision/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+using nlohmann::json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string found(const json& value) {
+  constexpr std::size_t most = 60;
+  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  return ", found " + (text.size() > most ? text.substr(0, most) + "…" : text);
+}
+
+template <class Vector>
+json numbers_to_json(const Vector& vector) {
+  json array = json::array();
+  for (Eigen::Index i = 0; i < vector.size(); ++i) {
+    array.push_back(number_to_json(vector[i]));
+  }
+  return array;
+}
+
+/// Reads the fields of one JSON object, and knows which were asked for.
+class ObjectReader {
+ public:
+  ObjectReader(const json& value, std::string place) : object_(value), place_(std::move(place)) {
+    if (!value.is_object()) {
+      throw FormatError(place_, "expected an object" + found(value));
+    }
+  }
+
+  [[nodiscard]] bool has(const char* name) {
+    asked_.emplace_back(name);
+    return object_.contains(name);
+  }
+
+  [[nodiscard]] const json& required(const char* name) {
+    if (!has(name)) {
+      throw FormatError(at(name), "is missing");
+    }
+    return object_.at(name);
+  }
+
+  [[nodiscard]] std::string at(std::string_view name) const { return place_ + '/' + std::string(name); }
+
+  void number(const char* name, double& into) { into = number_from_json(required(name), at(name)); }
+
+  void optional_number(const char* name, double& into) {
+    if (has(name)) {
+      number(name, into);
+    }
+  }
+
+  template <class Vector>
+  void numbers(const char* name, Vector& into) {
+    const json& array = required(name);
+    if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
+      throw FormatError(at(name), "expected an array of " + std::to_string(into.size()) + " numbers" + found(array));
+    }
+    for (Eigen::Index i = 0; i < into.size(); ++i) {
+      into[i] = number_from_json(array[static_cast<std::size_t>(i)], at(name) + '/' + std::to_string(i));
+    }
+  }
+
+  void reject_others() const {
+    for (const auto& [name, value] : object_.items()) {
+      if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
+        std::string known;
+        for (const std::string& field : asked_) {
+          known += (known.empty() ? "" : ", ") + field;
+        }
+        throw FormatError(at(name), "unknown field; expected one of " + known);
+      }
+    }
+  }
+
+ private:
+  const json& object_;
+  std::string place_;
+  std::vector<std::string> asked_;
+};
+
+json body_to_json(const Body& body) {
+  json result = json::object();
+  if (body.immovable) {
+    result["immovable"] = true;
+  } else {
+    result["mass"] = number_to_json(body.mass);
+    result["principal_inertia"] = numbers_to_json(body.principal_inertia);
+    result["orientation"] = numbers_to_json(body.orientation);
+  }
+  result["position"] = numbers_to_json(body.position);
+  result["velocity"] = numbers_to_json(body.velocity);
+  result["angular_velocity"] = numbers_to_json(body.angular_velocity);
+  return result;
+}
+
+Body body_from_json(const json& value, const std::string& place) {
+  ObjectReader reader(value, place);
+  Body body;
+  if (reader.has("immovable")) {
+    const json& immovable = reader.required("immovable");
+    if (!immovable.is_boolean()) {
+      throw FormatError(reader.at("immovable"), "expected true or false" + found(immovable));
+    }
+    body.immovable = immovable.get<bool>();
+  }
+  if (!body.immovable) {
+    reader.number("mass", body.mass);
+    reader.numbers("principal_inertia", body.principal_inertia);
+    if (reader.has("orientation")) {
+      reader.numbers("orientation", body.orientation);
+    }
+  }
+  reader.numbers("position", body.position);
+  reader.numbers("velocity", body.velocity);
+  reader.numbers("angular_velocity", body.angular_velocity);
+  reader.reject_others();
+  return body;
+}
+
+}  // namespace
+
+json number_to_json(double number) {
+  if (std::isnan(number)) {
+    return "nan";
+  }
+  if (std::isinf(number)) {
+    return number > 0 ? "inf" : "-inf";
+  }
+  return number;
+}
+
+double number_from_json(const json& value, const std::string& place) {
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value == "nan") {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (value == "inf") {
+    return infinity;
+  }
+  if (value == "-inf") {
+    return -infinity;
+  }
+  throw FormatError(place, "expected a number" + found(value));
+}
+
+json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vector); }
+
+json collision_to_json(const Collision& collision) {
+  json result = json::object();
+  result["a"] = body_to_json(collision.a);
+  result["b"] = body_to_json(collision.b);
+  result["point"] = numbers_to_json(collision.point);
+  result["normal"] = numbers_to_json(collision.normal);
+  result["restitution"] = number_to_json(collision.restitution);
+  if (collision.friction != 0) {
+    result["friction"] = number_to_json(collision.friction);
+  }
+  if (collision.tangential_restitution != 0) {
+    result["tangential_restitution"] = number_to_json(collision.tangential_restitution);
+  }
+  return result;
+}
+
+Collision collision_from_json(const json& value, const std::string& place) {
+  ObjectReader reader(value, place);
+  Collision collision;
+  collision.a = body_from_json(reader.required("a"), reader.at("a"));
+  collision.b = body_from_json(reader.required("b"), reader.at("b"));
+  reader.numbers("point", collision.point);
+  reader.numbers("normal", collision.normal);
+  reader.number("restitution", collision.restitution);
+  reader.optional_number("friction", collision.friction);
+  reader.optional_number("tangential_restitution", collision.tangential_restitution);
+  reader.reject_others();
+  return collision;
+}
+
+}  // namespace carom

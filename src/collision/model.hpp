@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace carom {
+
+/// The law that a subject claims to follow.
+enum class Model {
+  frictionless,  // the impulse is along the normal (Eberly's note, eq. 18)
+  reflection,    // the tangential velocity of the contact point is kept (Eberly's note, eq. 17, 20, 21)
+  any,           // no law in particular: only what holds for every model is judged
+};
+
+inline constexpr std::array<Model, 3> all_models{Model::frictionless, Model::reflection, Model::any};
+
+/// The models that determine one outcome, so that there is a truth to compare with.
+inline constexpr std::array<Model, 2> models_with_truth{Model::frictionless, Model::reflection};
+
+[[nodiscard]] constexpr std::string_view name_of(Model model) {
+  switch (model) {
+    case Model::frictionless:
+      return "frictionless";
+    case Model::reflection:
+      return "reflection";
+    case Model::any:
+      break;
+  }
+  return "any";
+}
+
+[[nodiscard]] constexpr std::optional<Model> model_named(std::string_view name) {
+  for (const Model model : all_models) {
+    if (name_of(model) == name) {
+      return model;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include <carom/collision/collision.hpp>
+
+namespace carom {
+
+template <class S>
+struct BodyVelocity {
+  Vector3<S> velocity{S{0}, S{0}, S{0}};          // of the centre of mass, world [m/s]
+  Vector3<S> angular_velocity{S{0}, S{0}, S{0}};  // world [rad/s]
+};
+
+/// The velocities of both bodies after the impulse.
+template <class S>
+struct Outcome {
+  BodyVelocity<S> a;
+  BodyVelocity<S> b;
+};
+
+/// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
+using ReportedOutcome = Outcome<long double>;
+
+/// The names of the four vectors of an outcome, in the order of `vectors`.
+inline constexpr std::array<std::string_view, 4> outcome_vector_names{"a.velocity", "a.angular_velocity", "b.velocity",
+                                                                      "b.angular_velocity"};
+
+/// The four vectors of an outcome, in one fixed order.
+template <class S>
+[[nodiscard]] std::array<Vector3<S>*, 4> vectors(Outcome<S>& outcome) {
+  return {&outcome.a.velocity, &outcome.a.angular_velocity, &outcome.b.velocity, &outcome.b.angular_velocity};
+}
+
+template <class S>
+[[nodiscard]] std::array<const Vector3<S>*, 4> vectors(const Outcome<S>& outcome) {
+  return {&outcome.a.velocity, &outcome.a.angular_velocity, &outcome.b.velocity, &outcome.b.angular_velocity};
+}
+
+/// The same outcome in another scalar type: each number x becomes convert(x).
+template <class T, class S, class Convert>
+[[nodiscard]] Outcome<T> map_outcome(const Outcome<S>& outcome, Convert&& convert) {
+  Outcome<T> mapped;
+  const auto from = vectors(outcome);
+  const auto to = vectors(mapped);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    for (int i = 0; i < 3; ++i) {
+      (*to[k])[i] = convert((*from[k])[i]);
+    }
+  }
+  return mapped;
+}
+
+/// The velocities before the impulse: the right outcome wherever the contact is not colliding.
+template <class S>
+[[nodiscard]] Outcome<S> unchanged(const BasicCollision<S>& collision) {
+  return {{collision.a.velocity, collision.a.angular_velocity}, {collision.b.velocity, collision.b.angular_velocity}};
+}
+
+/// The collision with the outcome's velocities in place of its own.
+template <class S>
+[[nodiscard]] BasicCollision<S> with_velocities(BasicCollision<S> collision, const Outcome<S>& outcome) {
+  collision.a.velocity = outcome.a.velocity;
+  collision.a.angular_velocity = outcome.a.angular_velocity;
+  collision.b.velocity = outcome.b.velocity;
+  collision.b.angular_velocity = outcome.b.angular_velocity;
+  return collision;
+}
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <carom/collision/collision.hpp>
+
+namespace carom {
+
+/// What is wrong with one field of a collision.
+struct Defect {
+  std::string field;     // "a.mass", "normal", …
+  std::string expected;  // "a finite number", "greater than 0", …
+};
+
+namespace detail {
+
+// Comparisons are written so that a NaN, which is reported as not finite, is not reported twice.
+inline void check_body(const std::string& name, const Body& body, std::vector<Defect>& defects) {
+  if (body.immovable) {
+    return;
+  }
+  if (body.mass <= 0) {
+    defects.push_back({name + ".mass", "greater than 0"});
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (body.principal_inertia[i] <= 0) {
+      defects.push_back({name + ".principal_inertia[" + std::to_string(i) + "]", "greater than 0"});
+    }
+  }
+  if ((body.orientation.array() == 0).all()) {
+    defects.push_back({name + ".orientation", "a quaternion of nonzero length"});
+  }
+}
+
+inline void check_range(const char* field, double value, double low, double high, const char* expected,
+                 std::vector<Defect>& defects) {
+  if (value < low || value > high) {
+    defects.push_back({field, expected});
+  }
+}
+
+}  // namespace detail
+
+/// Every defect of a collision; empty where it is valid. Solvers take valid collisions and do not check.
+[[nodiscard]] inline std::vector<Defect> validate(const Collision& collision) {
+  std::vector<Defect> defects;
+  for_each_number(
+      [&](const FieldPath& path, const double& number) {
+        if (!std::isfinite(number)) {
+          defects.push_back({path.text(), "a finite number"});
+        }
+      },
+      collision);
+  detail::check_body("a", collision.a, defects);
+  detail::check_body("b", collision.b, defects);
+  if ((collision.normal.array() == 0).all()) {
+    defects.push_back({"normal", "a vector of nonzero length"});
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  detail::check_range("restitution", collision.restitution, 0, 1, "a number from 0 to 1", defects);
+  detail::check_range("friction", collision.friction, 0, infinity, "at least 0", defects);
+  detail::check_range("tangential_restitution", collision.tangential_restitution, -1, 1, "a number from -1 to 1", defects);
+  return defects;
+}
+
+/// The defects in one line: "a.mass: expected greater than 0; normal: expected …".
+[[nodiscard]] inline std::string describe(const std::vector<Defect>& defects) {
+  std::string text;
+  for (const Defect& defect : defects) {
+    text += (text.empty() ? "" : "; ") + defect.field + ": expected " + defect.expected;
+  }
+  return text;
+}
+
+}  // namespace carom

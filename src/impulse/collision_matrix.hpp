@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/impulse/contact.hpp>
+
+namespace carom::impulse {
+
+/// What one body adds to the collision matrix: I/m + [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
+template <class S>
+[[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S>& body) {
+  const Vector3<S>& r = body.lever_arm;
+  Matrix3<S> cross;
+  cross << S(0), -r[2], r[1], r[2], S(0), -r[0], -r[1], r[0], S(0);
+  const Matrix3<S> half = body.inverse_inertia * cross;
+  Matrix3<S> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const S entry = cross.col(row).dot(half.col(column));
+      matrix(row, column) = entry;
+      matrix(column, row) = entry;
+    }
+    matrix(row, row) += body.inverse_mass;
+  }
+  return matrix;
+}
+
+/// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per impulse at
+/// the contact (note eq. 24), 1/kg, world axes. It is the note's C (eq. 25 to 27, with λ counted once) before the change
+/// of basis.
+template <class S>
+[[nodiscard]] Matrix3<S> collision_matrix(const Contact<S>& contact) {
+  return collision_matrix(contact.a) + collision_matrix(contact.b);
+}
+
+/// C = Bᵀ K B: the collision matrix in the basis that the columns of B are. Exactly symmetric.
+template <class S>
+[[nodiscard]] Matrix3<S> in_basis(const Matrix3<S>& matrix, const Matrix3<S>& basis) {
+  const Matrix3<S> half = matrix * basis;
+  Matrix3<S> result;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const S entry = basis.col(row).dot(half.col(column));
+      result(row, column) = entry;
+      result(column, row) = entry;
+    }
+  }
+  return result;
+}
+
+}  // namespace carom::impulse

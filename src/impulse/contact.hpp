@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include <Eigen/Geometry>
+
+#include <carom/collision/outcome.hpp>
+
+namespace carom::impulse {
+
+/// What a solver reads of one body. World coordinates.
+template <class S>
+struct ContactBody {
+  S inverse_mass;               // 0 where immovable [1/kg]
+  Matrix3<S> inverse_inertia;   // about the centre of mass, 0 where immovable [1/(kg m²)]
+  Vector3<S> lever_arm;         // r, from the centre of mass to the contact point [m]
+  Vector3<S> velocity;          // of the centre of mass, before the impulse [m/s]
+  Vector3<S> angular_velocity;  // before the impulse [rad/s]
+};
+
+/// What a solver reads, in its own scalar type.
+template <class S>
+struct Contact {
+  ContactBody<S> a;
+  ContactBody<S> b;
+  Vector3<S> normal;  // N, on body B, pointing from B to A; any nonzero length
+  S restitution;      // ε in [0, 1]
+};
+
+/// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of two
+/// such vectors over- or underflows in S. Types without a range limit keep the vector as it is.
+template <class S, class Vector>
+[[nodiscard]] auto without_extreme_length(const Vector& vector) {
+  using From = typename Vector::Scalar;
+  Eigen::Matrix<S, Vector::RowsAtCompileTime, 1> scaled;
+  if constexpr (std::is_floating_point_v<From>) {
+    int exponent = 0;
+    std::frexp(vector.cwiseAbs().maxCoeff(), &exponent);
+    for (int i = 0; i < vector.size(); ++i) {
+      scaled[i] = static_cast<S>(std::ldexp(vector[i], -exponent));
+    }
+  } else {
+    for (int i = 0; i < vector.size(); ++i) {
+      scaled[i] = static_cast<S>(vector[i]);
+    }
+  }
+  return scaled;
+}
+
+/// The rotation matrix of a quaternion of any nonzero length, body axes to world axes:
+/// R = ((q₀² − q·q) I + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
+template <class S>
+[[nodiscard]] Matrix3<S> rotation_matrix(const Quaternion<S>& quaternion) {
+  const S& w = quaternion[0];
+  const S& x = quaternion[1];
+  const S& y = quaternion[2];
+  const S& z = quaternion[3];
+  const S squared_length = (w * w + x * x) + (y * y + z * z);
+  Matrix3<S> rotation;
+  rotation << (w * w + x * x) - (y * y + z * z), S(2) * (x * y - w * z), S(2) * (x * z + w * y),  //
+      S(2) * (x * y + w * z), (w * w + y * y) - (x * x + z * z), S(2) * (y * z - w * x),          //
+      S(2) * (x * z - w * y), S(2) * (y * z + w * x), (w * w + z * z) - (x * x + y * y);
+  return rotation / squared_length;
+}
+
+/// J⁻¹ = R diag(1/I) Rᵀ, exactly symmetric.
+template <class S>
+[[nodiscard]] Matrix3<S> world_inverse_inertia(const Vector3<S>& principal_inertia, const Quaternion<S>& orientation) {
+  const Matrix3<S> rotation = rotation_matrix(orientation);
+  Matrix3<S> inverse_inertia;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      S sum(0);
+      for (int axis = 0; axis < 3; ++axis) {
+        sum += rotation(row, axis) * rotation(column, axis) / principal_inertia[axis];
+      }
+      inverse_inertia(row, column) = sum;
+      inverse_inertia(column, row) = sum;
+    }
+  }
+  return inverse_inertia;
+}
+
+/// What a solver in S reads of a body. Precondition: the collision that it belongs to is valid.
+template <class S, class T>
+[[nodiscard]] ContactBody<S> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
+  const auto in_s = [](const Vector3<T>& vector) {
+    return Vector3<S>{static_cast<S>(vector[0]), static_cast<S>(vector[1]), static_cast<S>(vector[2])};
+  };
+  ContactBody<S> result{S(0), Matrix3<S>::Constant(S(0)), in_s(point) - in_s(body.position), in_s(body.velocity),
+                        in_s(body.angular_velocity)};
+  if (!body.immovable) {
+    result.inverse_mass = S(1) / static_cast<S>(body.mass);
+    result.inverse_inertia =
+        world_inverse_inertia<S>(in_s(body.principal_inertia), without_extreme_length<S>(body.orientation));
+  }
+  return result;
+}
+
+/// The contact of a collision: every number is first rounded to S, as an engine in S would have it stored.
+/// Precondition: the collision is valid.
+template <class S, class T>
+[[nodiscard]] Contact<S> make_contact(const BasicCollision<T>& collision) {
+  return {make_contact_body<S>(collision.a, collision.point), make_contact_body<S>(collision.b, collision.point),
+          without_extreme_length<S>(collision.normal), static_cast<S>(collision.restitution)};
+}
+
+/// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).
+template <class S>
+[[nodiscard]] Vector3<S> relative_velocity(const Contact<S>& contact) {
+  const Vector3<S> velocity_a = contact.a.velocity + contact.a.angular_velocity.cross(contact.a.lever_arm);
+  const Vector3<S> velocity_b = contact.b.velocity + contact.b.angular_velocity.cross(contact.b.lever_arm);
+  return velocity_a - velocity_b;
+}
+
+/// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move.
+template <class S>
+[[nodiscard]] bool is_colliding(const Contact<S>& contact, const S& normal_velocity) {
+  return normal_velocity < S(0) && contact.a.inverse_mass + contact.b.inverse_mass > S(0);
+}
+
+/// The velocities as they are: the outcome of a contact that is not colliding.
+template <class S>
+[[nodiscard]] Outcome<S> unchanged(const Contact<S>& contact) {
+  return {{contact.a.velocity, contact.a.angular_velocity}, {contact.b.velocity, contact.b.angular_velocity}};
+}
+
+/// The outcome of the impulse F on A and −F on B (note eq. 23). F in N s.
+template <class S>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const Vector3<S>& impulse) {
+  const auto apply = [](const ContactBody<S>& body, const Vector3<S>& on_body) {
+    return BodyVelocity<S>{body.velocity + on_body * body.inverse_mass,
+                           body.angular_velocity + body.inverse_inertia * body.lever_arm.cross(on_body)};
+  };
+  return {apply(contact.a, impulse), apply(contact.b, -impulse)};
+}
+
+}  // namespace carom::impulse

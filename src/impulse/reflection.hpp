@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/solve3.hpp>
+
+namespace carom::impulse {
+
+/// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
+/// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
+///
+/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+template <class Solve, class S>
+[[nodiscard]] Outcome<S> reflection(const Contact<S>& contact) {
+  const Vector3<S>& n = contact.normal;
+  const S normal_velocity = n.dot(relative_velocity(contact));
+  if (!is_colliding(contact, normal_velocity)) {
+    return unchanged(contact);
+  }
+  const S factor = -(S(1) + contact.restitution) * normal_velocity / n.dot(n);
+  const Vector3<S> velocity_change = n * factor;
+  return apply_impulse<S>(contact, Solve::template solve<S>(collision_matrix(contact), velocity_change));
+}
+
+}  // namespace carom::impulse

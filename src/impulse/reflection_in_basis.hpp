@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/solve3.hpp>
+
+namespace carom::impulse {
+
+/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. The middle and
+/// last column are zero where the tangential part is exactly zero. It needs square roots, so S is a floating-point type.
+template <class S>
+[[nodiscard]] Matrix3<S> tangent_basis(const Contact<S>& contact) {
+  const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
+  const Vector3<S> v = relative_velocity(contact);
+  Vector3<S> t0 = v - n.dot(v) * n;
+  const S length = std::sqrt(t0.dot(t0));
+  if (length != S(0)) {
+    t0 /= length;
+  }
+  Matrix3<S> basis;
+  basis << n, t0, n.cross(t0);
+  return basis;
+}
+
+/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, λ counted once). It
+/// equals Bᵀ K B where the basis is orthonormal, and takes for granted that it is.
+template <class S>
+[[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
+  Matrix3<S> c = Matrix3<S>::Identity() * (contact.a.inverse_mass + contact.b.inverse_mass);
+  for (const ContactBody<S>* body : {&contact.a, &contact.b}) {
+    Matrix3<S> q;
+    for (int i = 0; i < 3; ++i) {
+      q.col(i) = body->lever_arm.cross(basis.col(i));
+    }
+    c += q.transpose() * body->inverse_inertia * q;
+  }
+  return c;
+}
+
+/// The reflection law as note §2 prints it (N·V⁻ on the right-hand side of eq. 25), with the fall-back to eq. 18 that
+/// implementations take where V⁻ has no tangential part. Kept because it fails: near head-on T0 is rounding noise and not
+/// orthogonal to N. Use `reflection` instead.
+template <class S>
+[[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact) {
+  const Matrix3<S> basis = tangent_basis(contact);
+  const S normal_velocity = basis.col(0).dot(relative_velocity(contact));
+  if (!is_colliding(contact, normal_velocity)) {
+    return unchanged(contact);
+  }
+  if ((basis.col(1).array() == S(0)).all()) {
+    return frictionless(contact);
+  }
+  const Matrix3<S> c = printed_collision_matrix(contact, basis);
+  const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * normal_velocity, S(0), S(0)};
+  return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side));
+}
+
+}  // namespace carom::impulse

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Cholesky>
+
+#include <carom/collision/vector.hpp>
+
+/// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is a policy of `reflection`.
+namespace carom::impulse {
+
+/// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs.
+struct Ldlt {
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+    const S d0 = m(0, 0);
+    const S l10 = m(1, 0) / d0;
+    const S l20 = m(2, 0) / d0;
+    const S d1 = m(1, 1) - l10 * m(1, 0);
+    const S e21 = m(2, 1) - l20 * m(1, 0);
+    const S l21 = e21 / d1;
+    const S d2 = (m(2, 2) - l20 * m(2, 0)) - l21 * e21;
+    const S y1 = b[1] - l10 * b[0];
+    const S y2 = (b[2] - l20 * b[0]) - l21 * y1;
+    const S x2 = y2 / d2;
+    const S x1 = y1 / d1 - l21 * x2;
+    const S x0 = (b[0] / d0 - l10 * x1) - l20 * x2;
+    return {x0, x1, x2};
+  }
+};
+
+/// Eigen's Cholesky decomposition M = L Lᵀ.
+struct EigenLlt {
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+    return m.llt().solve(b);
+  }
+};
+
+/// M⁻¹ = adj(M) / det(M).
+struct Adjugate {
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+    const auto minor = [&](int i, int j, int k, int l) -> S { return m(i, j) * m(k, l) - m(i, l) * m(k, j); };
+    Matrix3<S> adjugate;
+    adjugate << minor(1, 1, 2, 2), minor(2, 1, 0, 2), minor(0, 1, 1, 2),  //
+        minor(1, 2, 2, 0), minor(2, 2, 0, 0), minor(0, 2, 1, 0),          //
+        minor(1, 0, 2, 1), minor(2, 0, 0, 1), minor(0, 0, 1, 1);
+    const S determinant = (m(0, 0) * adjugate(0, 0) + m(0, 1) * adjugate(1, 0)) + m(0, 2) * adjugate(2, 0);
+    return adjugate * b / determinant;
+  }
+};
+
+}  // namespace carom::impulse
