@@ -5,20 +5,26 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/oracles/definiteness.hpp>
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
 
 namespace carom::oracles {
 namespace {
 
-Approach approach_of(const BasicCollision<Rational>& collision, const Rational& normal_velocity) {
-  if (collision.a.immovable && collision.b.immovable) {
-    return Approach::inert;
-  }
-  if (normal_velocity < 0) {
+Approach approach_of_sign(int sign) {
+  if (sign < 0) {
     return Approach::colliding;
   }
-  return normal_velocity == 0 ? Approach::resting : Approach::separating;
+  return sign == 0 ? Approach::resting : Approach::separating;
+}
+
+int sign_of(const Rational& number) { return number < 0 ? -1 : (number > 0 ? 1 : 0); }
+
+template <class T>
+Truth<T> truth_of(const BasicCollision<T>& collision, Model model, Approach approach) {
+  return approach == Approach::colliding ? colliding_truth(collision, model)
+                                         : Truth<T>{{T(0), T(0), T(0)}, unchanged(collision)};
 }
 
 template <int N>
@@ -28,6 +34,18 @@ void require_equal(const Sides<Rational, N>& sides, const char* equation) {
       throw std::logic_error(std::string("the truth does not satisfy ") + equation);
     }
   }
+}
+
+/// Whether a vector is zero: not where an enclosure excludes it, else exactly.
+template <class Exactly>
+bool is_zero(const Vector3<Enclosure>& enclosed, const Exactly& exactly) {
+  for (int i = 0; i < 3; ++i) {
+    if (enclosed[i].sign().value_or(0) != 0) {
+      return false;
+    }
+  }
+  const Vector3<Rational> exact = exactly();
+  return exact[0] == 0 && exact[1] == 0 && exact[2] == 0;
 }
 
 double as_double(double number) { return number; }
@@ -62,11 +80,12 @@ Sensitivity colliding_sensitivity(const Collision& collision, Model model, Conve
 
 /// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most the
 /// trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
-double condition_bound(const Matrix3<Rational>& matrix) {
-  const double trace = to_double(matrix(0, 0) + matrix(1, 1) + matrix(2, 2));
-  const Rational determinant = Vector3<Rational>(matrix.col(0))
-                                   .dot(Vector3<Rational>(matrix.col(1)).cross(Vector3<Rational>(matrix.col(2))));
-  return trace * trace * trace / (4 * to_double(determinant));
+double condition_bound(const Matrix3<Enclosure>& matrix) {
+  const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
+  const Vector3<Enclosure> c0 = matrix.col(0);
+  const Vector3<Enclosure> c1 = matrix.col(1);
+  const Vector3<Enclosure> c2 = matrix.col(2);
+  return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
 }  // namespace
@@ -103,9 +122,27 @@ void certify(const BasicCollision<Rational>& collision, Model model, Approach ap
 
 ExactCase::ExactCase(const Collision& collision)
     : collision_(collision),
-      exact_(lift(collision)),
-      normal_velocity_(normal_velocity_before(exact_)),
-      approach_(approach_of(exact_, normal_velocity_)) {}
+      enclosed_(map_numbers<Enclosure>(collision, [](double number) { return Enclosure(number); })) {
+  if (collision.a.immovable && collision.b.immovable) {
+    return;
+  }
+  const Enclosure normal_velocity = normal_velocity_before(enclosed_);
+  if (const std::optional<int> sign = normal_velocity.sign()) {
+    normal_velocity_ = normal_velocity.middle();
+    approach_ = approach_of_sign(*sign);
+  } else {
+    const Rational exactly = normal_velocity_before(exact());
+    normal_velocity_ = to_double(exactly);
+    approach_ = approach_of_sign(sign_of(exactly));
+  }
+}
+
+const BasicCollision<Rational>& ExactCase::exact() const {
+  if (!exact_) {
+    exact_ = lift(collision_);
+  }
+  return *exact_;
+}
 
 bool ExactCase::is_grazing(double allowance) const {
   if (approach_ == Approach::inert) {
@@ -116,7 +153,7 @@ bool ExactCase::is_grazing(double allowance) const {
     const auto velocity = normal_velocity_before(inputs.collision);
     normal_velocity_sensitivity_ = sensitivity_of({&velocity}, inputs.magnitude);
   }
-  return std::abs(to_double(normal_velocity_)) <= allowance * *normal_velocity_sensitivity_;
+  return std::abs(normal_velocity_) <= allowance * *normal_velocity_sensitivity_;
 }
 
 const Truth<Rational>& ExactCase::truth(Model model) const {
@@ -124,11 +161,17 @@ const Truth<Rational>& ExactCase::truth(Model model) const {
   if (known != truth_.end()) {
     return known->second;
   }
-  const Truth<Rational> truth = approach_ == Approach::colliding
-                                    ? colliding_truth(exact_, model)
-                                    : Truth<Rational>{{0, 0, 0}, unchanged(exact_)};
-  certify(exact_, model, approach_, truth.outcome);
+  const Truth<Rational> truth = truth_of(exact(), model, approach_);
+  certify(exact(), model, approach_, truth.outcome);
   return truth_.emplace(model, truth).first->second;
+}
+
+const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
+  const auto known = enclosed_truth_.find(model);
+  if (known != enclosed_truth_.end()) {
+    return known->second;
+  }
+  return enclosed_truth_.emplace(model, truth_of(enclosed_, model, approach_)).first->second;
 }
 
 const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
@@ -149,7 +192,7 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   }
   // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  const bool in_double = model == Model::frictionless || condition_bound(collision_matrix()) < well_conditioned;
+  const bool in_double = model == Model::frictionless || condition_bound(response_matrix(enclosed_)) < well_conditioned;
   Sensitivity result{};
   if (in_double) {
     result = colliding_sensitivity<double>(collision_, model, [](double x) { return x; });
@@ -166,7 +209,7 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
   if (!collision_matrix_) {
-    collision_matrix_ = response_matrix(exact_);
+    collision_matrix_ = response_matrix(exact());
   }
   return *collision_matrix_;
 }
@@ -181,9 +224,30 @@ double ExactCase::collision_matrix_sensitivity() const {
   return *collision_matrix_sensitivity_;
 }
 
+bool ExactCase::is_definite() const {
+  if (!is_definite_) {
+    is_definite_ = is_at_least(collision_matrix(), inverse_mass());
+  }
+  return *is_definite_;
+}
+
+bool ExactCase::is_collinear() const {
+  const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const BasicBody<Rational>& exact) {
+    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal),
+                                         [&] { return lever_arm(exact, this->exact().point).cross(this->exact().normal); });
+  };
+  return is_along_normal(enclosed_.a, exact().a) && is_along_normal(enclosed_.b, exact().b);
+}
+
+bool ExactCase::is_head_on() const {
+  return is_zero(enclosed_.normal.cross(relative_velocity<Enclosure>(enclosed_, unchanged(enclosed_))), [&] {
+    return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact())));
+  });
+}
+
 Rational ExactCase::inverse_mass() const {
   Rational sum(0);
-  for (const BasicBody<Rational>* body : {&exact_.a, &exact_.b}) {
+  for (const BasicBody<Rational>* body : {&exact().a, &exact().b}) {
     if (!body->immovable) {
       sum += 1 / body->mass;
     }

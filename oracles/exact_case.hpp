@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/enclosure.hpp>
 #include <carom/oracles/truth.hpp>
 
 namespace carom::oracles {
@@ -21,9 +21,9 @@ class ExactCase {
   explicit ExactCase(const Collision& collision);
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
-  [[nodiscard]] const BasicCollision<Rational>& exact() const { return exact_; }
+  [[nodiscard]] const BasicCollision<Rational>& exact() const;
+  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const { return enclosed_; }
   [[nodiscard]] Approach approach() const { return approach_; }
-  [[nodiscard]] const Rational& normal_velocity() const { return normal_velocity_; }
 
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
@@ -31,6 +31,9 @@ class ExactCase {
   /// The law's answer, certified: each residual of the defining equations is exactly zero.
   /// Throws std::logic_error where it is not. Precondition: the model is one of `models_with_truth`.
   [[nodiscard]] const Truth<Rational>& truth(Model model) const;
+
+  /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const;
 
   /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs within
   /// the allowance collide.
@@ -40,6 +43,15 @@ class ExactCase {
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
   [[nodiscard]] double collision_matrix_sensitivity() const;
 
+  /// Whether λI ⪯ K, decided exactly.
+  [[nodiscard]] bool is_definite() const;
+
+  /// Whether r × N = 0 for each movable body, exactly.
+  [[nodiscard]] bool is_collinear() const;
+
+  /// Whether N × V⁻ = 0, exactly.
+  [[nodiscard]] bool is_head_on() const;
+
   /// λ = 1/m_A + 1/m_B.
   [[nodiscard]] Rational inverse_mass() const;
 
@@ -48,15 +60,18 @@ class ExactCase {
 
  private:
   Collision collision_;
-  BasicCollision<Rational> exact_;
-  Rational normal_velocity_;
-  Approach approach_;
+  BasicCollision<Enclosure> enclosed_;
+  double normal_velocity_ = 0;  // rounded
+  Approach approach_ = Approach::inert;
+  mutable std::optional<BasicCollision<Rational>> exact_;
   mutable std::optional<double> normal_velocity_sensitivity_;
   mutable std::map<Model, Truth<Rational>> truth_;
+  mutable std::map<Model, Truth<Enclosure>> enclosed_truth_;
   mutable std::map<Model, Sensitivity> colliding_sensitivity_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;
   mutable std::optional<double> collision_matrix_sensitivity_;
+  mutable std::optional<bool> is_definite_;
 };
 
 /// The residuals of the defining equations for a given outcome; each is exactly zero where the outcome is the law's.

@@ -20,20 +20,90 @@ double energy_norm(const Collision& collision, const Outcome<double>& change) {
   return std::sqrt(energy_norm_squared(collision.a, change.a) + energy_norm_squared(collision.b, change.b));
 }
 
-Outcome<double> difference(const Outcome<Rational>& left, const Outcome<Rational>& right) {
-  Outcome<double> result;
-  const auto from = vectors(left);
-  const auto minus = vectors(right);
-  const auto to = vectors(result);
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    for (int i = 0; i < 3; ++i) {
-      (*to[k])[i] = to_double((*from[k])[i] - (*minus[k])[i]);
+double rounded(const Rational& number) { return to_double(number); }
+double rounded(const Enclosure& number) { return number.middle(); }
+
+/// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show it.
+template <class T>
+std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, const BasicCollision<T>& collision,
+                                    const Truth<T>& truth, const Outcome<T>& outcome, const Sensitivity& sensitivity,
+                                    const Yardstick& yardstick) {
+  Accuracy result;
+  result.sensitivity = sensitivity;
+  const Outcome<T> before = unchanged(collision);
+  const auto computed = vectors(outcome);
+  const auto exact = vectors(truth.outcome);
+  const auto initial = vectors(before);
+  Outcome<double> deviation;
+  Outcome<double> change;
+  const auto of_deviation = vectors(deviation);
+  const auto of_change = vectors(change);
+  for (std::size_t k = 0; k < computed.size(); ++k) {
+    const auto error = difference(*computed[k], *exact[k]);
+    const std::optional<bool> allowed = norm_at_most(error, yardstick.allowance() * sensitivity[k]);
+    if (!allowed) {
+      return std::nullopt;
     }
+    result.allowed[k] = *allowed;
+    for (int i = 0; i < 3; ++i) {
+      const T& component = error[static_cast<std::size_t>(i)];
+      if constexpr (std::is_same_v<T, Enclosure>) {
+        // Good for print where it is known to a thousandth, or is no thousandth of what is allowed.
+        constexpr double thousandth = 0x1p-10;
+        if (component.radius() >
+            thousandth * std::max(component.magnitude_below(), yardstick.allowance() * sensitivity[k])) {
+          return std::nullopt;
+        }
+      }
+      (*of_deviation[k])[i] = rounded(component);
+      (*of_change[k])[i] = rounded(T((*exact[k])[i] - (*initial[k])[i]));
+    }
+    result.error[k] = of_deviation[k]->stableNorm();
+  }
+  const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
+  if (norm_of_deviation > 0) {
+    const double norm_of_change = energy_norm(exact_case.collision(), change);
+    result.relative_error =
+        norm_of_change > 0 ? norm_of_deviation / norm_of_change : std::numeric_limits<double>::infinity();
   }
   return result;
 }
 
 }  // namespace
+
+bool norm_at_most(const std::vector<Rational>& vector, double bound) {
+  Rational squared(0);
+  for (const Rational& component : vector) {
+    squared += component * component;
+  }
+  return squared <= Rational(bound) * Rational(bound);
+}
+
+std::optional<bool> norm_at_most(const std::vector<Enclosure>& vector, double bound) {
+  double above = 0;
+  double below = 0;
+  for (const Enclosure& component : vector) {
+    above = std::hypot(above, component.magnitude_above());
+    below = std::hypot(below, component.magnitude_below());
+  }
+  // At most nine hypotenuses, each good to an ulp.
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  if (above * (1 + rounding) <= bound) {
+    return true;
+  }
+  if (below * (1 - rounding) > bound) {
+    return false;
+  }
+  return std::nullopt;
+}
+
+double norm(const std::vector<Rational>& vector) {
+  double sum = 0;
+  for (const Rational& component : vector) {
+    sum = std::hypot(sum, to_double(component));
+  }
+  return sum;
+}
 
 double Accuracy::backward_error(double unit_roundoff) const {
   double worst = 0;
@@ -50,23 +120,15 @@ double Accuracy::digits() const {
   return relative_error > 0 ? std::min(exact, -std::log10(relative_error)) : exact;
 }
 
-Accuracy accuracy(const ExactCase& exact_case, Model model, const Outcome<Rational>& outcome, double allowance) {
-  const Truth<Rational>& truth = exact_case.truth(model);
-  const Outcome<double> deviation = difference(outcome, truth.outcome);
-  const Outcome<double> change = difference(truth.outcome, unchanged(exact_case.exact()));
-  Accuracy result;
-  result.sensitivity = exact_case.sensitivity(model, allowance);
-  const auto parts = vectors(deviation);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    result.error[k] = parts[k]->stableNorm();
+Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  const Sensitivity& sensitivity = exact_case.sensitivity(model, yardstick.allowance());
+  if (yardstick.filtered && yardstick.allowance() > 0) {
+    if (const auto decided = accuracy_in(exact_case, exact_case.enclosed(), exact_case.enclosed_truth(model),
+                                         outcome.enclosed(), sensitivity, yardstick)) {
+      return *decided;
+    }
   }
-  const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
-  if (norm_of_deviation > 0) {
-    const double norm_of_change = energy_norm(exact_case.collision(), change);
-    result.relative_error =
-        norm_of_change > 0 ? norm_of_deviation / norm_of_change : std::numeric_limits<double>::infinity();
-  }
-  return result;
+  return *accuracy_in(exact_case, exact_case.exact(), exact_case.truth(model), outcome.exact(), sensitivity, yardstick);
 }
 
 }  // namespace carom::oracles

@@ -2,45 +2,80 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
+#include <carom/oracles/lifted_outcome.hpp>
 #include <carom/oracles/yardstick.hpp>
 
 namespace carom::oracles {
 
+/// Whether ‖v‖ ≤ bound: always decided for rationals, for enclosures where the bounds decide it.
+[[nodiscard]] bool norm_at_most(const std::vector<Rational>& vector, double bound);
+[[nodiscard]] std::optional<bool> norm_at_most(const std::vector<Enclosure>& vector, double bound);
+
+/// ‖v‖, rounded.
+[[nodiscard]] double norm(const std::vector<Rational>& vector);
+
+/// The components of left − right.
+template <class Derived, class OtherDerived>
+[[nodiscard]] auto difference(const Eigen::MatrixBase<Derived>& left, const Eigen::MatrixBase<OtherDerived>& right) {
+  std::vector<typename Derived::Scalar> result;
+  for (Eigen::Index i = 0; i < left.size(); ++i) {
+    result.push_back(left[i] - right[i]);
+  }
+  return result;
+}
+
 enum class Relation { equal, at_least, at_most };
 
-/// A law held against an outcome. The residual is exact (rounded for print alone), and so is the decision.
+/// A law held against an outcome. The decision is exact; the numbers are for print.
 struct Comparison {
   bool holds = true;
-  double residual = 0;        // ‖left − right‖, or by how much the inequality is missed
-  double allowed = 0;         // what rounding may make of it; 0 where the residual is exactly zero and it was not asked
-  std::vector<double> left;   // both sides, where it does not hold
+  // Where it does not hold:
+  double residual = 0;  // ‖left − right‖, or by how much the inequality is missed
+  double allowed = 0;   // what rounding may make of it
+  std::vector<double> left;
   std::vector<double> right;
 };
 
 namespace detail {
 
-inline constexpr std::size_t judged_inputs = collision_inputs + outcome_inputs;
+/// What is left of left − right once what an inequality permits is taken away.
+template <class T, int N, class IsPermitted>
+[[nodiscard]] std::vector<T> missed(const Sides<T, N>& sides, Relation relation, const IsPermitted& is_permitted) {
+  std::vector<T> result = difference(sides.left, sides.right);
+  if (relation != Relation::equal) {
+    const int permitted_sign = relation == Relation::at_least ? 1 : -1;
+    std::erase_if(result, [&](const T& x) { return is_permitted(x, permitted_sign); });
+  }
+  return result;
+}
 
-/// Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k‖ with g = left − right.
-template <class S, class Law>
-[[nodiscard]] double scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
-  using T = Dual<S, judged_inputs>;
-  const auto inputs = dual_inputs<S, judged_inputs>(collision, [](double x) { return static_cast<S>(x); });
-  std::size_t next = collision_inputs;
+/// Σ ‖∂g/∂input‖ ‖input‖ over the outputs, and over the numbers of the collision where they are inputs as well.
+template <class S, std::size_t N, class Law>
+[[nodiscard]] double scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome,
+                              bool with_collision) {
+  using T = Dual<S, N>;
+  DualInputs<S, N> inputs;
+  if (with_collision) {
+    inputs = dual_inputs<S, N>(collision, [](double x) { return static_cast<S>(x); });
+  } else {
+    inputs.collision = map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); });
+  }
+  const std::size_t first_output = with_collision ? collision_inputs : 0;
+  std::size_t next = first_output;
   const auto dual_outcome =
       map_outcome<T>(outcome, [&](double number) { return T::input(static_cast<S>(number), next++); });
   const auto sides = law(inputs.collision, dual_outcome);
-  const auto size = static_cast<std::size_t>(sides.left.size());
   const auto squared_derivative = [&](std::size_t input) {
     S sum(0);
-    for (std::size_t i = 0; i < size; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const S derivative = sides.left[row].derivative[input] - sides.right[row].derivative[input];
+    for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
+      const S derivative = sides.left[i].derivative[input] - sides.right[i].derivative[input];
       sum += derivative * derivative;
     }
     return sum;
@@ -53,64 +88,75 @@ template <class S, class Law>
   for (std::size_t k = 0; k < parts.size(); ++k) {
     S squared(0);
     for (std::size_t i = 0; i < 3; ++i) {
-      squared += squared_derivative(collision_inputs + 3 * k + i);
+      squared += squared_derivative(first_output + 3 * k + i);
     }
     scale += std::sqrt(squared) * static_cast<S>(parts[k]->norm());
   }
   return static_cast<double>(scale);
 }
 
+/// Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k‖ with g = left − right.
 template <class Law>
-[[nodiscard]] double scale_of(const Law& law, const Collision& collision, const Outcome<Rational>& outcome) {
-  const auto rounded = map_outcome<double>(outcome, [](const Rational& x) { return to_double(x); });
-  const double scale = scale_in<double>(law, collision, rounded);
+[[nodiscard]] double scale_of(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
+  constexpr std::size_t all_inputs = collision_inputs + outcome_inputs;
+  const double scale = scale_in<double, all_inputs>(law, collision, outcome, true);
   if (std::isfinite(scale) && scale > 0) {
     return scale;
   }
   // Products of extreme numbers leave the range of binary64; extended has the same bits and more range.
-  return scale_in<long double>(law, collision, rounded);
+  return scale_in<long double, all_inputs>(law, collision, outcome, true);
+}
+
+/// The second sum alone: a lower bound of the scale, at a quarter of the cost.
+template <class Law>
+[[nodiscard]] double part_of_scale(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
+  return scale_in<double, outcome_inputs>(law, collision, outcome, false);
 }
 
 }  // namespace detail
 
-/// Holds a law (collision, outcome) → Sides, given for any field, against an outcome: exactly evaluated, and allowed
-/// `allowance` times its scale (mathematics: the residual vanishes for inputs and outputs within that distance).
+/// Holds a law, (collision, outcome) → Sides in any field, against an outcome: exactly evaluated, and allowed
+/// yardstick.allowance() times its scale. It then holds for inputs and outputs within that distance.
 template <class Law>
 [[nodiscard]] Comparison compare(const Law& law, Relation relation, const ExactCase& exact_case,
-                                 const Outcome<Rational>& outcome, double allowance) {
-  const auto sides = law(exact_case.exact(), outcome);
-  Comparison comparison;
-  Rational squared(0);
+                                 const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  const double allowance = yardstick.allowance();
+  std::optional<double> allowed;
+  const auto whole_allowance = [&] {
+    if (!allowed) {
+      allowed = allowance > 0 ? allowance * detail::scale_of(law, exact_case.collision(), outcome.rounded()) : 0;
+    }
+    return *allowed;
+  };
+  if (yardstick.filtered && allowance > 0) {
+    const auto missed = detail::missed(law(exact_case.enclosed(), outcome.enclosed()), relation,
+                                       [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
+    const double part = allowance * detail::part_of_scale(law, exact_case.collision(), outcome.rounded());
+    if (missed.empty() || norm_at_most(missed, part).value_or(false) ||
+        norm_at_most(missed, whole_allowance()).value_or(false)) {
+      return {};
+    }
+  }
+  const auto sides = law(exact_case.exact(), outcome.exact());
+  const auto missed = detail::missed(sides, relation, [](const Rational& x, int sign) { return x * sign >= 0; });
+  // A scale beyond the range of numbers decides nothing.
+  if (missed.empty() || norm_at_most(missed, 0) || !std::isfinite(whole_allowance()) ||
+      norm_at_most(missed, whole_allowance())) {
+    return {};
+  }
+  Comparison comparison{false, norm(missed), whole_allowance(), {}, {}};
   for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-    const Rational difference = sides.left[i] - sides.right[i];
-    const bool counts = relation == Relation::equal ? difference != 0
-                                                    : (relation == Relation::at_least ? difference < 0 : difference > 0);
-    if (counts) {
-      squared += difference * difference;
-    }
-  }
-  if (squared == 0) {
-    return comparison;
-  }
-  comparison.residual = std::sqrt(to_double(squared));
-  if (allowance > 0) {
-    comparison.allowed = allowance * detail::scale_of(law, exact_case.collision(), outcome);
-  }
-  comparison.holds = !std::isfinite(comparison.allowed) ||
-                     squared <= Rational(comparison.allowed) * Rational(comparison.allowed);
-  if (!comparison.holds) {
-    for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-      comparison.left.push_back(to_double(sides.left[i]));
-      comparison.right.push_back(to_double(sides.right[i]));
-    }
+    comparison.left.push_back(to_double(sides.left[i]));
+    comparison.right.push_back(to_double(sides.right[i]));
   }
   return comparison;
 }
 
 /// How far an outcome is from the truth.
 struct Accuracy {
-  std::array<double, 4> error{};         // ‖ŷ_k − y_k‖
-  std::array<double, 4> sensitivity{};   // Σ_j ‖∂y_k/∂x_j‖ |x_j|
+  std::array<double, 4> error{};        // ‖ŷ_k − y_k‖
+  std::array<double, 4> sensitivity{};  // Σ_j ‖∂y_k/∂x_j‖ |x_j|
+  std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick, decided exactly
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not
 
@@ -122,7 +168,7 @@ struct Accuracy {
 };
 
 /// Precondition: the model is one of `models_with_truth`.
-[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const Outcome<Rational>& outcome,
-                                double allowance);
+[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome,
+                                const Yardstick& yardstick);
 
 }  // namespace carom::oracles

@@ -18,6 +18,9 @@ struct Yardstick {
   double limit_ulps = default_limit_ulps;
   std::optional<int> digits;  // decides in place of ulps where given
 
+  /// Whether enclosures may decide what they can. The verdicts are the same without, only slower.
+  bool filtered = true;
+
   [[nodiscard]] double allowance() const {
     return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff;
   }

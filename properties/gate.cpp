@@ -14,7 +14,6 @@ namespace carom::properties {
 namespace {
 
 using oracles::Approach;
-using oracles::Rational;
 
 /// Cases that are put to a subject at once.
 constexpr std::uint64_t cases_in_task = 50;
@@ -22,12 +21,9 @@ constexpr std::uint64_t cases_in_task = 50;
 /// Shrinking calls the subject and the judge this often at most for one witness.
 constexpr std::size_t most_shrink_calls = 4000;
 
-bool is_zero(const Vector3<Rational>& vector) { return vector[0] == 0 && vector[1] == 0 && vector[2] == 0; }
-
-bool is_sphere(const BasicBody<Rational>& body, const BasicCollision<Rational>& c) {
-  const auto& inertia = body.principal_inertia;
-  return body.immovable || (inertia[0] == inertia[1] && inertia[1] == inertia[2] &&
-                            is_zero(oracles::lever_arm(body, c.point).cross(c.normal)));
+bool is_isotropic(const Body& body) {
+  return body.immovable || (body.principal_inertia[0] == body.principal_inertia[1] &&
+                            body.principal_inertia[1] == body.principal_inertia[2]);
 }
 
 Coverage coverage_of(const JudgedCase& judged_case) {
@@ -37,16 +33,15 @@ Coverage coverage_of(const JudgedCase& judged_case) {
     coverage.invalid = 1;
     return coverage;
   }
-  const BasicCollision<Rational>& c = judged_case.exact().exact();
-  const Vector3<Rational> velocity = oracles::relative_velocity<Rational>(c, unchanged(c));
+  const Collision& c = judged_case.generated().collision;
   const Approach approach = judged_case.exact().approach();
   coverage.colliding = approach == Approach::colliding ? 1 : 0;
   coverage.resting = approach == Approach::resting ? 1 : 0;
   coverage.separating = approach == Approach::separating ? 1 : 0;
   coverage.inert = approach == Approach::inert ? 1 : 0;
   coverage.one_immovable = c.a.immovable != c.b.immovable ? 1 : 0;
-  coverage.spheres = approach != Approach::inert && is_sphere(c.a, c) && is_sphere(c.b, c) ? 1 : 0;
-  coverage.head_on = !is_zero(velocity) && is_zero(velocity.cross(c.normal)) ? 1 : 0;
+  coverage.spheres = approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1 : 0;
+  coverage.head_on = approach == Approach::colliding && judged_case.exact().is_head_on() ? 1 : 0;
   coverage.inelastic = c.restitution == 0 ? 1 : 0;
   coverage.elastic = c.restitution == 1 ? 1 : 0;
   return coverage;

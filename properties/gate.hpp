@@ -33,7 +33,7 @@ struct Coverage {
   std::uint64_t invalid = 0;
   std::uint64_t one_immovable = 0;
   std::uint64_t spheres = 0;       // movable bodies isotropic, lever arms exactly along the normal
-  std::uint64_t head_on = 0;       // V⁻ ∥ N exactly, V⁻ ≠ 0
+  std::uint64_t head_on = 0;       // colliding with V⁻ ∥ N exactly
   std::uint64_t inelastic = 0;     // ε = 0
   std::uint64_t elastic = 0;       // ε = 1
 

@@ -21,16 +21,17 @@ enum class Status {
 /// What one invariant says of one answer.
 struct Verdict {
   Status status = Status::holds;
-  double residual = 0;        // of the law that is missed most, relative to what is allowed
+  std::string detail;        // where violated or skipped: what was compared, or why not
+  // Where violated by an outcome; of several laws, the one that is missed most relative to what is allowed:
+  double residual = 0;
   double allowed = 0;
-  std::string detail;         // where violated or skipped: what was compared, or why not
-  std::vector<double> left;   // where violated: both sides of the formula
+  std::vector<double> left;  // both sides of the formula
   std::vector<double> right;
 };
 
 /// An answer, lifted: an outcome that is not finite cannot be.
 struct NotFinite {};
-using ExactAnswer = std::variant<Outcome<oracles::Rational>, NotFinite, Skipped, Refused>;
+using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
 
 /// A further collision that an invariant asks about, and what is exactly known of it.
@@ -45,7 +46,8 @@ struct Evidence {
   bool convex_uniform;                                 // of the case: C ⪯ 16 λI is claimed
   Model model;
   const oracles::Yardstick& yardstick;
-  const Outcome<oracles::Rational>& outcome;
+  const oracles::LiftedOutcome& outcome;
+  const oracles::Accuracy* accuracy;                   // of the outcome; nullptr for models without a truth
   const Matrix3<oracles::Rational>* collision_matrix;  // as the subject computed it; nullptr where it shows none
   std::span<const Related> related;                    // the answers to the invariant's own questions
 

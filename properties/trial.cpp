@@ -20,7 +20,7 @@ bool same_numbers(const Collision& left, const Collision& right) {
   return same;
 }
 
-Verdict violated(std::string detail) { return {Status::violated, 0, 0, std::move(detail), {}, {}}; }
+Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
 
 /// `finite`, of the answer to a valid collision.
 Verdict finite(const ExactAnswer& answer) {
@@ -82,16 +82,15 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       answer_(std::move(answer)),
       collision_matrix_(std::move(collision_matrix)),
       question_count_(claim.invariants.size(), 0) {
-  const auto* outcome = std::get_if<Outcome<Rational>>(&answer_);
+  const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   if (outcome == nullptr || !judged_case.is_valid()) {
     return;
   }
-  const auto rounded = map_outcome<double>(*outcome, [](const Rational& x) { return oracles::to_double(x); });
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     if (claim.invariants[i]->questions == nullptr) {
       continue;
     }
-    const std::vector<Collision> asked = claim.invariants[i]->questions(judged_case.exact().collision(), rounded);
+    const std::vector<Collision> asked = claim.invariants[i]->questions(judged_case.exact().collision(), outcome->rounded());
     const bool all_valid = std::all_of(asked.begin(), asked.end(),
                                        [&](const Collision& c) { return judged_case.related(c) != nullptr; });
     if (all_valid) {
@@ -110,11 +109,11 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
     judgement.skipped = *skipped;
     return judgement;
   }
-  const auto* outcome = std::get_if<Outcome<Rational>>(&answer_);
+  const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   const bool has_truth = claim_->model != Model::any;
   if (outcome != nullptr && judged_case_->is_valid() && has_truth) {
     judgement.accuracy =
-        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick.allowance());
+        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick);
   }
   std::size_t next_question = 0;
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
@@ -135,7 +134,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
     }
     if (invariant.questions != nullptr && related.empty()) {
       judgement.verdicts.push_back(
-          {&invariant, {Status::skipped, 0, 0, "the related collision is out of range", {}, {}}});
+          {&invariant, {Status::skipped, "the related collision is out of range", 0, 0, {}, {}}});
       continue;
     }
     const Evidence evidence{judged_case_->exact(),
@@ -143,6 +142,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
                             claim_->model,
                             claim_->yardstick,
                             *outcome,
+                            judgement.accuracy ? &*judgement.accuracy : nullptr,
                             collision_matrix_ ? &*collision_matrix_ : nullptr,
                             related};
     judgement.verdicts.push_back({&invariant, invariant.check(evidence)});

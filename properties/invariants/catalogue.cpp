@@ -113,7 +113,7 @@ const Invariant* invariant_named(std::string_view name) {
 ExactAnswer lift(const Answer& answer) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
     if (oracles::is_finite(*outcome)) {
-      return oracles::lift(*outcome);
+      return oracles::LiftedOutcome(*outcome);
     }
     return NotFinite{};
   }

@@ -9,7 +9,7 @@ namespace {
 using oracles::Rational;
 
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
-  Verdict verdict{Status::violated, 0, 0, what, {}, {}};
+  Verdict verdict{Status::violated, what, 0, 0, {}, {}};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       verdict.left.push_back(oracles::to_double(matrix(row, column)));
@@ -31,7 +31,7 @@ Verdict check_definite(const Evidence& e) {
     return outside_domain("both bodies are immovable");
   }
   const Rational lambda = e.exact_case.inverse_mass();
-  if (!oracles::is_at_least(e.exact_case.collision_matrix(), lambda)) {
+  if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
   if (e.collision_matrix != nullptr && !oracles::is_at_least(*e.collision_matrix, lambda - eigenvalue_rounding(e))) {

@@ -21,7 +21,7 @@ bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::i
 /// The verdict of one law of laws.hpp.
 template <class Law>
 Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law) {
-  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.allowance()), what);
+  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick), what);
 }
 
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
@@ -41,54 +41,40 @@ Verdict untouched_body(const Evidence& e, bool a) {
                    [a](const auto& c, const auto& y) { return oracles::untouched(body_of(c, a), motion_of(y, a)); });
 }
 
-/// One vector of the outcome against what it should be, allowed what the law's sensitivity allows.
-Verdict vector_is(const Evidence& e, std::size_t k, const Vector3<Rational>& expected,
-                  const oracles::Sensitivity& sensitivity) {
-  const Vector3<Rational>& actual = *vectors(e.outcome)[k];
-  const Vector3<Rational> difference = actual - expected;
-  const Rational squared = difference.dot(difference);
-  if (squared == 0) {
-    return {};
-  }
-  oracles::Comparison comparison;
-  comparison.residual = std::sqrt(oracles::to_double(squared));
-  comparison.allowed = e.allowance() * sensitivity[k];
-  comparison.holds = squared <= Rational(comparison.allowed) * Rational(comparison.allowed);
-  if (!comparison.holds) {
-    for (int i = 0; i < 3; ++i) {
-      comparison.left.push_back(oracles::to_double(actual[i]));
-      comparison.right.push_back(oracles::to_double(expected[i]));
-    }
-  }
-  const std::string what = fmt::format("{}, after and before", outcome_vector_names[k]);
-  return verdict_of(std::move(comparison), what.c_str());
+/// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
+Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensitivity& sensitivity) {
+  const auto before = unchanged(e.exact_case.enclosed());
+  const auto exact_pair = [&] {
+    const auto exactly_before = unchanged(e.exact_case.exact());
+    return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
+  };
+  return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
+                       e.allowance() * sensitivity[k], e.yardstick.filtered,
+                       fmt::format("{}, after and before", outcome_vector_names[k]));
 }
 
 }  // namespace
 
 Verdict check_backward_error(const Evidence& e) {
-  const oracles::Accuracy accuracy = oracles::accuracy(e.exact_case, e.model, e.outcome, e.allowance());
-  const oracles::Truth<Rational>& truth = e.exact_case.truth(e.model);
+  const oracles::Accuracy& accuracy = *e.accuracy;
+  const bool enough_digits = e.yardstick.digits && accuracy.relative_error <= std::pow(10.0, -*e.yardstick.digits);
   Verdict worst;
-  for (std::size_t k = 0; k < accuracy.error.size(); ++k) {
-    const double allowed = e.allowance() * accuracy.sensitivity[k];
-    if (accuracy.error[k] == 0) {
+  for (std::size_t k = 0; k < accuracy.error.size() && !enough_digits; ++k) {
+    if (accuracy.allowed[k]) {
       continue;
     }
-    Verdict verdict{Status::holds, accuracy.error[k], allowed, {}, {}, {}};
-    if (accuracy.error[k] > allowed) {
-      verdict.status = Status::violated;
-      verdict.detail = fmt::format("{}, computed and exact", outcome_vector_names[k]);
-      for (int i = 0; i < 3; ++i) {
-        verdict.left.push_back(oracles::to_double((*vectors(e.outcome)[k])[i]));
-        verdict.right.push_back(oracles::to_double((*vectors(truth.outcome)[k])[i]));
-      }
+    Verdict verdict{Status::violated,
+                    fmt::format("{}, computed and exact", outcome_vector_names[k]),
+                    accuracy.error[k],
+                    e.allowance() * accuracy.sensitivity[k],
+                    {},
+                    {}};
+    const oracles::Truth<Rational>& truth = e.exact_case.truth(e.model);
+    for (int i = 0; i < 3; ++i) {
+      verdict.left.push_back((*vectors(e.outcome.rounded())[k])[i]);
+      verdict.right.push_back(oracles::to_double((*vectors(truth.outcome)[k])[i]));
     }
     worst = both(std::move(worst), std::move(verdict));
-  }
-  if (worst.status == Status::violated && e.yardstick.digits &&
-      accuracy.relative_error <= std::pow(10.0, -*e.yardstick.digits)) {
-    worst = {};
   }
   return worst;
 }
@@ -157,10 +143,9 @@ Verdict check_separating_untouched(const Evidence& e) {
     return both(untouched_body(e, true), untouched_body(e, false));
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
-  const Outcome<Rational> before = unchanged(e.exact_case.exact());
   Verdict worst;
   for (std::size_t k = 0; k < sensitivity.size(); ++k) {
-    worst = both(std::move(worst), vector_is(e, k, *vectors(before)[k], sensitivity));
+    worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
   }
   return worst;
 }
@@ -204,15 +189,11 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (!collides(e)) {
     return outside_domain("the contact is not colliding");
   }
-  const BasicCollision<Rational>& c = e.exact_case.exact();
-  for (const auto* one : {&c.a, &c.b}) {
-    const Vector3<Rational> moment = oracles::lever_arm(*one, c.point).cross(c.normal);
-    if (!one->immovable && moment.dot(moment) != 0) {
-      return outside_domain("a lever arm is not along the normal");
-    }
+  if (!e.exact_case.is_collinear()) {
+    return outside_domain("a lever arm is not along the normal");
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
-  return both(vector_is(e, 1, c.a.angular_velocity, sensitivity), vector_is(e, 3, c.b.angular_velocity, sensitivity));
+  return both(vector_untouched(e, 1, sensitivity), vector_untouched(e, 3, sensitivity));
 }
 
 }  // namespace carom::properties

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,51 +14,9 @@ namespace carom::properties {
 namespace {
 
 using oracles::Rational;
-using ExactOutcome = Outcome<Rational>;
-
-/// Compares two outcomes that a relation makes equal, each allowed its own rounding.
-Verdict agree(const ExactOutcome& left, const ExactOutcome& right, const oracles::Sensitivity& sensitivity,
-              double allowance) {
-  Verdict worst;
-  const auto of_left = vectors(left);
-  const auto of_right = vectors(right);
-  for (std::size_t k = 0; k < of_left.size(); ++k) {
-    const Vector3<Rational> difference = *of_left[k] - *of_right[k];
-    const Rational squared = difference.dot(difference);
-    if (squared == 0) {
-      continue;
-    }
-    const double allowed = allowance * sensitivity[k];
-    Verdict verdict{Status::holds, std::sqrt(oracles::to_double(squared)), allowed, {}, {}, {}};
-    if (squared > Rational(allowed) * Rational(allowed)) {
-      verdict.status = Status::violated;
-      verdict.detail = fmt::format("{}, as related and as computed", outcome_vector_names[k]);
-      for (int i = 0; i < 3; ++i) {
-        verdict.left.push_back(oracles::to_double((*of_left[k])[i]));
-        verdict.right.push_back(oracles::to_double((*of_right[k])[i]));
-      }
-    }
-    worst = both(std::move(worst), std::move(verdict));
-  }
-  return worst;
-}
-
-bool equal(const ExactOutcome& left, const ExactOutcome& right) {
-  const auto of_left = vectors(left);
-  const auto of_right = vectors(right);
-  for (std::size_t k = 0; k < of_left.size(); ++k) {
-    for (int i = 0; i < 3; ++i) {
-      if ((*of_left[k])[i] != (*of_right[k])[i]) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 /// The outcome of a related collision, or the verdict where there is none.
-std::variant<const ExactOutcome*, Verdict> outcome_of(const Related& related) {
-  if (const auto* outcome = std::get_if<ExactOutcome>(&related.answer)) {
+std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& related) {
+  if (const auto* outcome = std::get_if<oracles::LiftedOutcome>(&related.answer)) {
     return outcome;
   }
   if (const auto* skipped = std::get_if<Skipped>(&related.answer)) {
@@ -71,6 +30,26 @@ std::variant<const ExactOutcome*, Verdict> outcome_of(const Related& related) {
   return verdict;
 }
 
+/// Compares two outcomes that a relation makes equal, `expected` of the first and the second. `expected` maps outcomes of
+/// any field.
+template <class Expected>
+Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
+              const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
+  const auto enclosed = expected(first.enclosed());
+  Verdict worst;
+  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+    const auto exact_pair = [&] {
+      const auto exactly = expected(first.exact());
+      return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
+    };
+    worst = both(std::move(worst),
+                 vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
+                               e.allowance() * sensitivity[k], e.yardstick.filtered,
+                               fmt::format("{}, as related and as computed", outcome_vector_names[k])));
+  }
+  return worst;
+}
+
 /// The relation maps the collision exactly, so the exact outcome is mapped exactly and both sensitivities are the same.
 template <class Back>
 Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
@@ -78,11 +57,11 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {
     return *verdict;
   }
-  const ExactOutcome mapped_back = back(*std::get<const ExactOutcome*>(answer));
-  if (equal(mapped_back, e.outcome)) {
-    return {};
+  oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  for (double& of_both : sensitivity) {
+    of_both *= 2;
   }
-  return agree(mapped_back, e.outcome, e.exact_case.sensitivity(e.model, e.allowance()), 2 * e.allowance());
+  return agree(e, *std::get<const oracles::LiftedOutcome*>(answer), back, e.outcome, sensitivity);
 }
 
 /// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
@@ -95,11 +74,6 @@ Verdict related_pair(const Evidence& e, const Expected& expected) {
       return *verdict;
     }
   }
-  const ExactOutcome mapped = expected(*std::get<const ExactOutcome*>(first));
-  const ExactOutcome& actual = *std::get<const ExactOutcome*>(second);
-  if (equal(mapped, actual)) {
-    return {};
-  }
   oracles::Sensitivity sensitivity = e.related[0].exact_case.sensitivity(e.model, e.allowance());
   const oracles::Sensitivity& of_second = e.related[1].exact_case.sensitivity(e.model, e.allowance());
   // A factor in `expected` multiplies the rounding of the first as well; three is the largest used.
@@ -107,7 +81,8 @@ Verdict related_pair(const Evidence& e, const Expected& expected) {
   for (std::size_t k = 0; k < sensitivity.size(); ++k) {
     sensitivity[k] = largest_factor * sensitivity[k] + of_second[k];
   }
-  return agree(mapped, actual, sensitivity, e.allowance());
+  return agree(e, *std::get<const oracles::LiftedOutcome*>(first), expected,
+               *std::get<const oracles::LiftedOutcome*>(second), sensitivity);
 }
 
 /// Applies `polar` to the vectors that a mirror reflects and `axial` to those that turn with it.
@@ -123,8 +98,8 @@ Collision mapped_vectors(Collision c, const Polar& polar, const Axial& axial) {
   return c;
 }
 
-template <class Polar, class Axial>
-ExactOutcome mapped_vectors(const ExactOutcome& y, const Polar& polar, const Axial& axial) {
+template <class T, class Polar, class Axial>
+Outcome<T> mapped_vectors(const Outcome<T>& y, const Polar& polar, const Axial& axial) {
   return {{polar(y.a.velocity), axial(y.a.angular_velocity)}, {polar(y.b.velocity), axial(y.b.angular_velocity)}};
 }
 
@@ -175,8 +150,9 @@ constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
 constexpr int time_exponent = 2;
 
-Rational times_power_of_two(const Rational& number, int exponent) {
-  return number * oracles::lift(std::ldexp(1.0L, exponent));
+template <class T>
+T times_power_of_two(const T& number, int exponent) {
+  return number * T(std::ldexp(1.0, exponent));
 }
 
 /// The largest component, as the exponent of a power of two above it; 1 stands for all zero.
@@ -217,12 +193,23 @@ Vector3<double> to_50_bits(const Vector3<double>& vector) {
 
 constexpr double velocity_factor = 3;
 
-ExactOutcome plus_change(const ExactOutcome& y, const BasicCollision<Rational>& from,
-                         const BasicCollision<Rational>& to) {
-  const auto shifted = [](const BodyVelocity<Rational>& motion, const BasicBody<Rational>& before,
-                          const BasicBody<Rational>& after) {
-    return BodyVelocity<Rational>{motion.velocity + (after.velocity - before.velocity),
-                                  motion.angular_velocity + (after.angular_velocity - before.angular_velocity)};
+template <class T>
+const BasicCollision<T>& collision_in(const oracles::ExactCase& exact_case) {
+  if constexpr (std::is_same_v<T, Rational>) {
+    return exact_case.exact();
+  } else {
+    return exact_case.enclosed();
+  }
+}
+
+/// The outcome with what the second related collision's velocities have more than the first's.
+template <class T>
+Outcome<T> plus_added_velocity(const Outcome<T>& y, const Evidence& e) {
+  const BasicCollision<T>& from = collision_in<T>(e.related[0].exact_case);
+  const BasicCollision<T>& to = collision_in<T>(e.related[1].exact_case);
+  const auto shifted = [](const BodyVelocity<T>& motion, const BasicBody<T>& before, const BasicBody<T>& after) {
+    return BodyVelocity<T>{motion.velocity + (after.velocity - before.velocity),
+                           motion.angular_velocity + (after.angular_velocity - before.angular_velocity)};
   };
   return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
 }
@@ -237,7 +224,10 @@ std::vector<Collision> ask_swap(const Collision& collision, const Outcome<double
 }
 
 Verdict check_swap(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) { return ExactOutcome{y.b, y.a}; });
+  return exactly_mapped(e, e.related[0], [](auto y) {
+    std::swap(y.a, y.b);
+    return y;
+  });
 }
 
 std::vector<Collision> ask_galilean(const Collision& collision, const Outcome<double>&) {
@@ -252,9 +242,7 @@ std::vector<Collision> ask_galilean(const Collision& collision, const Outcome<do
 }
 
 Verdict check_galilean(const Evidence& e) {
-  return related_pair(e, [&](const ExactOutcome& y) {
-    return plus_change(y, e.related[0].exact_case.exact(), e.related[1].exact_case.exact());
-  });
+  return related_pair(e, [&](const auto& y) { return plus_added_velocity(y, e); });
 }
 
 std::vector<Collision> ask_translation(const Collision& collision, const Outcome<double>&) {
@@ -271,7 +259,7 @@ std::vector<Collision> ask_translation(const Collision& collision, const Outcome
 }
 
 Verdict check_translation(const Evidence& e) {
-  return related_pair(e, [](const ExactOutcome& y) { return y; });
+  return related_pair(e, [](const auto& y) { return y; });
 }
 
 std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<double>&) {
@@ -280,7 +268,7 @@ std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<do
 
 Verdict check_rotation(const Evidence& e) {
   const auto turned_back = [&](std::size_t index, const QuarterTurn& turn) {
-    return exactly_mapped(e, e.related[index], [back = turn.inverse()](const ExactOutcome& y) {
+    return exactly_mapped(e, e.related[index], [back = turn.inverse()](const auto& y) {
       return mapped_vectors(y, back, back);
     });
   };
@@ -296,8 +284,10 @@ std::vector<Collision> ask_reflection_symmetry(const Collision& collision, const
 }
 
 Verdict check_reflection_symmetry(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) {
-    return mapped_vectors(y, mirrored_polar<Rational>, mirrored_axial<Rational>);
+  return exactly_mapped(e, e.related[0], [](const auto& y) {
+    const auto polar = [](const auto& v) { return mirrored_polar(v); };
+    const auto axial = [](const auto& v) { return mirrored_axial(v); };
+    return mapped_vectors(y, polar, axial);
   });
 }
 
@@ -318,8 +308,7 @@ std::vector<Collision> ask_unit_scaling(const Collision& collision, const Outcom
 }
 
 Verdict check_unit_scaling(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](const ExactOutcome& y) {
-    ExactOutcome back = y;
+  return exactly_mapped(e, e.related[0], [](auto back) {
     for (auto* motion : {&back.a, &back.b}) {
       for (int i = 0; i < 3; ++i) {
         motion->velocity[i] = times_power_of_two(motion->velocity[i], time_exponent - length_exponent);
@@ -345,8 +334,9 @@ std::vector<Collision> ask_homogeneous(const Collision& collision, const Outcome
 }
 
 Verdict check_homogeneous(const Evidence& e) {
-  return related_pair(e, [](const ExactOutcome& y) {
-    return map_outcome<Rational>(y, [](const Rational& number) { return Rational(number * Rational(velocity_factor)); });
+  return related_pair(e, [](const auto& y) {
+    using T = std::decay_t<decltype(y.a.velocity[0])>;
+    return map_outcome<T>(y, [](const T& number) { return T(number * T(velocity_factor)); });
   });
 }
 
@@ -393,13 +383,13 @@ Verdict check_repeat(const Evidence& e) {
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {
     return *verdict;
   }
-  const ExactOutcome& after = *std::get<const ExactOutcome*>(answer);
+  const oracles::LiftedOutcome& after = *std::get<const oracles::LiftedOutcome*>(answer);
   const auto untouched = [&](bool a) {
     return verdict_of(oracles::compare(
                           [a](const auto& c, const auto& y) {
                             return a ? oracles::untouched(c.a, y.a) : oracles::untouched(c.b, y.b);
                           },
-                          oracles::Relation::equal, second.exact_case, after, e.allowance()),
+                          oracles::Relation::equal, second.exact_case, after, e.yardstick),
                       a ? "velocities of A, after a second impulse and before it"
                         : "velocities of B, after a second impulse and before it");
   };

@@ -10,15 +10,37 @@
 namespace carom::properties {
 
 [[nodiscard]] inline Verdict outside_domain(std::string why) {
-  return {Status::skipped, 0, 0, std::move(why), {}, {}};
+  return {Status::skipped, std::move(why), 0, 0, {}, {}};
 }
 
-[[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, const char* what) {
+[[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
   if (comparison.holds) {
-    return {Status::holds, comparison.residual, comparison.allowed, {}, {}, {}};
+    return {};
   }
-  return {Status::violated,           comparison.residual,        comparison.allowed, what,
-          std::move(comparison.left), std::move(comparison.right)};
+  return {Status::violated,   std::move(what),            comparison.residual,
+          comparison.allowed, std::move(comparison.left), std::move(comparison.right)};
+}
+
+/// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as enclosures,
+/// and as functions that give them exactly where those do not decide.
+template <class Exact>
+[[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
+                                    const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
+                                    double allowed, bool filtered, const std::string& what) {
+  if (filtered && oracles::norm_at_most(oracles::difference(actual, expected), allowed).value_or(false)) {
+    return {};
+  }
+  const auto& [exact_actual, exact_expected] = exact_pair();
+  const auto difference = oracles::difference(exact_actual, exact_expected);
+  if (oracles::norm_at_most(difference, allowed)) {
+    return {};
+  }
+  Verdict verdict{Status::violated, what, oracles::norm(difference), allowed, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    verdict.left.push_back(oracles::to_double(exact_actual[i]));
+    verdict.right.push_back(oracles::to_double(exact_expected[i]));
+  }
+  return verdict;
 }
 
 /// Both must hold: the worse of two verdicts, a violation before a pass before a skip.

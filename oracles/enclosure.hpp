@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include <carom/oracles/rational.hpp>
+
+namespace carom::oracles {
+
+/// A real number known to within a radius: |x − (high + low)| ≤ radius. Double-double arithmetic with a bound that is
+/// carried along, so that what it decides is decided exactly and the rest goes to rationals, as in CGAL's filtered
+/// predicates. About 100 bits, in the range of binary64; outside of it the radius becomes infinite, and nothing is decided.
+///
+/// The bounds are those of M. Joldes, J.-M. Muller, V. Popescu, ACM Trans. Math. Softw. 44 (2017), with u = 2⁻⁵³: sum 3u²,
+/// product 5u², quotient 10u² and a little, relatively; rounded up to 16u² and kept from underflow by an absolute term.
+class Enclosure {
+ public:
+  Enclosure() = default;
+  Enclosure(int exact) : high_(exact) {}                 // NOLINT(google-explicit-constructor)
+  explicit Enclosure(double exact) : high_(exact) {}
+  explicit Enclosure(long double exact)
+      : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
+    // Extended has a wider range of exponents; an outcome that leaves binary64's is left to rationals.
+    radius_ = std::isfinite(high_) && std::abs(high_) >= smallest_product ? 0 : (exact == 0 ? 0 : infinity);
+  }
+  explicit Enclosure(const Rational& exact)
+      : high_(to_double(exact)), low_(to_double(exact - Rational(high_))), radius_(std::abs(low_) * two_to_minus_50) {}
+
+  [[nodiscard]] double middle() const { return high_; }
+  [[nodiscard]] double radius() const { return radius_; }
+
+  /// At least |x|.
+  [[nodiscard]] double magnitude_above() const {
+    return (std::abs(high_) * one_and_a_bit + std::abs(low_)) + radius_ * one_and_a_bit;
+  }
+
+  /// At most |x|.
+  [[nodiscard]] double magnitude_below() const {
+    return std::max(0.0, std::abs(high_) * one_less_a_bit - std::abs(low_) - radius_ * one_and_a_bit);
+  }
+
+  [[nodiscard]] bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && radius_ == 0; }
+
+  /// −1, 0 or 1 where it is certain.
+  [[nodiscard]] std::optional<int> sign() const {
+    if (is_exactly_zero()) {
+      return 0;
+    }
+    if (magnitude_below() > 0) {
+      return high_ > 0 ? 1 : -1;
+    }
+    return std::nullopt;
+  }
+
+  friend Enclosure operator-(const Enclosure& x) { return {-x.high_, -x.low_, x.radius_}; }
+
+  friend Enclosure operator+(const Enclosure& x, const Enclosure& y) {
+    const Pair s = two_sum(x.high_, y.high_);
+    const Pair t = two_sum(x.low_, y.low_);
+    const Pair v = fast_two_sum(s.high, s.low + t.high);
+    const Pair z = fast_two_sum(v.high, t.low + v.low);
+    return with_rounding(z, x.radius_ + y.radius_, 0);  // sums do not underflow
+  }
+
+  friend Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + (-y); }
+
+  friend Enclosure operator*(const Enclosure& x, const Enclosure& y) {
+    if (x.is_exactly_zero() || y.is_exactly_zero()) {
+      return {};
+    }
+    const Pair c = two_product(x.high_, y.high_);
+    const Pair z = fast_two_sum(c.high, c.low + (x.high_ * y.low_ + x.low_ * y.high_));
+    const double radius = x.radius_ > 0 || y.radius_ > 0
+                              ? x.magnitude_above() * y.radius_ + y.magnitude_above() * x.radius_
+                              : 0;
+    return with_rounding(z, radius, smallest_product);
+  }
+
+  friend Enclosure operator/(const Enclosure& x, const Enclosure& y) {
+    const double divisor = y.magnitude_below();
+    if (!(divisor > 0)) {
+      return {0, 0, infinity};
+    }
+    // Two steps of long division: x = (q1 + q2) y + rest, and the rest says how good that is.
+    const double q1 = x.high_ / y.high_;
+    const Enclosure rest1 = without_radius(x) - without_radius(y) * Enclosure(q1);
+    const double q2 = rest1.high_ / y.high_;
+    const Enclosure rest2 = rest1 - without_radius(y) * Enclosure(q2);
+    const Pair q = fast_two_sum(q1, q2);
+    const double quotient_above = (std::abs(q1) + std::abs(q2)) * one_and_a_bit;
+    const double radius =
+        (rest2.magnitude_above() + x.radius_ + quotient_above * y.radius_) / divisor * one_and_a_bit;
+    return with_rounding(q, radius, smallest_product);
+  }
+
+  Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
+  Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
+  Enclosure& operator*=(const Enclosure& other) { return *this = *this * other; }
+  Enclosure& operator/=(const Enclosure& other) { return *this = *this / other; }
+
+ private:
+  struct Pair {
+    double high;
+    double low;
+  };
+
+  Enclosure(double high, double low, double radius) : high_(high), low_(low), radius_(radius) {}
+
+  static Enclosure without_radius(const Enclosure& x) { return {x.high_, x.low_, 0}; }
+
+  static Pair two_sum(double a, double b) {
+    const double s = a + b;
+    const double of_b = s - a;
+    const double of_a = s - of_b;
+    return {s, (a - of_a) + (b - of_b)};
+  }
+
+  static Pair fast_two_sum(double a, double b) {
+    const double s = a + b;
+    return {s, b - (s - a)};
+  }
+
+  static Pair split(double a) {
+    const double c = splitter * a;
+    const double high = c - (c - a);
+    return {high, a - high};
+  }
+
+  /// Dekker's product: no fused multiply-add is needed. Overflow makes it NaN, which with_rounding catches.
+  static Pair two_product(double a, double b) {
+    const double p = a * b;
+    const Pair x = split(a);
+    const Pair y = split(b);
+    return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
+  }
+
+  /// The sum, product or quotient z with the rounding of double-double and of the radius itself added to the radius.
+  static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
+    const double bound = radius * one_and_a_bit + std::abs(z.high) * rounding + absolute;
+    if (!std::isfinite(z.high) || !std::isfinite(z.low) || !std::isfinite(bound)) {
+      return {0, 0, infinity};
+    }
+    return {z.high, z.low, bound};
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double splitter = 134217729;                       // 2²⁷ + 1
+  static constexpr double two_to_minus_50 = 1.0 / (1LL << 50);
+  static constexpr double rounding = two_to_minus_50 * two_to_minus_50 / 4;   // 2⁻¹⁰² = 16 u²
+  static constexpr double one_and_a_bit = 1 + 4 * two_to_minus_50;
+  static constexpr double one_less_a_bit = 1 - 4 * two_to_minus_50;
+  // Below this the error terms of a product may underflow; 2⁻⁹⁰⁰ covers what they can lose.
+  static constexpr double smallest_product = 0x1p-900;
+
+  double high_ = 0;
+  double low_ = 0;
+  double radius_ = 0;
+};
+
+}  // namespace carom::oracles
+
+namespace Eigen {
+
+template <>
+struct NumTraits<carom::oracles::Enclosure> : GenericNumTraits<carom::oracles::Enclosure> {
+  using Real = carom::oracles::Enclosure;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = int;
+  enum { IsInteger = 0, IsSigned = 1, IsComplex = 0, RequireInitialization = 1, ReadCost = 3, AddCost = 20, MulCost = 30 };
+};
+
+}  // namespace Eigen

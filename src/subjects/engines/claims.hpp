@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+
+namespace carom::subjects {
+
+/// What an engine claims, configured and as shipped, in this order; it is listed also where the engine is not installed.
+/// `open` or `absent` remains to be set.
+[[nodiscard]] inline std::vector<Subject> engine_claims(const std::string& name, std::string configured,
+                                                        std::string as_shipped) {
+  std::vector<Subject> claims(2);
+  claims[0].name = name;
+  claims[0].summary = std::move(configured);
+  claims[1].name = name + "-as-shipped";
+  claims[1].summary = std::move(as_shipped);
+  claims[1].expected_to_pass = false;
+  for (Subject& claim : claims) {
+    claim.model = Model::frictionless;
+    claim.precision = Precision::binary64;
+  }
+  return claims;
+}
+
+[[nodiscard]] inline std::vector<Subject> bullet_claims() {
+  return engine_claims("bullet-double",
+                       "Bullet, solveGroup on one contact: no restitution threshold, gyroscopic torque, ERP, split "
+                       "impulse or warm start",
+                       "Bullet, solveGroup on one contact: the engine's defaults, step 1/60 s");
+}
+
+[[nodiscard]] inline std::vector<Subject> ode_claims() {
+  return engine_claims("ode-double", "ODE, dWorldStep on one contact joint: CFM 0, ERP 0, no gyroscopic torque, step 1 s",
+                       "ODE, dWorldStep on one contact joint: the engine's defaults, step 1/60 s");
+}
+
+/// The claims of an engine that this program was built without.
+[[nodiscard]] inline std::vector<Subject> absent(std::vector<Subject> claims, const std::string& package) {
+  for (Subject& claim : claims) {
+    claim.absent = package + " was not found when this program was built";
+  }
+  return claims;
+}
+
+}  // namespace carom::subjects

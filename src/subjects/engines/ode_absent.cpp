@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/subjects/engines/claims.hpp>
+#include <carom/subjects/engines/engines.hpp>
+
+namespace carom::subjects {
+
+std::vector<Subject> ode_subjects() { return absent(ode_claims(), "libode-dev"); }
+
+}  // namespace carom::subjects
