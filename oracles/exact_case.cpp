@@ -207,6 +207,17 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   return colliding_sensitivity_.emplace(model, result).first->second;
 }
 
+Sensitivity ExactCase::sensitivity_below(Model model) const {
+  Sensitivity result{};
+  const Outcome<Enclosure>& outcome = enclosed_truth(model).outcome;
+  const auto parts = vectors(outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Vector3<Enclosure>& y = *parts[k];
+    result[k] = std::hypot(y[0].magnitude_below(), y[1].magnitude_below(), y[2].magnitude_below()) / 2;
+  }
+  return result;
+}
+
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
   if (!collision_matrix_) {
     collision_matrix_ = response_matrix(exact());
@@ -226,9 +237,20 @@ double ExactCase::collision_matrix_sensitivity() const {
 
 bool ExactCase::is_definite() const {
   if (!is_definite_) {
-    is_definite_ = is_at_least(collision_matrix(), inverse_mass());
+    is_definite_ = is_positive_semidefinite(
+        less_multiple_of_identity<Enclosure>(response_matrix(enclosed_), Enclosure(inverse_mass())));
+    if (!is_definite_) {
+      is_definite_ = is_at_least(collision_matrix(), inverse_mass());
+    }
   }
   return *is_definite_;
+}
+
+bool ExactCase::is_bounded_by(const Rational& bound) const {
+  const Matrix3<Enclosure> enclosed = response_matrix(enclosed_);
+  const std::optional<bool> decided =
+      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-enclosed, Enclosure(Rational(-bound))));
+  return decided ? *decided : is_at_most(collision_matrix(), bound);
 }
 
 bool ExactCase::is_collinear() const {

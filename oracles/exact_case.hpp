@@ -39,12 +39,20 @@ class ExactCase {
   /// the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
+  /// A lower bound of `sensitivity`, at a fifth of the cost: ½ ‖y_k‖. The law's answer is homogeneous of degree one in the
+  /// velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half covers the grazing band, where the
+  /// colliding answer counts and differs from the velocities before by rounding.
+  [[nodiscard]] Sensitivity sensitivity_below(Model model) const;
+
   /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
   [[nodiscard]] double collision_matrix_sensitivity() const;
 
   /// Whether λI ⪯ K, decided exactly.
   [[nodiscard]] bool is_definite() const;
+
+  /// Whether K ⪯ bound I, decided exactly.
+  [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
   /// Whether r × N = 0 for each movable body, exactly.
   [[nodiscard]] bool is_collinear() const;

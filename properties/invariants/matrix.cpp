@@ -47,7 +47,7 @@ Verdict check_well_conditioned(const Evidence& e) {
   const Rational bound = 16 * e.exact_case.inverse_mass();
   // The bound is sharp, and the stored moments and lever arms are rounded.
   const Rational rounding = eigenvalue_rounding(e);
-  if (!oracles::is_at_most(e.exact_case.collision_matrix(), bound + rounding)) {
+  if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
   if (e.collision_matrix != nullptr && !oracles::is_at_most(*e.collision_matrix, bound + rounding)) {

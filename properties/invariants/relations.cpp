@@ -74,15 +74,25 @@ Verdict related_pair(const Evidence& e, const Expected& expected) {
       return *verdict;
     }
   }
-  oracles::Sensitivity sensitivity = e.related[0].exact_case.sensitivity(e.model, e.allowance());
-  const oracles::Sensitivity& of_second = e.related[1].exact_case.sensitivity(e.model, e.allowance());
   // A factor in `expected` multiplies the rounding of the first as well; three is the largest used.
   constexpr double largest_factor = 3;
-  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
-    sensitivity[k] = largest_factor * sensitivity[k] + of_second[k];
+  const auto sum = [](oracles::Sensitivity of_first, const oracles::Sensitivity& of_second) {
+    for (std::size_t k = 0; k < of_first.size(); ++k) {
+      of_first[k] = largest_factor * of_first[k] + of_second[k];
+    }
+    return of_first;
+  };
+  const oracles::ExactCase& first_case = e.related[0].exact_case;
+  const oracles::ExactCase& second_case = e.related[1].exact_case;
+  const auto verdict = [&](const oracles::Sensitivity& sensitivity) {
+    return agree(e, *std::get<const oracles::LiftedOutcome*>(first), expected,
+                 *std::get<const oracles::LiftedOutcome*>(second), sensitivity);
+  };
+  if (verdict(sum(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))).status ==
+      Status::holds) {
+    return {};
   }
-  return agree(e, *std::get<const oracles::LiftedOutcome*>(first), expected,
-               *std::get<const oracles::LiftedOutcome*>(second), sensitivity);
+  return verdict(sum(first_case.sensitivity(e.model, e.allowance()), second_case.sensitivity(e.model, e.allowance())));
 }
 
 /// Applies `polar` to the vectors that a mirror reflects and `axial` to those that turn with it.

@@ -9,8 +9,8 @@
 
 namespace carom::subjects {
 
-/// What an engine claims, configured and as shipped, in this order; it is listed also where the engine is not installed.
-/// `open` or `absent` remains to be set.
+/// The two subjects of an engine, configured and as shipped, with `open` or `absent` still to be set: they are listed
+/// whether the engine is installed or not.
 [[nodiscard]] inline std::vector<Subject> engine_claims(const std::string& name, std::string configured,
                                                         std::string as_shipped) {
   std::vector<Subject> claims(2);
@@ -27,15 +27,13 @@ namespace carom::subjects {
 }
 
 [[nodiscard]] inline std::vector<Subject> bullet_claims() {
-  return engine_claims("bullet-double",
-                       "Bullet, solveGroup on one contact: no restitution threshold, gyroscopic torque, ERP, split "
-                       "impulse or warm start",
-                       "Bullet, solveGroup on one contact: the engine's defaults, step 1/60 s");
+  return engine_claims("bullet-double", "Bullet's sequential impulses: restitution threshold 0, no gyroscopic torque",
+                       "Bullet's sequential impulses: the engine's defaults, step 1/60 s");
 }
 
 [[nodiscard]] inline std::vector<Subject> ode_claims() {
-  return engine_claims("ode-double", "ODE, dWorldStep on one contact joint: CFM 0, ERP 0, no gyroscopic torque, step 1 s",
-                       "ODE, dWorldStep on one contact joint: the engine's defaults, step 1/60 s");
+  return engine_claims("ode-double", "ODE's dWorldStep: CFM 0, no gyroscopic torque, step 1/60 s",
+                       "ODE's dWorldStep: the engine's defaults, step 1/60 s");
 }
 
 /// The claims of an engine that this program was built without.

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <cstdarg>
-#include <cstdio>
-#include <memory>
-#include <stdexcept>
+#include <string>
 #include <type_traits>
-
-#include <ode/ode.h>
 
 #include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/engines.hpp>
+#include <carom/subjects/engines/ode_handles.hpp>
 #include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
@@ -17,30 +13,17 @@ namespace {
 
 static_assert(std::is_same_v<dReal, double>, "needs the double build of ODE");
 
-template <auto destroy>
-struct Destroy {
-  void operator()(auto* object) const { destroy(object); }
-};
-using Threading = std::unique_ptr<dxThreadingImplementation, Destroy<dThreadingFreeImplementation>>;
-using World = std::unique_ptr<dxWorld, Destroy<dWorldDestroy>>;
-using OdeBody = std::unique_ptr<dxBody, Destroy<dBodyDestroy>>;
-using Joint = std::unique_ptr<dxJoint, Destroy<dJointDestroy>>;
-
-/// ODE's own handler of a failed assertion ends the process.
-[[noreturn]] void throw_assertion(int, const char* format, va_list arguments) {
-  char message[256];
-  std::vsnprintf(message, sizeof message, format, arguments);
-  throw std::runtime_error(message);
+ode::World make_world(dThreadingImplementationID threading, bool configured) {
+  ode::World world(dWorldCreate());
+  dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading), threading);
+  if (configured) {
+    dWorldSetCFM(world.get(), 0);  // ERP needs no change: a contact of depth 0 leaves it nothing to act on
+  }
+  return world;
 }
 
-/// ODE is initialised once, and told of each thread that calls it.
-void enter_thread() {
-  [[maybe_unused]] static const int library = (dSetDebugHandler(throw_assertion), dInitODE2(0));
-  [[maybe_unused]] thread_local const int thread = dAllocateODEDataForThread(dAllocateFlagBasicData);
-}
-
-OdeBody make_body(const World& world, const Body& body, bool configured) {
-  OdeBody made(dBodyCreate(world.get()));
+ode::RigidBody make_body(const ode::World& world, const Body& body, bool configured) {
+  ode::RigidBody made(dBodyCreate(world.get()));
   if (body.immovable) {
     dBodySetKinematic(made.get());
   } else {
@@ -69,44 +52,44 @@ dContact make_contact(const Collision& collision) {
   return contact;
 }
 
-BodyVelocity<long double> velocity_of(const OdeBody& body) {
-  using Read = Eigen::Map<const Vector3<double>>;
-  return {Read(dBodyGetLinearVel(body.get())).cast<long double>(), Read(dBodyGetAngularVel(body.get())).cast<long double>()};
+BodyVelocity<long double> velocity_of(const ode::RigidBody& body) {
+  const Eigen::Map<const Vector3<double>> velocity(dBodyGetLinearVel(body.get()));
+  const Eigen::Map<const Vector3<double>> angular_velocity(dBodyGetAngularVel(body.get()));
+  return {velocity.cast<long double>(), angular_velocity.cast<long double>()};
 }
 
-Answer solve(const Collision& collision, bool configured) try {
-  enter_thread();
-  // The threading implementation that worlds have by default is one for all of them, and not safe in several threads.
-  const Threading threading(dThreadingAllocateSelfThreadedImplementation());
-  const World world(dWorldCreate());
-  dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading.get()),
-                                       threading.get());
-  if (configured) {
-    dWorldSetCFM(world.get(), 0);
-    dWorldSetERP(world.get(), 0);
-  }
-  const OdeBody a = make_body(world, collision.a, configured);
-  const OdeBody b = make_body(world, collision.b, configured);
+ReportedOutcome step(const Collision& collision, bool configured, dThreadingImplementationID threading) {
+  const ode::World world = make_world(threading, configured);
+  const ode::RigidBody a = make_body(world, collision.a, configured);
+  const ode::RigidBody b = make_body(world, collision.b, configured);
   const dContact contact = make_contact(collision);
-  const Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
+  const ode::Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
   dJointAttach(joint.get(), a.get(), b.get());
-  // With no torque and no correction left the length of the step cancels out; 1 s adds no rounding.
-  dWorldStep(world.get(), configured ? 1.0 : 1.0 / 60.0);
-  return ReportedOutcome{velocity_of(a), velocity_of(b)};
-} catch (const std::runtime_error& assertion) {
-  return Refused{std::string("ODE: ") + assertion.what()};
+  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; configured, its length enters nothing
+  return {velocity_of(a), velocity_of(b)};
 }
 
-Session session(bool configured) {
-  return session_of([configured](const Collision& collision) { return solve(collision, configured); });
+Answer solve(const Collision& collision, bool configured) {
+  ode::enter_thread();
+  // The threading implementation that worlds have by default is one for all of them, and not safe in several threads.
+  ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
+  try {
+    return step(collision, configured, threading.get());
+  } catch (const ode::AssertionFailed& failure) {
+    static_cast<void>(threading.release());  // ODE does not let it be freed in the middle of a step
+    return Refused{std::string("ODE: ") + failure.what()};
+  }
 }
 
 }  // namespace
 
 std::vector<Subject> ode_subjects() {
   std::vector<Subject> subjects = ode_claims();
-  subjects[0].open = [] { return session(true); };
-  subjects[1].open = [] { return session(false); };
+  for (const bool configured : {true, false}) {
+    subjects[configured ? 0 : 1].open = [configured] {
+      return session_of([configured](const Collision& collision) { return solve(collision, configured); });
+    };
+  }
   return subjects;
 }
 
