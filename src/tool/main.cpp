@@ -1,14 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
-#include <cstring>
-#include <algorithm>
-#include <carom/properties/gate.hpp>
-#include <carom/subjects/catalogue.hpp>
-int main(int argc,char**argv){ using namespace carom; using namespace carom::properties; GateOptions o; o.cases=argc>1?std::strtoull(argv[1],nullptr,10):100; o.seed=argc>2?std::strtoull(argv[2],nullptr,10):1; o.jobs=2;
- for(auto&f:all_families()) if(argc<4||f.name==argv[3]) o.families.push_back(&f);
- std::vector<Subject> s; for(auto&x:subjects::built_in_subjects()) s.push_back(x);
- auto r=run_gate(s,o);
- for(auto&x:r.results){ auto w=x.worst_backward_error(o); printf("%-28s %6lu viol %zu worst %.3g %s digits %.1f/%.1f/%.1f %.0f ns %s\n",x.subject.name.c_str(),x.cases(),x.violated_invariants().size(),w.backward_error,w.family.c_str(),x.digits_at_least(.5).value_or(0),x.digits_at_least(.99).value_or(0),x.digits_at_least(1).value_or(0),x.nanoseconds_per_solve,x.error.c_str());
-  for(auto&v:x.violated_invariants()){ printf("   %s %lu:",v.c_str(),x.count(v).violated); for(size_t f=0;f<x.families.size();++f){auto i=x.families[f].counts.find(v); if(i!=x.families[f].counts.end()&&i->second.violated) printf(" %s=%lu",o.families[f]->name.data(),i->second.violated);} puts("");}
- }
- for(size_t f=0;f<o.families.size();++f){ printf("%-18s",o.families[f]->name.data()); for(auto&x:r.results) printf(" %7.2g",x.families[f].worst_backward_error); puts("");}
+#include <exception>
+#include <functional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <carom/oracles/yardstick.hpp>
+
+#include "commands.hpp"
+
+namespace {
+
+using carom::tool::GateArguments;
+using carom::tool::ReplayArguments;
+
+template <class Arguments>
+void add_yardstick(CLI::App& command, Arguments& arguments) {
+  arguments.limit_ulps = carom::oracles::default_limit_ulps;
+  command.add_option("--limit-ulps", arguments.limit_ulps, "Largest backward error that passes, in ulps")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
+      ->check(CLI::Range(1, 18));
+}
+
+void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats) {
+  command.add_option("--format", format, "Form of the output")
+      ->check(CLI::IsMember(std::move(formats)))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
+  app.set_version_flag("--version", CAROM_VERSION);
+  app.require_subcommand(1);
+  std::function<int()> run;
+
+  GateArguments gate;
+  CLI::App* gate_command = app.add_subcommand(
+      "gate", "Judge subjects: exit status 0 all hold, 1 something violated, 2 usage or environment");
+  gate_command->add_option("SUBJECT", gate.subjects, "Subjects to judge (default: all; those expected to fail do not count)");
+  gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases on every machine")
+      ->capture_default_str();
+  gate_command->add_option("--cases", gate.cases, "Cases of each family")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->capture_default_str();
+  gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
+      ->delimiter(',');
+  gate_command->add_option("--out", gate.out, "Directory for report.json, junit.xml and witnesses/");
+  gate_command->add_option("--jobs", gate.jobs, "Threads (default: one for each core)")->check(CLI::Range(1, 1024));
+  add_yardstick(*gate_command, gate);
+  add_format(*gate_command, gate.format, {"text", "json"});
+  gate_command->callback([&] { run = [&] { return carom::tool::gate(gate); }; });
+
+  std::string subjects_format = "text";
+  CLI::App* subjects_command = app.add_subcommand("subjects", "List the built-in subjects and engines");
+  add_format(*subjects_command, subjects_format, {"text", "json"});
+  subjects_command->callback([&] { run = [&] { return carom::tool::list_subjects(subjects_format); }; });
+
+  std::string invariants_format = "text";
+  CLI::App* invariants_command = app.add_subcommand("invariants", "Print the catalogue of invariants");
+  add_format(*invariants_command, invariants_format, {"text", "markdown", "json"});
+  invariants_command->callback([&] { run = [&] { return carom::tool::list_invariants(invariants_format); }; });
+
+  std::string families_format = "text";
+  std::uint64_t families_seed = 1;
+  CLI::App* families_command = app.add_subcommand("families", "List the families, with an example of each");
+  families_command->add_option("--seed", families_seed, "Seed of the examples")->capture_default_str();
+  add_format(*families_command, families_format, {"text", "json"});
+  families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
+
+  ReplayArguments replay;
+  CLI::App* replay_command = app.add_subcommand(
+      "replay", "Show the exact truth of collisions, each step; judge a subject on them");
+  replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions")->required();
+  replay_command->add_option("--subject", replay.subject, "Subject to judge (default: the one that a witness names)");
+  add_yardstick(*replay_command, replay);
+  add_format(*replay_command, replay.format, {"text", "json"});
+  replay_command->callback([&] { run = [&] { return carom::tool::replay(replay); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : carom::tool::exit_usage;
+  }
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "carom: {}\n", error.what());
+    return carom::tool::exit_usage;
+  }
 }

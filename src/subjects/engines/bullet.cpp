@@ -57,10 +57,9 @@ btRigidBody make_body(const Body& body, const Settings& settings) {
 
 /// Depth 0, for the protocol has none. Friction 0, for the model has none.
 btManifoldPoint make_contact(const Collision& collision) {
-  const btVector3 point = to_bullet(collision.point);
-  btManifoldPoint contact({}, {}, to_bullet(unit(collision.normal)), 0);
-  contact.m_positionWorldOnA = point;
-  contact.m_positionWorldOnB = point;
+  const btVector3 local(0, 0, 0);  // the point in the frame of a body, which the solver does not read
+  btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
+  contact.m_positionWorldOnA = contact.m_positionWorldOnB = to_bullet(collision.point);
   contact.m_combinedRestitution = collision.restitution;
   return contact;
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The commands of the program. Each writes to standard output and returns the exit status.
+namespace carom::tool {
+
+inline constexpr int exit_all_hold = 0;
+inline constexpr int exit_violated = 1;
+inline constexpr int exit_usage = 2;  // usage, environment, or input that cannot be read
+
+/// What the user asked for cannot be done; the text says what and why. Ends the program with exit_usage.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct GateArguments {
+  std::vector<std::string> subjects;
+  std::vector<std::string> families;
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;
+  double limit_ulps = 32;
+  std::optional<int> digits;
+  unsigned jobs = 0;  // 0: one for each core
+  std::string out;    // a directory; empty for none
+  std::string format = "text";
+};
+
+struct ReplayArguments {
+  std::string file;
+  std::string subject;  // empty: the one that a witness names
+  double limit_ulps = 32;
+  std::optional<int> digits;
+  std::string format = "text";
+};
+
+[[nodiscard]] int gate(const GateArguments& arguments);
+[[nodiscard]] int replay(const ReplayArguments& arguments);
+[[nodiscard]] int list_subjects(const std::string& format);
+[[nodiscard]] int list_invariants(const std::string& format);
+[[nodiscard]] int list_families(const std::string& format, std::uint64_t seed);
+
+}  // namespace carom::tool

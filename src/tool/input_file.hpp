@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <carom/properties/families/family.hpp>
+
+namespace carom::tool {
+
+/// What a witness adds to its collision.
+struct WitnessFacts {
+  std::string subject;
+  std::string invariant;
+};
+
+/// A collision read from a file.
+struct ReadCollision {
+  std::string place;  // "FILE", "FILE:7" for a line, "FILE: /3" for an element of an array
+  properties::Case one;
+  std::optional<WitnessFacts> witness;
+};
+
+/// Reads a witness, a collision, an array of either, or JSON Lines of either. Throws UsageError that names the file, the
+/// place in it, and what was expected, also where a collision is invalid; a witness that an invalid collision was answered
+/// is the one exception.
+[[nodiscard]] std::vector<ReadCollision> read_collisions(const std::string& file);
+
+}  // namespace carom::tool

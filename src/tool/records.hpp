@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/properties/gate.hpp>
+
+/// The JSON records that the program writes.
+namespace carom::tool {
+
+/// An outcome as numbers; what is not a binary64 number as a string with 21 digits.
+[[nodiscard]] nlohmann::json outcome_record(const ReportedOutcome& outcome);
+
+/// An outcome, {"refused": why} or {"skipped": why}.
+[[nodiscard]] nlohmann::json answer_record(const Answer& answer);
+
+/// The exact truth of one model: velocities, impulse and energy change as strings "p/q", and under `nearest` the
+/// velocities as binary64.
+[[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
+
+/// "holds", "violated" or "skipped", with both sides of the formula where violated.
+[[nodiscard]] nlohmann::json verdict_record(const properties::Verdict& verdict);
+
+/// A witness as one file. `replay_command` replays it.
+[[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
+                                            const properties::GateOptions& options, const std::string& replay_command);
+
+/// report.json. `counts` says of each subject whether it counts towards the exit status.
+struct GateRun {
+  properties::GateReport report;
+  std::vector<bool> counts;
+  std::vector<Subject> absent;  // asked for, or part of the default, and not installed
+  /// 0 all hold, 1 something violated, 2 something that counts could not be judged, or nothing was.
+  [[nodiscard]] int exit_status() const;
+};
+
+[[nodiscard]] nlohmann::json report_record(const GateRun& run);
+
+/// The name of a witness's file in witnesses/.
+[[nodiscard]] std::string witness_file_name(const Subject& subject, const properties::Witness& witness);
+
+}  // namespace carom::tool

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json.hpp>
+#include <carom/properties/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "commands.hpp"
+#include "input_file.hpp"
+#include "records.hpp"
+#include "words.hpp"
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+using oracles::Approach;
+using oracles::Rational;
+
+const char* name_of(Approach approach) {
+  switch (approach) {
+    case Approach::colliding:
+      return "colliding";
+    case Approach::resting:
+      return "resting";
+    case Approach::separating:
+      return "separating";
+    case Approach::inert:
+      break;
+  }
+  return "both bodies immovable";
+}
+
+/// The steps that all models share.
+std::string contact_steps(const oracles::ExactCase& exact_case) {
+  const BasicCollision<Rational>& c = exact_case.exact();
+  const Outcome<Rational> before = unchanged(c);
+  const Matrix3<Rational>& k = exact_case.collision_matrix();
+  std::string text = fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n",
+                                 in_words<Rational>(oracles::lever_arm(c.a, c.point)),
+                                 in_words<Rational>(oracles::lever_arm(c.b, c.point)));
+  text += fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n",
+                      in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
+                      in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
+  if (exact_case.approach() != Approach::inert) {
+    text += fmt::format("  λ = {}\n", in_words(exact_case.inverse_mass()));
+    for (int row = 0; row < 3; ++row) {
+      text += fmt::format("  {} {}\n", row == 0 ? "K =" : "   ", in_words<Rational>(Vector3<Rational>(k.row(row))));
+    }
+  }
+  return text;
+}
+
+std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
+  const BasicCollision<Rational>& c = exact_case.exact();
+  const oracles::Truth<Rational>& truth = exact_case.truth(model);
+  const Vector3<Rational> after = oracles::relative_velocity<Rational>(c, truth.outcome);
+  std::string text = fmt::format("{}, exactly\n  F = {}\n", carom::name_of(model), in_words(truth.impulse));
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    text += fmt::format("  {}⁺ = {}\n", outcome_vector_names[k], in_words(*parts[k]));
+  }
+  text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(Rational(c.normal.dot(after))));
+  if (exact_case.approach() != Approach::inert) {
+    const auto energy = oracles::energy(c, truth.outcome);
+    text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(Rational(energy.left[0] - energy.right[0])));
+  }
+  return text;
+}
+
+std::string judgement_text(const properties::Judgement& judgement, const Answer& answer, double unit_roundoff) {
+  std::string text;
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    text += in_words(*outcome, "  ");
+  } else if (const auto* refused = std::get_if<Refused>(&answer)) {
+    text += "  refused: " + refused->why + '\n';
+  } else {
+    text += "  skipped: " + std::get<Skipped>(answer).why + '\n';
+  }
+  if (judgement.accuracy) {
+    text += fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
+                        judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits());
+  }
+  for (const properties::NamedVerdict& named : judgement.verdicts) {
+    const properties::Verdict& verdict = named.verdict;
+    switch (verdict.status) {
+      case properties::Status::holds:
+        text += fmt::format("  {:22} holds\n", named.invariant->name);
+        break;
+      case properties::Status::skipped:
+        text += fmt::format("  {:22} –  {}\n", named.invariant->name, verdict.detail);
+        break;
+      case properties::Status::violated:
+        text += fmt::format("  {:22} VIOLATED  {}", named.invariant->name, verdict.detail);
+        if (!verdict.left.empty()) {
+          text += fmt::format(": {} and {}, apart by {:.3g}, allowed {:.3g}", in_words(verdict.left),
+                              in_words(verdict.right), verdict.residual, verdict.allowed);
+        }
+        text += '\n';
+    }
+  }
+  return text;
+}
+
+Subject required_subject(const std::string& name) {
+  std::optional<Subject> subject = subjects::subject_named(name);
+  if (!subject) {
+    throw UsageError(fmt::format("there is no subject '{}'; `carom subjects` lists them", name));
+  }
+  if (!subject->absent.empty()) {
+    throw UsageError(fmt::format("{} is absent: {}", name, subject->absent));
+  }
+  return *subject;
+}
+
+/// The subject to judge on this collision, if any.
+std::optional<Subject> subject_for(const ReplayArguments& arguments, const ReadCollision& read) {
+  if (!arguments.subject.empty()) {
+    return required_subject(arguments.subject);
+  }
+  if (read.witness && !read.witness->subject.empty()) {
+    return required_subject(read.witness->subject);
+  }
+  return std::nullopt;
+}
+
+bool is_violated(const properties::Judgement& judgement) {
+  for (const properties::NamedVerdict& named : judgement.verdicts) {
+    if (named.verdict.status == properties::Status::violated) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+int replay(const ReplayArguments& arguments) {
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = arguments.limit_ulps;
+  yardstick.digits = arguments.digits;
+  bool violated = false;
+  for (const ReadCollision& read : read_collisions(arguments.file)) {
+    const properties::JudgedCase judged_case(read.one);
+    const Collision& collision = read.one.collision;
+    json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
+    std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
+    if (judged_case.is_valid()) {
+      record["approach"] = name_of(judged_case.exact().approach());
+      text += contact_steps(judged_case.exact());
+      for (const Model model : models_with_truth) {
+        record["truth"][std::string(carom::name_of(model))] = truth_record(judged_case.exact(), model);
+        text += truth_steps(judged_case.exact(), model);
+      }
+    } else {
+      text += "  an invalid collision: it has no truth, and is to be refused\n";
+    }
+    if (const std::optional<Subject> subject = subject_for(arguments, read)) {
+      const properties::Claim claim = properties::claim_of(*subject, yardstick);
+      const properties::Judgement judgement = properties::judge_one(*subject, claim, read.one);
+      const Answer answer = subject->open()(std::span(&collision, 1)).at(0);
+      violated = violated || is_violated(judgement);
+      record["subject"] = subject->name;
+      record["outcome"] = answer_record(answer);
+      if (judgement.accuracy) {
+        record["backward_error_ulps"] =
+            number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+      }
+      for (const properties::NamedVerdict& named : judgement.verdicts) {
+        record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
+      }
+      text += fmt::format("{}, judged\n{}", subject->name,
+                          judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+    }
+    if (arguments.format == "json") {
+      fmt::print("{}\n", record.dump());
+    } else {
+      fmt::print("{}\n", text);
+    }
+  }
+  return violated ? exit_violated : exit_all_hold;
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "table.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "words.hpp"
+
+namespace carom::tool {
+namespace {
+
+using properties::GateReport;
+using properties::SubjectResult;
+using properties::Witness;
+
+std::string coverage_table(const GateReport& report) {
+  std::string text = fmt::format("{:18} {:>8} {:>10} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "family",
+                                 "cases", "colliding", "resting", "separating", "inert", "invalid", "one wall",
+                                 "spheres", "head-on", "ε = 0", "ε = 1");
+  for (std::size_t f = 0; f < report.coverage.size(); ++f) {
+    const properties::Coverage& c = report.coverage[f];
+    text += fmt::format("{:18} {:8} {:10} {:8} {:11} {:6} {:8} {:9} {:8} {:8} {:8} {:8}\n",
+                        report.options.families[f]->name, c.cases, c.colliding, c.resting, c.separating, c.inert,
+                        c.invalid, c.one_immovable, c.spheres, c.head_on, c.inelastic, c.elastic);
+  }
+  return text;
+}
+
+std::string digits_text(const SubjectResult& result) {
+  const auto p50 = result.digits_at_least(0.5);
+  if (!p50) {
+    return "–";
+  }
+  return fmt::format("{:.1f} / {:.1f} / {:.1f}", *p50, *result.digits_at_least(0.99), *result.digits_at_least(1));
+}
+
+std::string subject_line(const SubjectResult& result, const GateReport& report) {
+  const auto worst = result.worst_backward_error(report.options);
+  const std::size_t violated = result.violated_invariants().size();
+  const std::string verdict = violated > 0          ? fmt::format("{} violated", violated)
+                              : result.is_sound()   ? "sound"
+                              : result.error.empty() ? "not judged"
+                                                     : "error";
+  std::string line = fmt::format("{:32} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name,
+                                 result.cases(), verdict, worst.backward_error, worst.family, digits_text(result),
+                                 result.nanoseconds_per_solve);
+  if (result.skipped() > 0) {
+    line += fmt::format("    {} cases skipped\n", result.skipped());
+  }
+  if (!result.error.empty()) {
+    line += "    error: " + result.error + '\n';
+  }
+  std::string names;
+  for (const std::string& name : result.violated_invariants()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names.empty() ? line : line + "    violated: " + names + '\n';
+}
+
+std::string subject_table(const GateRun& run, bool counts) {
+  std::string lines;
+  for (std::size_t s = 0; s < run.report.results.size(); ++s) {
+    if (run.counts[s] == counts) {
+      lines += subject_line(run.report.results[s], run.report);
+    }
+  }
+  return lines;
+}
+
+std::string witness_text(const SubjectResult& result, const Witness& witness, const GateReport& report,
+                         const std::string& out_directory) {
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  const auto family = std::find_if(report.options.families.begin(), report.options.families.end(),
+                                   [&](const properties::Family* f) { return f->name == witness.family; });
+  const auto f = static_cast<std::size_t>(family - report.options.families.begin());
+  std::string text = fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name,
+                                 witness.invariant, witness.family,
+                                 result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
+                                 result.count(witness.invariant).violated, invariant.statement);
+  text += in_words(witness.shrunk.collision, "    ");
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&witness.answer)) {
+    text += "  answered\n" + in_words(*outcome, "    ");
+  } else if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
+    text += "  refused: " + refused->why + '\n';
+  }
+  text += "  " + witness.verdict.detail;
+  if (!witness.verdict.left.empty()) {
+    text += fmt::format(": {} and {}, apart by {:.3g}, allowed {:.3g}", in_words(witness.verdict.left),
+                        in_words(witness.verdict.right), witness.verdict.residual, witness.verdict.allowed);
+  }
+  text += '\n';
+  if (!out_directory.empty()) {
+    text += fmt::format("  carom replay {}/witnesses/{}\n", out_directory, witness_file_name(result.subject, witness));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const GateRun& run, const std::string& out_directory) {
+  const GateReport& report = run.report;
+  const oracles::Yardstick& yardstick = report.options.yardstick;
+  std::string text = fmt::format("Carom {}: {} cases of each of {} families, seed {}, limit {}\n\n", CAROM_VERSION,
+                                 report.options.cases, report.options.families.size(), report.options.seed,
+                                 yardstick.digits ? fmt::format("{} digits", *yardstick.digits)
+                                                  : fmt::format("{} ulps", yardstick.limit_ulps));
+  text += coverage_table(report);
+  const std::string heading = fmt::format("\n{:32} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
+                                          "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");
+  text += heading + subject_table(run, true);
+  const std::string expected = subject_table(run, false);
+  if (!expected.empty()) {
+    text += "\nexpected to fail, not counted\n" + expected;
+  }
+  for (const Subject& subject : run.absent) {
+    text += fmt::format("{:32} absent: {}\n", subject.name, subject.absent);
+  }
+  for (const bool counts : {true, false}) {
+    for (std::size_t s = 0; s < report.results.size(); ++s) {
+      if (run.counts[s] != counts) {
+        continue;
+      }
+      for (const Witness& witness : report.results[s].witnesses) {
+        text += '\n' + witness_text(report.results[s], witness, report, out_directory);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words.hpp"
+
+#include <fmt/format.h>
+
+namespace carom::tool {
+namespace {
+
+std::string body_in_words(const Body& body) {
+  const std::string motion = fmt::format("at {}, velocity {}, angular velocity {}", in_words(body.position),
+                                         in_words(body.velocity), in_words(body.angular_velocity));
+  if (body.immovable) {
+    return "immovable, " + motion;
+  }
+  const Quaternion<double>& q = body.orientation;
+  return fmt::format("mass {}, principal inertia {}, orientation ({}, {}, {}, {}), {}", in_words(body.mass),
+                     in_words(body.principal_inertia), in_words(q[0]), in_words(q[1]), in_words(q[2]), in_words(q[3]),
+                     motion);
+}
+
+}  // namespace
+
+std::string in_words(double number) { return fmt::format("{}", number); }
+
+std::string in_words(long double number) {
+  const auto rounded = static_cast<double>(number);
+  return static_cast<long double>(rounded) == number ? in_words(rounded) : fmt::format("{:.21g}", number);
+}
+
+std::string in_words(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    text += (text.empty() ? "" : ", ") + in_words(number);
+  }
+  return numbers.size() == 1 ? text : '(' + text + ')';
+}
+
+std::string in_words(const oracles::Rational& number) {
+  constexpr std::size_t longest = 24;
+  const std::string exact = oracles::to_text(number);
+  return exact.size() <= longest ? exact : "≈" + in_words(oracles::nearest_double(number));
+}
+
+std::string in_words(const Collision& c, const std::string& indent) {
+  std::string text = fmt::format("{0}A: {1}\n{0}B: {2}\n{0}contact point {3}, normal {4}, restitution {5}\n", indent,
+                                 body_in_words(c.a), body_in_words(c.b), in_words(c.point), in_words(c.normal),
+                                 in_words(c.restitution));
+  if (c.friction != 0 || c.tangential_restitution != 0) {
+    text += fmt::format("{}friction {}, tangential restitution {}\n", indent, in_words(c.friction),
+                        in_words(c.tangential_restitution));
+  }
+  return text;
+}
+
+std::string in_words(const ReportedOutcome& outcome, const std::string& indent) {
+  std::string text;
+  for (const auto& [name, motion] : {std::pair{'A', outcome.a}, std::pair{'B', outcome.b}}) {
+    text += fmt::format("{}{}: velocity {}, angular velocity {}\n", indent, name, in_words(motion.velocity),
+                        in_words(motion.angular_velocity));
+  }
+  return text;
+}
+
+}  // namespace carom::tool

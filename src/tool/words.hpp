@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <carom/collision/outcome.hpp>
+#include <carom/oracles/rational.hpp>
+
+/// Numbers and collisions as a person reads them.
+namespace carom::tool {
+
+/// The shortest decimal that is this number and no other.
+[[nodiscard]] std::string in_words(double number);
+[[nodiscard]] std::string in_words(long double number);
+
+/// p/q where that is short, else the nearest binary64 number behind "≈".
+[[nodiscard]] std::string in_words(const oracles::Rational& number);
+
+/// "(x, y, z)".
+[[nodiscard]] std::string in_words(const std::vector<double>& numbers);
+template <class S>
+[[nodiscard]] std::string in_words(const Vector3<S>& vector) {
+  return '(' + in_words(vector[0]) + ", " + in_words(vector[1]) + ", " + in_words(vector[2]) + ')';
+}
+
+/// Four lines: both bodies, the contact, the coefficients.
+[[nodiscard]] std::string in_words(const Collision& collision, const std::string& indent);
+
+/// One line a body.
+[[nodiscard]] std::string in_words(const ReportedOutcome& outcome, const std::string& indent);
+
+}  // namespace carom::tool
