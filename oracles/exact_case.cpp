@@ -66,14 +66,21 @@ double sensitivity_of(std::initializer_list<const Dual<S, N>*> components, const
   return sum;
 }
 
+/// ‖y_k⁻‖.
+Sensitivity norms_before(const Collision& collision) {
+  const Outcome<double> before = unchanged(collision);
+  const auto parts = vectors(before);
+  return {parts[0]->norm(), parts[1]->norm(), parts[2]->norm(), parts[3]->norm()};
+}
+
 template <class S, class Convert>
 Sensitivity colliding_sensitivity(const Collision& collision, Model model, Convert&& convert) {
   const auto inputs = dual_inputs<S, collision_inputs>(collision, convert);
   const auto truth = colliding_truth(inputs.collision, model);
-  Sensitivity result{};
+  Sensitivity result = norms_before(collision);
   const auto parts = vectors(truth.outcome);
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    result[k] = sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
   }
   return result;
 }
@@ -177,11 +184,11 @@ const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
 const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   if (approach_ != Approach::colliding && !is_grazing(allowance)) {
     if (!unchanged_sensitivity_) {
-      unchanged_sensitivity_.emplace();
+      unchanged_sensitivity_ = norms_before(collision_);
       const Outcome<double> outcome = unchanged(collision_);
       const auto parts = vectors(outcome);
       for (std::size_t k = 0; k < parts.size(); ++k) {
-        (*unchanged_sensitivity_)[k] = parts[k]->lpNorm<1>();
+        (*unchanged_sensitivity_)[k] += parts[k]->lpNorm<1>();
       }
     }
     return *unchanged_sensitivity_;

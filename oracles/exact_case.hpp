@@ -10,8 +10,10 @@
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|: the denominator of the
-/// backward error, without the unit roundoff.
+/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|, and ‖y_k⁻‖: the denominator
+/// of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻ + Δy_k, which
+/// no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that hits a wall
+/// head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5.
 using Sensitivity = std::array<double, 4>;
 
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.

@@ -56,7 +56,9 @@ template <class T, int N, class IsPermitted>
   return result;
 }
 
-/// Σ ‖∂g/∂input‖ ‖input‖ over the outputs, and over the numbers of the collision where they are inputs as well.
+/// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖), and Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision where these are inputs as
+/// well. An output is its velocity before the impulse plus a change, and so is known to u times the larger of both: its
+/// own size alone would allow nothing where the exact sum is zero.
 template <class S, std::size_t N, class Law>
 [[nodiscard]] double scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome,
                               bool with_collision) {
@@ -84,18 +86,20 @@ template <class S, std::size_t N, class Law>
   for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
     scale += std::sqrt(squared_derivative(j)) * static_cast<S>(inputs.magnitude[j]);
   }
-  const auto parts = vectors(outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+  const Outcome<double> before = unchanged(collision);
+  const auto initial = vectors(before);
+  const auto computed = vectors(outcome);
+  for (std::size_t k = 0; k < computed.size(); ++k) {
     S squared(0);
     for (std::size_t i = 0; i < 3; ++i) {
       squared += squared_derivative(first_output + 3 * k + i);
     }
-    scale += std::sqrt(squared) * static_cast<S>(parts[k]->norm());
+    scale += std::sqrt(squared) * static_cast<S>(computed[k]->norm() + initial[k]->norm());
   }
   return static_cast<double>(scale);
 }
 
-/// Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k‖ with g = left − right.
+/// Both sums, with g = left − right.
 template <class Law>
 [[nodiscard]] double scale_of(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
   constexpr std::size_t all_inputs = collision_inputs + outcome_inputs;
@@ -107,7 +111,7 @@ template <class Law>
   return scale_in<long double, all_inputs>(law, collision, outcome, true);
 }
 
-/// The second sum alone: a lower bound of the scale, at a quarter of the cost.
+/// The sum over the outputs alone: a lower bound of the scale, at a quarter of the cost.
 template <class Law>
 [[nodiscard]] double part_of_scale(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
   return scale_in<double, outcome_inputs>(law, collision, outcome, false);
@@ -155,7 +159,7 @@ template <class Law>
 /// How far an outcome is from the truth.
 struct Accuracy {
   std::array<double, 4> error{};        // ‖ŷ_k − y_k‖
-  std::array<double, 4> sensitivity{};  // Σ_j ‖∂y_k/∂x_j‖ |x_j|
+  Sensitivity sensitivity{};            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
   std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick, decided exactly
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not

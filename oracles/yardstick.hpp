@@ -12,7 +12,8 @@ namespace carom::oracles {
 inline constexpr double default_limit_ulps = 32;
 
 /// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
-/// stored numbers: it then vanishes for inputs and outputs that differ by `allowance`, relatively.
+/// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by so
+/// much.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
   double limit_ulps = default_limit_ulps;

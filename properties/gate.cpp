@@ -79,14 +79,16 @@ struct Tally {
           break;
         case Status::violated:
           ++count.violated;
-          keep_first(result, name, {index, judged_case.generated()});
+          keep_worst(result, name, {index, named.verdict.severity(), judged_case.generated()});
       }
     }
   }
 
-  static void keep_first(FamilyResult& result, const std::string& invariant, const FirstViolation& violation) {
-    const auto [known, is_new] = result.first.emplace(invariant, violation);
-    if (!is_new && violation.index < known->second.index) {
+  static void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
+    const auto [known, is_new] = result.worst.emplace(invariant, violation);
+    const bool is_worse = violation.severity > known->second.severity ||
+                          (violation.severity == known->second.severity && violation.index < known->second.index);
+    if (!is_new && is_worse) {
       known->second = violation;
     }
   }
@@ -106,8 +108,8 @@ struct Tally {
         into.counts[name].violated += count.violated;
         into.counts[name].skipped += count.skipped;
       }
-      for (const auto& [name, violation] : from.first) {
-        keep_first(into, name, violation);
+      for (const auto& [name, violation] : from.worst) {
+        keep_worst(into, name, violation);
       }
     }
     digits.insert(digits.end(), other.digits.begin(), other.digits.end());
@@ -247,21 +249,23 @@ std::size_t family_of_witness(const SubjectResult& result, const std::string& in
 Witness make_witness(const SubjectResult& result, const Claim& claim, const GateOptions& options,
                      const std::string& invariant) {
   const std::size_t family = family_of_witness(result, invariant);
-  const FirstViolation& first = result.families[family].first.at(invariant);
+  const WorstViolation& worst = result.families[family].worst.at(invariant);
   Claim only = claim;
   only.invariants = {invariant_named(invariant)};
   Session session = result.subject.open();
-  const bool invalid = !JudgedCase(first.original).is_valid();
+  const bool invalid = !JudgedCase(worst.original).is_valid();
+  // A violation that shrinks to one just beyond the limit convinces nobody.
+  const double severity_kept = std::max(1.0, worst.severity / 16);
   const auto fails = [&](const Collision& collision) {
     const Judgement judgement =
-        judge_in_session(result.subject, only, session, {collision, first.original.convex_uniform});
-    return single_verdict(judgement).status == Status::violated;
+        judge_in_session(result.subject, only, session, {collision, worst.original.convex_uniform});
+    return single_verdict(judgement).severity() >= severity_kept;
   };
-  Witness witness{invariant, std::string(options.families[family]->name), first.index, first.original, first.original,
+  Witness witness{invariant, std::string(options.families[family]->name), worst.index, worst.original, worst.original,
                   {}, Skipped{}};
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
   if (!invalid && invariant != "well_conditioned") {
-    witness.shrunk.collision = shrink(first.original.collision, fails, most_shrink_calls);
+    witness.shrunk.collision = shrink(worst.original.collision, fails, most_shrink_calls);
   }
   witness.verdict = single_verdict(judge_in_session(result.subject, only, session, witness.shrunk));
   witness.answer = session(std::span(&witness.shrunk.collision, 1)).at(0);

@@ -46,9 +46,10 @@ struct Count {
   std::uint64_t skipped = 0;
 };
 
-/// The first case of a family that violated an invariant.
-struct FirstViolation {
+/// The case of a family that violated an invariant most; of equals the first.
+struct WorstViolation {
   std::uint64_t index;
+  double severity;  // Verdict::severity
   Case original;
 };
 
@@ -56,8 +57,8 @@ struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                     // cases that could not be posed to the subject
   double worst_backward_error = 0;               // ulps
-  std::map<std::string, Count> counts;           // by invariant
-  std::map<std::string, FirstViolation> first;   // by invariant
+  std::map<std::string, Count> counts;          // by invariant
+  std::map<std::string, WorstViolation> worst;  // by invariant
 };
 
 /// A violation that can be replayed.
@@ -66,7 +67,7 @@ struct Witness {
   std::string family;
   std::uint64_t index = 0;   // of the case in its family
   Case original;
-  Case shrunk;               // the smallest collision found that violates the same invariant
+  Case shrunk;               // the simplest collision found that violates the same invariant about as badly
   Verdict verdict;           // on the shrunk collision
   Answer answer;             // to the shrunk collision
 };

@@ -27,6 +27,9 @@ struct Verdict {
   double allowed = 0;
   std::vector<double> left;  // both sides of the formula
   std::vector<double> right;
+
+  /// Residual over what is allowed where violated; infinite where no number tells, 0 where not violated.
+  [[nodiscard]] double severity() const;
 };
 
 /// An answer, lifted: an outcome that is not finite cannot be.

@@ -50,6 +50,19 @@ Body immovable_at(const Vector3<double>& position) {
   return body;
 }
 
+/// The normal rounded to so many bits, and one body moving against the other along it, without spin.
+void meet_head_on(Collision& c, int bits) {
+  for (int i = 0; i < 3; ++i) {
+    c.normal[i] = rounded_to_bits(c.normal[i], bits);
+  }
+  for_each_body(c, set_to_rest);
+  if (c.a.immovable) {
+    c.b.velocity = c.normal;
+  } else {
+    c.a.velocity = -c.normal;
+  }
+}
+
 class Candidates {
  public:
   explicit Candidates(const Collision& collision) : collision_(collision), complexity_(properties::complexity(collision)) {}
@@ -109,6 +122,17 @@ std::vector<Collision> simpler(const Collision& collision) {
       (c.*body).principal_inertia.setOnes();
     });
     candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
+  }
+  // Some failures need the velocity along the normal: both are made simple together.
+  for (const bool b_is_fixed : {true, false}) {
+    for (const int bits : {1, 2, 3, 4, 5, 53}) {
+      candidates.add([&](Collision& c) {
+        if (b_is_fixed) {
+          c.b = immovable_at(c.b.position);
+        }
+        meet_head_on(c, bits);
+      });
+    }
   }
   for (const int bits : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 44}) {
     candidates.add([&](Collision& c) {

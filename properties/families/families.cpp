@@ -51,6 +51,31 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
+/// Touching spheres; at times one against a wall, and at times head-on without spin, so that outcomes vanish at ε = 0.
+Case collinear_spheres(Stream& stream) {
+  Case result = touching_spheres(stream);
+  Collision& c = result.collision;
+  if (stream.chance(4)) {
+    make_immovable(stream.chance(2) ? c.a : c.b);
+  }
+  if (stream.chance(4)) {
+    for (Body* body : {&c.a, &c.b}) {
+      body->velocity.setZero();
+      body->angular_velocity.setZero();
+    }
+    const Vector3<double> approach = c.normal * stream.between(0.125, 8);
+    if (c.a.immovable) {
+      c.b.velocity = approach;
+    } else {
+      c.a.velocity = -approach;
+    }
+  } else if (c.normal.dot(relative_velocity(c)) > 0) {
+    c.a.velocity = -c.a.velocity;
+    c.b.velocity = -c.b.velocity;
+  }
+  return result;
+}
+
 /// Spheres whose contact lies 10^−k of a radius beside the line of centres.
 Case near_collinear(Stream& stream) {
   Case result = touching_spheres(stream);
@@ -201,8 +226,8 @@ constexpr std::array families{
     Family{"physical", "convex bodies of uniform density, the contact in or on both", convex_bodies},
     Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on},
     Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on},
-    Family{"collinear_spheres", "touching spheres, both centres and the contact exactly on one line along the normal",
-           touching_spheres},
+    Family{"collinear_spheres", "touching spheres, or one and a wall, centres and contact exactly on one line along N",
+           collinear_spheres},
     Family{"near_collinear", "spheres with the contact 10^-k of a radius beside that line, k = 1 to 16",
            near_collinear},
     Family{"grazing", "|N·V⁻| = 10^-k ‖V⁻‖, k = 1 to 18, approaching or separating", grazing},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <carom/properties/invariants/checks.hpp>
 
@@ -19,8 +20,8 @@ const std::array invariants{
               R"(x \text{ invalid} \Rightarrow \text{no } y(x))", "protocol; failure cases 12, 22, 28",
               "invalid collisions", every_model, nullptr},
     Invariant{"backward_error", "The outcome is exact for inputs within the limit of those at hand.",
-              R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \sum_j \lVert \partial y_k / \partial x_j \rVert\, |x_j|} \le \eta_{\max})",
-              "backward error after Wilkinson; the exact outcome y is certified in ℚ", "valid collisions", with_truth,
+              R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \left(\sum_j \lVert \partial y_k / \partial x_j \rVert\, |x_j| + \lVert y_k^- \rVert\right)} \le \eta_{\max})",
+              "mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5; y is exact", "valid collisions", with_truth,
               check_backward_error},
     Invariant{"linear_momentum", "What A gains in linear momentum, B loses.",
               R"(m_A (v_A^+ - v_A^-) = -m_B (v_B^+ - v_B^-))", "note eq. 23", "two movable bodies", every_model,
@@ -94,6 +95,13 @@ const std::array invariants{
 };
 
 }  // namespace
+
+double Verdict::severity() const {
+  if (status != Status::violated) {
+    return 0;
+  }
+  return residual > 0 && allowed > 0 ? residual / allowed : std::numeric_limits<double>::infinity();
+}
 
 bool Invariant::claimed_for(Model model) const {
   return std::find(models.begin(), models.end(), model) != models.end();

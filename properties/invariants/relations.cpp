@@ -386,7 +386,8 @@ Verdict check_repeat(const Evidence& e) {
     return outside_domain("the contact is not colliding, or ε = 0");
   }
   const Related& second = e.related[0];
-  if (second.exact_case.is_grazing(e.allowance())) {
+  // The outcome was rounded to binary64 to be posed: by u relatively, which the band has to include.
+  if (second.exact_case.is_grazing(e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome is within rounding of a colliding contact");
   }
   const auto answer = outcome_of(second);

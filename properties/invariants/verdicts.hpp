@@ -48,11 +48,10 @@ template <class Exact>
   const auto rank = [](const Verdict& verdict) {
     return verdict.status == Status::violated ? 2 : (verdict.status == Status::holds ? 1 : 0);
   };
-  const auto ratio = [](const Verdict& verdict) { return verdict.residual > 0 ? verdict.residual / verdict.allowed : 0; };
   if (rank(first) != rank(second)) {
     return rank(first) > rank(second) ? first : second;
   }
-  return ratio(second) > ratio(first) ? second : first;
+  return second.severity() > first.severity() ? second : first;
 }
 
 }  // namespace carom::properties

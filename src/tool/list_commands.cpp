@@ -40,7 +40,8 @@ void print_markdown() {
       "normal on B pointing to A, F the impulse on A, ε the restitution, u the unit roundoff. *The note* is D. Eberly, "
       "\"Computing Impulse Forces for Colliding Contact\".\n\n"
       "An equation g = 0 passes where it holds exactly for some inputs x and outputs y within the limit of those at hand: "
-      "|g| ≤ limit · u · (Σ |∂g/∂x| |x| + Σ ‖∂g/∂y‖ ‖y‖), g evaluated exactly; an inequality likewise, one-sided. "
+      "|g| ≤ limit · u · (Σ |∂g/∂x| |x| + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)), g evaluated exactly, since an output is a sum of the "
+      "velocity before and a change and is known to u times the larger of both; an inequality likewise, one-sided. "
       "Relations between two collisions allow each outcome its own rounding.\n\n"
       "| invariant | statement | claimed for | domain |\n| --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+
+#include "defect.hpp"
+
+namespace carom::mutants {
+
+/// A subject with one planted defect, and the invariants that have to reject it.
+struct Mutant {
+  std::string_view name;
+  Defect defect;
+  Model model;
+  std::string_view failure_cases;  // their numbers in the catalogue of failures of real engines; empty where none
+  std::string_view sentence;       // what is wrong
+  std::vector<std::string_view> rejected_by;  // at least these
+};
+
+/// How GoogleTest prints it.
+inline void PrintTo(const Mutant& mutant, std::ostream* out) { *out << mutant.name << ": " << mutant.sentence; }
+
+[[nodiscard]] std::span<const Mutant> all_mutants();
+
+[[nodiscard]] Subject subject_of(const Mutant& mutant);
+
+/// The same subject without the defect.
+[[nodiscard]] Subject repaired(const Mutant& mutant);
+
+}  // namespace carom::mutants

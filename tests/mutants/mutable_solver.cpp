@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mutable_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/validate.hpp>
+#include <carom/impulse/contact.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/solve3.hpp>
+
+namespace carom::mutants {
+namespace {
+
+using Vector = Vector3<double>;
+using Matrix = Matrix3<double>;
+using ContactBody = impulse::ContactBody<double>;
+using Contact = impulse::Contact<double>;
+
+Matrix cross_matrix(const Vector& r) {
+  Matrix cross;
+  cross << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+  return cross;
+}
+
+/// Orthogonal to the vector, of about its length.
+Vector beside(const Vector& vector) {
+  return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1]) : Vector(-vector[1], vector[0], 0);
+}
+
+class Solver {
+ public:
+  Solver(Model model, Defect defect) : model_(model), defect_(defect) {}
+
+  [[nodiscard]] Answer answer(const Collision& collision) {
+    std::vector<carom::Defect> refusal = validate(collision);
+    std::erase_if(refusal, [&](const carom::Defect& wrong) {
+      return (has(Defect::accepts_restitution_above_one) && wrong.field == "restitution") ||
+             (has(Defect::accepts_mass_zero) && wrong.field.ends_with(".mass"));
+    });
+    if (!refusal.empty()) {
+      return Refused{describe(refusal)};
+    }
+    if (has(Defect::demands_unit_normal)) {
+      constexpr double unit_tolerance = 1e-6;
+      if (std::abs(collision.normal.squaredNorm() - 1) > unit_tolerance) {
+        return Refused{"normal: expected a vector of length 1"};
+      }
+    }
+    return map_outcome<long double>(answered(collision), [](double x) { return static_cast<long double>(x); });
+  }
+
+  [[nodiscard]] Matrix collision_matrix(const Collision& collision) const {
+    return collision_matrix(read(collision));
+  }
+
+ private:
+  [[nodiscard]] bool has(Defect defect) const { return defect_ == defect; }
+
+  // What is read of the bodies.
+
+  [[nodiscard]] ContactBody read_body(const Body& body, const Body& other, const Vector& point, bool is_a) const {
+    ContactBody result = impulse::make_contact_body<double>(body, point);
+    if (has(Defect::lever_arm_from_origin)) {
+      result.lever_arm = point;
+    }
+    if (has(Defect::lever_arm_of_other_body) && is_a) {
+      result.lever_arm = point - other.position;
+    }
+    if (has(Defect::lever_arm_in_float)) {
+      result.lever_arm = (point.cast<float>() - body.position.cast<float>()).cast<double>();
+    }
+    if (has(Defect::lever_arm_normalised)) {
+      const double length = std::sqrt(result.lever_arm.squaredNorm());
+      result.lever_arm = result.lever_arm / length * length;
+    }
+    if (body.immovable) {
+      if (has(Defect::immovable_as_heavy)) {
+        constexpr double heavy = 1e10;
+        result.inverse_mass = 1 / heavy;
+        result.inverse_inertia = Matrix::Identity() / heavy;
+      }
+      return result;
+    }
+    const Quaternion<double> q = impulse::without_extreme_length<double>(body.orientation);
+    if (has(Defect::inertia_in_body_frame)) {
+      result.inverse_inertia = body.principal_inertia.cwiseInverse().asDiagonal();
+    }
+    if (has(Defect::quaternion_unnormalised)) {
+      result.inverse_inertia *= q.squaredNorm() * q.squaredNorm();
+    }
+    if (has(Defect::quaternion_order)) {
+      result.inverse_inertia =
+          impulse::world_inverse_inertia<double>(body.principal_inertia, {q[3], q[0], q[1], q[2]});
+    }
+    if (has(Defect::spin_in_body_frame)) {
+      result.angular_velocity = impulse::rotation_matrix(q) * body.angular_velocity;
+    }
+    return result;
+  }
+
+  [[nodiscard]] Contact read(const Collision& c) const {
+    Contact contact{{}, {}, impulse::without_extreme_length<double>(c.normal), c.restitution};
+    Vector point = c.point;
+    if (has(Defect::contact_point_displaced)) {
+      constexpr double displacement = 1e-3;  // [m]
+      point += beside(contact.normal).normalized() * displacement;
+    }
+    contact.a = read_body(c.a, c.b, point, true);
+    contact.b = read_body(c.b, c.a, point, false);
+    return contact;
+  }
+
+  // The relative velocity, and whether the contact is colliding.
+
+  [[nodiscard]] Vector point_velocity(const ContactBody& body, bool is_a) const {
+    if (has(Defect::other_body_left_out) && !is_a) {
+      return Vector::Zero();
+    }
+    if (has(Defect::wall_velocity_as_zero) && body.inverse_mass == 0) {
+      return Vector::Zero();
+    }
+    if (has(Defect::spin_crossed_in_reverse_for_b) && !is_a) {
+      return body.velocity + body.lever_arm.cross(body.angular_velocity);
+    }
+    return body.velocity + body.angular_velocity.cross(body.lever_arm);
+  }
+
+  [[nodiscard]] Vector relative_velocity(const Contact& contact) const {
+    return point_velocity(contact.a, true) - point_velocity(contact.b, false);
+  }
+
+  [[nodiscard]] bool is_colliding(const Contact& contact, double normal_velocity) const {
+    if (contact.a.inverse_mass + contact.b.inverse_mass == 0 && !has(Defect::immovable_pair_divides)) {
+      return false;
+    }
+    if (has(Defect::approach_of_centres)) {
+      return contact.normal.dot(contact.a.velocity - contact.b.velocity) < 0;
+    }
+    if (has(Defect::slow_separating_pulled)) {
+      constexpr double slow = 0.05;  // [m/s]
+      return normal_velocity < slow * std::sqrt(contact.normal.squaredNorm());
+    }
+    return normal_velocity < 0 || has(Defect::separating_pulled);
+  }
+
+  // The collision matrix.
+
+  [[nodiscard]] double lambda(const Contact& contact) const {
+    double inverse_mass_a = contact.a.inverse_mass;
+    double inverse_mass_b = contact.b.inverse_mass;
+    if (has(Defect::immovable_mass_in_lambda)) {
+      constexpr double default_mass = 1;
+      inverse_mass_a = inverse_mass_a == 0 ? 1 / default_mass : inverse_mass_a;
+      inverse_mass_b = inverse_mass_b == 0 ? 1 / default_mass : inverse_mass_b;
+    }
+    if (has(Defect::mass_ratio_capped)) {
+      constexpr double largest_ratio = 100;
+      const double larger = std::max(inverse_mass_a, inverse_mass_b);
+      inverse_mass_a = inverse_mass_a == 0 ? 0 : std::max(inverse_mass_a, larger / largest_ratio);
+      inverse_mass_b = inverse_mass_b == 0 ? 0 : std::max(inverse_mass_b, larger / largest_ratio);
+    }
+    return inverse_mass_a + inverse_mass_b;
+  }
+
+  /// How often the angular term counts: once.
+  [[nodiscard]] double angular_weight() const {
+    if (has(Defect::angular_term_twice)) {
+      return 2;
+    }
+    if (has(Defect::angular_term_subtracted)) {
+      return -1;
+    }
+    constexpr double square_centimetres_in_square_metre = 1e4;
+    return has(Defect::moments_too_small) ? square_centimetres_in_square_metre : 1;
+  }
+
+  [[nodiscard]] const ContactBody& second_body(const Contact& contact) const {
+    return has(Defect::angular_term_of_a_for_both) ? contact.a : contact.b;
+  }
+
+  /// N·K N as the frictionless law needs it, without K.
+  [[nodiscard]] double normal_response(const Contact& contact) const {
+    const Vector& n = contact.normal;
+    const auto angular_term = [&](const ContactBody& body) {
+      const Vector torque_arm = body.lever_arm.cross(n);
+      return torque_arm.dot(body.inverse_inertia * torque_arm);
+    };
+    const double angular = angular_term(contact.a) + angular_term(second_body(contact));
+    const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
+    double linear = lambda(contact) * squared_length;
+    if (has(Defect::regularised)) {
+      linear += regularisation * squared_length;
+    }
+    return linear + angular * angular_weight();
+  }
+
+  [[nodiscard]] Matrix collision_matrix(const Contact& contact) const {
+    const auto angular_term = [](const ContactBody& body) -> Matrix {
+      const Matrix cross = cross_matrix(body.lever_arm);
+      return cross.transpose() * body.inverse_inertia * cross;
+    };
+    const Matrix angular = angular_term(contact.a) + angular_term(second_body(contact));
+    Matrix matrix = Matrix::Identity() * lambda(contact) + angular * angular_weight();
+    if (has(Defect::lambda_twice_in_tangents)) {
+      const Vector& n = contact.normal;
+      matrix += (Matrix::Identity() - n * n.transpose() / n.dot(n)) * lambda(contact);
+    }
+    if (has(Defect::regularised)) {
+      matrix += Matrix::Identity() * regularisation;
+    }
+    return matrix;
+  }
+
+  // The law.
+
+  /// What N·V changes by: −(1+ε) N·V⁻.
+  [[nodiscard]] double normal_velocity_change(const Contact& contact, double normal_velocity) const {
+    const double length = std::sqrt(contact.normal.squaredNorm());
+    double restitution = contact.restitution;
+    if (has(Defect::velocity_twice_in_restitution)) {
+      restitution *= -normal_velocity / length;
+    }
+    if (has(Defect::restitution_threshold)) {
+      constexpr double threshold = 0.2;  // [m/s]
+      restitution = -normal_velocity < threshold * length ? 0 : restitution;
+    }
+    if (has(Defect::restitution_increased)) {
+      constexpr double increase = 0.1;
+      restitution += increase;
+    }
+    return -(1 + restitution) * normal_velocity;
+  }
+
+  [[nodiscard]] Vector solve(const Matrix& matrix, const Vector& right_hand_side) const {
+    if (has(Defect::determinant_in_float)) {
+      const auto determinant = static_cast<double>(matrix.cast<float>().eval().determinant());
+      return impulse::Adjugate::solve<double>(matrix, right_hand_side) * (matrix.determinant() / determinant);
+    }
+    return impulse::Ldlt::solve<double>(matrix, right_hand_side);
+  }
+
+  [[nodiscard]] Vector lawful_impulse(const Contact& contact, double normal_velocity) const {
+    const Vector& n = contact.normal;
+    const double change = normal_velocity_change(contact, normal_velocity);
+    const bool along_normal = has(Defect::head_on_falls_back) && n.cross(relative_velocity(contact)).isZero(0);
+    if (model_ == Model::frictionless || along_normal || has(Defect::normal_matrix_for_tangents)) {
+      return n * (change / normal_response(contact));
+    }
+    const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
+    return solve(collision_matrix(contact), n * (change / squared_length));
+  }
+
+  [[nodiscard]] Vector impulse_of(const Contact& contact, double normal_velocity) const {
+    Vector impulse = lawful_impulse(contact, normal_velocity);
+    if (has(Defect::impulse_capped)) {
+      constexpr double largest = 10;  // [N s]
+      impulse *= std::min(1.0, largest / impulse.norm());
+    }
+    const Vector v = relative_velocity(contact);
+    const Vector slip = v - contact.normal * (contact.normal.dot(v) / contact.normal.squaredNorm());
+    if (has(Defect::friction_added) && slip.squaredNorm() > 0) {
+      constexpr double friction = 0.1;
+      impulse -= slip.normalized() * (friction * impulse.norm());
+    }
+    if (has(Defect::tangent_of_nothing)) {
+      constexpr double friction = 0;
+      impulse -= slip / slip.norm() * (friction * impulse.norm());
+    }
+    return impulse;
+  }
+
+  // What the impulse does.
+
+  [[nodiscard]] BodyVelocity<double> pushed(const ContactBody& body, const ContactBody& other, const Vector& impulse,
+                                            bool is_a) const {
+    double inverse_mass = body.inverse_mass;
+    if (has(Defect::wrong_mass_in_reaction) && !is_a) {
+      inverse_mass = other.inverse_mass;
+    }
+    Vector spin = body.inverse_inertia * body.lever_arm.cross(impulse);
+    if (has(Defect::spin_of_b_reversed) && !is_a) {
+      spin = -spin;
+    }
+    if (has(Defect::spin_in_plane_only)) {
+      spin = Vector(0, 0, spin[2]);
+    }
+    BodyVelocity<double> after{body.velocity + impulse * inverse_mass, body.angular_velocity + spin};
+    if (has(Defect::angular_factor_on_mass)) {
+      constexpr double angular_factor = 0.5;
+      after.velocity = body.velocity + impulse * (inverse_mass * angular_factor);
+    }
+    if (has(Defect::gyroscopic_torque) && body.inverse_mass > 0) {
+      constexpr double step = 1.0 / 60;  // [s]
+      const Vector& w = body.angular_velocity;
+      after.angular_velocity -= body.inverse_inertia * w.cross(body.inverse_inertia.inverse() * w) * step;
+    }
+    return after;
+  }
+
+  [[nodiscard]] Outcome<double> pushed_apart(const Contact& contact, const Vector& on_a, const Vector& on_b) const {
+    Outcome<double> after{pushed(contact.a, contact.b, has(Defect::normal_flipped_for_a) ? Vector(-on_a) : on_a, true),
+                          pushed(contact.b, contact.a, on_b, false)};
+    if (has(Defect::push_out_velocity)) {
+      constexpr double push_out = 0.1;  // [m/s]
+      const Vector direction = contact.normal.normalized();
+      after.a.velocity += direction * (contact.a.inverse_mass > 0 ? push_out : 0);
+      after.b.velocity -= direction * (contact.b.inverse_mass > 0 ? push_out : 0);
+    }
+    return after;
+  }
+
+  [[nodiscard]] Outcome<double> solved(const Collision& collision) const {
+    const Contact contact = read(collision);
+    const double normal_velocity = contact.normal.dot(relative_velocity(contact));
+    if (!is_colliding(contact, normal_velocity)) {
+      return unchanged(collision);
+    }
+    if (has(Defect::tangent_from_rounding)) {
+      return impulse::reflection_in_basis(contact);
+    }
+    Outcome<double> after;
+    if (has(Defect::each_body_alone)) {
+      // As if the other body were a wall.
+      const auto alone = [&](Contact one, ContactBody Contact::*other) -> Vector {
+        (one.*other).inverse_mass = 0;
+        (one.*other).inverse_inertia.setZero();
+        const bool is_wall = one.a.inverse_mass + one.b.inverse_mass == 0;
+        return is_wall ? Vector(Vector::Zero()) : impulse_of(one, normal_velocity);
+      };
+      after = pushed_apart(contact, alone(contact, &Contact::b), -alone(contact, &Contact::a));
+    } else {
+      const Vector impulse = impulse_of(contact, normal_velocity);
+      after = pushed_apart(contact, impulse, -impulse);
+    }
+    if (has(Defect::spin_in_body_frame)) {
+      // The change is right, only what the approach was taken from is not.
+      after.a.angular_velocity += collision.a.angular_velocity - contact.a.angular_velocity;
+      after.b.angular_velocity += collision.b.angular_velocity - contact.b.angular_velocity;
+    }
+    return after;
+  }
+
+  // What is answered.
+
+  [[nodiscard]] Outcome<double> answered(const Collision& collision) {
+    if (has(Defect::input_returned)) {
+      return unchanged(collision);
+    }
+    if (has(Defect::constant_outcome)) {
+      return {{{1, 0, 0}, {0, 0, 0}}, {{-1, 0, 0}, {0, 0, 0}}};
+    }
+    const Outcome<double> outcome = solved(collision);
+    if (has(Defect::previous_outcome)) {
+      return std::exchange(previous_, outcome);
+    }
+    if (has(Defect::outcome_to_ten_digits)) {
+      constexpr double error = 1e-10;
+      return map_outcome<double>(outcome, [](double x) { return x * (1 + error); });
+    }
+    if (has(Defect::outcome_in_float)) {
+      return map_outcome<double>(outcome, [](double x) { return static_cast<double>(static_cast<float>(x)); });
+    }
+    return outcome;
+  }
+
+  static constexpr double regularisation = 1e-3;  // [1/kg]
+
+  Model model_;
+  Defect defect_;
+  Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // of before the session
+};
+
+}  // namespace
+
+Subject make_subject(std::string name, Model model, Defect defect) {
+  Subject subject;
+  subject.name = std::move(name);
+  subject.model = model;
+  subject.precision = Precision::binary64;
+  subject.open = [model, defect]() -> Session {
+    return [solver = Solver(model, defect)](std::span<const Collision> collisions) mutable {
+      std::vector<Answer> answers;
+      for (const Collision& collision : collisions) {
+        answers.push_back(solver.answer(collision));
+      }
+      return answers;
+    };
+  };
+  subject.collision_matrix = [solver = Solver(model, defect)](const Collision& collision) -> Matrix3<long double> {
+    return solver.collision_matrix(collision).cast<long double>();
+  };
+  return subject;
+}
+
+}  // namespace carom::mutants

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariant.hpp>
+
+#include "catalogue.hpp"
+#include "rejection.hpp"
+
+/// The gate's own test: a solver with a planted defect is rejected, by the invariants that speak of it, and the same
+/// solver without the defect is not.
+namespace carom::mutants {
+namespace {
+
+constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t cases = 150;  // of each family
+
+std::string joined(const std::set<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names) {
+    text.append(text.empty() ? "" : " ").append(name);
+  }
+  return text;
+}
+
+class Mutants : public testing::TestWithParam<Mutant> {};
+
+TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
+  const Mutant& mutant = GetParam();
+  const std::set<std::string_view> rejecting =
+      rejecting_invariants(subject_of(mutant), properties::all_families(), seed, cases);
+  RecordProperty("rejected_by", joined(rejecting));
+  for (const std::string_view expected : mutant.rejected_by) {
+    EXPECT_TRUE(rejecting.contains(expected)) << expected << " does not reject this defect: " << mutant.sentence
+                                              << "; rejected by: " << joined(rejecting);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Mutants, testing::ValuesIn(all_mutants().begin(), all_mutants().end()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+class Repaired : public testing::TestWithParam<Model> {};
+
+/// All mutants are one text, so that a repaired one differs from another by its model alone.
+TEST_P(Repaired, MutantIsSound) {
+  const auto mutant = std::find_if(all_mutants().begin(), all_mutants().end(),
+                                   [](const Mutant& one) { return one.model == GetParam(); });
+  ASSERT_NE(mutant, all_mutants().end());
+  EXPECT_EQ(joined(rejecting_invariants(repaired(*mutant), properties::all_families(), seed, cases)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Repaired, testing::Values(Model::frictionless, Model::reflection),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+TEST(MutantCatalogue, NamesEachDefectOnce) {
+  std::set<std::string_view> names;
+  std::set<Defect> defects;
+  for (const Mutant& mutant : all_mutants()) {
+    EXPECT_TRUE(names.insert(mutant.name).second) << mutant.name;
+    EXPECT_TRUE(defects.insert(mutant.defect).second) << mutant.name;
+    EXPECT_NE(mutant.defect, Defect::none) << mutant.name;
+  }
+}
+
+TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
+  for (const Mutant& mutant : all_mutants()) {
+    EXPECT_FALSE(mutant.rejected_by.empty()) << mutant.name;
+    for (const std::string_view name : mutant.rejected_by) {
+      const properties::Invariant* invariant = properties::invariant_named(name);
+      ASSERT_NE(invariant, nullptr) << mutant.name << ": " << name;
+      EXPECT_TRUE(invariant->claimed_for(mutant.model)) << mutant.name << ": " << name;
+    }
+  }
+}
+
+/// Only a loss of digits has no other symptom than that: what breaks a law is rejected by the law.
+TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
+  for (const Mutant& mutant : all_mutants()) {
+    const bool loses_digits =
+        mutant.defect == Defect::outcome_to_ten_digits || mutant.defect == Defect::outcome_in_float;
+    const bool by_a_law = std::any_of(mutant.rejected_by.begin(), mutant.rejected_by.end(),
+                                      [](std::string_view name) { return name != "backward_error"; });
+    EXPECT_TRUE(by_a_law || loses_digits) << mutant.name;
+  }
+}
+
+/// With Mutants.AreRejected… this says that no invariant is vacuous.
+TEST(MutantCatalogue, HasAMutantForEveryInvariant) {
+  std::set<std::string_view> rejecting;
+  for (const Mutant& mutant : all_mutants()) {
+    rejecting.insert(mutant.rejected_by.begin(), mutant.rejected_by.end());
+  }
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    EXPECT_TRUE(rejecting.contains(invariant.name)) << invariant.name << " rejects no mutant";
+  }
+}
+
+}  // namespace
+}  // namespace carom::mutants
