@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/definiteness.hpp>
-
 #include <algorithm>
 #include <array>
+
+#include <carom/oracles/definiteness.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -8,15 +8,15 @@
 
 namespace carom::oracles {
 
-/// A number with its first derivatives by N inputs, in the field S: forward differentiation, exact up to the rounding of
-/// S. Only what the defining equations need: + − × ÷.
+/// A number with its first derivatives by N inputs, in the field S: forward differentiation, exact up to the rounding
+/// of S. Only what the defining equations need: + − × ÷.
 template <class S, std::size_t N>
 struct Dual {
   S value{0};
   std::array<S, N> derivative{};
 
   Dual() = default;
-  Dual(int constant) : value(constant) {}                // NOLINT(google-explicit-constructor)
+  Dual(int constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
   explicit Dual(const S& constant) : value(constant) {}
 
   /// The input with this index: its derivative by itself is 1.
@@ -80,7 +80,15 @@ struct NumTraits<carom::oracles::Dual<S, N>> : GenericNumTraits<carom::oracles::
   using NonInteger = Real;
   using Nested = Real;
   using Literal = int;
-  enum { IsInteger = 0, IsSigned = 1, IsComplex = 0, RequireInitialization = 1, ReadCost = 1, AddCost = 8, MulCost = 16 };
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = 8,
+    MulCost = 16
+  };
 };
 
 }  // namespace Eigen

@@ -14,14 +14,16 @@ namespace carom::oracles {
 
 /// A real number known to within a radius: |x − (high + low)| ≤ radius. Double-double arithmetic with a bound that is
 /// carried along, so that what it decides is decided exactly and the rest goes to rationals, as in CGAL's filtered
-/// predicates. About 100 bits, in the range of binary64; outside of it the radius becomes infinite, and nothing is decided.
+/// predicates. About 100 bits, in the range of binary64; outside of it the radius becomes infinite, and nothing is
+/// decided.
 ///
-/// The bounds are those of M. Joldes, J.-M. Muller, V. Popescu, ACM Trans. Math. Softw. 44 (2017), with u = 2⁻⁵³: sum 3u²,
-/// product 5u², quotient 10u² and a little, relatively; rounded up to 16u² and kept from underflow by an absolute term.
+/// The bounds are those of M. Joldes, J.-M. Muller, V. Popescu, ACM Trans. Math. Softw. 44 (2017), with u = 2⁻⁵³: sum
+/// 3u², product 5u², quotient 10u² and a little, relatively; rounded up to 16u² and kept from underflow by an absolute
+/// term.
 class Enclosure {
  public:
   Enclosure() = default;
-  Enclosure(int exact) : high_(exact) {}                 // NOLINT(google-explicit-constructor)
+  Enclosure(int exact) : high_(exact) {}  // NOLINT(google-explicit-constructor)
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
@@ -75,9 +77,8 @@ class Enclosure {
     }
     const Pair c = two_product(x.high_, y.high_);
     const Pair z = fast_two_sum(c.high, c.low + (x.high_ * y.low_ + x.low_ * y.high_));
-    const double radius = x.radius_ > 0 || y.radius_ > 0
-                              ? x.magnitude_above() * y.radius_ + y.magnitude_above() * x.radius_
-                              : 0;
+    const double radius =
+        x.radius_ > 0 || y.radius_ > 0 ? x.magnitude_above() * y.radius_ + y.magnitude_above() * x.radius_ : 0;
     return with_rounding(z, radius, smallest_product);
   }
 
@@ -93,8 +94,7 @@ class Enclosure {
     const Enclosure rest2 = rest1 - without_radius(y) * Enclosure(q2);
     const Pair q = fast_two_sum(q1, q2);
     const double quotient_above = (std::abs(q1) + std::abs(q2)) * one_and_a_bit;
-    const double radius =
-        (rest2.magnitude_above() + x.radius_ + quotient_above * y.radius_) / divisor * one_and_a_bit;
+    const double radius = (rest2.magnitude_above() + x.radius_ + quotient_above * y.radius_) / divisor * one_and_a_bit;
     return with_rounding(q, radius, smallest_product);
   }
 
@@ -149,9 +149,9 @@ class Enclosure {
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double splitter = 134217729;                       // 2²⁷ + 1
+  static constexpr double splitter = 134217729;  // 2²⁷ + 1
   static constexpr double two_to_minus_50 = 1.0 / (1LL << 50);
-  static constexpr double rounding = two_to_minus_50 * two_to_minus_50 / 4;   // 2⁻¹⁰² = 16 u²
+  static constexpr double rounding = two_to_minus_50 * two_to_minus_50 / 4;  // 2⁻¹⁰² = 16 u²
   static constexpr double one_and_a_bit = 1 + 4 * two_to_minus_50;
   static constexpr double one_less_a_bit = 1 - 4 * two_to_minus_50;
   // Below this the error terms of a product may underflow; 2⁻⁹⁰⁰ covers what they can lose.
@@ -172,7 +172,15 @@ struct NumTraits<carom::oracles::Enclosure> : GenericNumTraits<carom::oracles::E
   using NonInteger = Real;
   using Nested = Real;
   using Literal = int;
-  enum { IsInteger = 0, IsSigned = 1, IsComplex = 0, RequireInitialization = 1, ReadCost = 3, AddCost = 20, MulCost = 30 };
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 3,
+    AddCost = 20,
+    MulCost = 30
+  };
 };
 
 }  // namespace Eigen

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/exact_case.hpp>
-
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include <carom/oracles/definiteness.hpp>
+#include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
 
@@ -85,8 +84,8 @@ Sensitivity colliding_sensitivity(const Collision& collision, Model model, Conve
   return result;
 }
 
-/// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most the
-/// trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
+/// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
+/// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
 double condition_bound(const Matrix3<Enclosure>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
   const Vector3<Enclosure> c0 = matrix.col(0);
@@ -262,16 +261,16 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
 
 bool ExactCase::is_collinear() const {
   const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const BasicBody<Rational>& exact) {
-    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal),
-                                         [&] { return lever_arm(exact, this->exact().point).cross(this->exact().normal); });
+    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal), [&] {
+             return lever_arm(exact, this->exact().point).cross(this->exact().normal);
+           });
   };
   return is_along_normal(enclosed_.a, exact().a) && is_along_normal(enclosed_.b, exact().b);
 }
 
 bool ExactCase::is_head_on() const {
-  return is_zero(enclosed_.normal.cross(relative_velocity<Enclosure>(enclosed_, unchanged(enclosed_))), [&] {
-    return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact())));
-  });
+  return is_zero(enclosed_.normal.cross(relative_velocity<Enclosure>(enclosed_, unchanged(enclosed_))),
+                 [&] { return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact()))); });
 }
 
 Rational ExactCase::inverse_mass() const {

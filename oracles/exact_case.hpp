@@ -10,10 +10,11 @@
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|, and ‖y_k⁻‖: the denominator
-/// of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻ + Δy_k, which
-/// no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that hits a wall
-/// head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5.
+/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|, and ‖y_k⁻‖: the
+/// denominator of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻
+/// + Δy_k, which no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that
+/// hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
+/// Algorithms, §1.5.
 using Sensitivity = std::array<double, 4>;
 
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
@@ -37,12 +38,12 @@ class ExactCase {
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const;
 
-  /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs within
-  /// the allowance collide.
+  /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs
+  /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a fifth of the cost: ½ ‖y_k‖. The law's answer is homogeneous of degree one in the
-  /// velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half covers the grazing band, where the
+  /// A lower bound of `sensitivity`, at a fifth of the cost: ½ ‖y_k‖. The law's answer is homogeneous of degree one in
+  /// the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half covers the grazing band, where the
   /// colliding answer counts and differs from the velocities before by rounding.
   [[nodiscard]] Sensitivity sensitivity_below(Model model) const;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/judge.hpp>
-
 #include <algorithm>
 #include <limits>
+
+#include <carom/oracles/judge.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -23,7 +23,8 @@ double energy_norm(const Collision& collision, const Outcome<double>& change) {
 double rounded(const Rational& number) { return to_double(number); }
 double rounded(const Enclosure& number) { return number.middle(); }
 
-/// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show it.
+/// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show
+/// it.
 template <class T>
 std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, const BasicCollision<T>& collision,
                                     const Truth<T>& truth, const Outcome<T>& outcome, const Sensitivity& sensitivity,

@@ -135,8 +135,9 @@ template <class Law>
   if (yardstick.filtered && allowance > 0) {
     const auto missed = detail::missed(law(exact_case.enclosed(), outcome.enclosed()), relation,
                                        [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
-    const double part = allowance * detail::part_of_scale(law, exact_case.collision(), outcome.rounded());
-    if (missed.empty() || norm_at_most(missed, part).value_or(false) ||
+    if (missed.empty() ||
+        norm_at_most(missed, allowance * detail::part_of_scale(law, exact_case.collision(), outcome.rounded()))
+            .value_or(false) ||
         norm_at_most(missed, whole_allowance()).value_or(false)) {
       return {};
     }
@@ -158,8 +159,8 @@ template <class Law>
 
 /// How far an outcome is from the truth.
 struct Accuracy {
-  std::array<double, 4> error{};        // ‖ŷ_k − y_k‖
-  Sensitivity sensitivity{};            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
+  std::array<double, 4> error{};                        // ‖ŷ_k − y_k‖
+  Sensitivity sensitivity{};                            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
   std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick, decided exactly
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not

@@ -93,8 +93,7 @@ template <class T>
 
 /// N × F = 0 (note eq. 10 to 18). Precondition: a body is movable.
 template <class T>
-[[nodiscard]] Sides<T, 3> frictionless_direction(const BasicCollision<T>& c, const Outcome<T>& after,
-                                                 bool read_off_a) {
+[[nodiscard]] Sides<T, 3> frictionless_direction(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
   return {c.normal.cross(impulse_on_a(c, after, read_off_a)), Vector3<T>{T(0), T(0), T(0)}};
 }
 
@@ -114,8 +113,8 @@ template <class T>
   return (sum.dot(impulse_on(body, after)) + angular_sum.dot(apply_inertia<T>(body, angular_change))) / T(2);
 }
 
-/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with its
-/// contact point's velocity. Precondition: a body is movable.
+/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
+/// its contact point's velocity. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Sides<T, 1> energy(const BasicCollision<T>& c, const Outcome<T>& after) {
   T gain(0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/linear_system.hpp>
-
 #include <array>
 #include <stdexcept>
 #include <utility>
+
+#include <carom/oracles/linear_system.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -97,8 +97,8 @@ Rational velocity_before_along(const BasicCollision<Rational>& c, const Vector3<
 
 /// Two vectors that span the plane normal to N, by exchanging components of N.
 std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
-  const int largest = n[0] * n[0] >= n[1] * n[1] ? (n[0] * n[0] >= n[2] * n[2] ? 0 : 2)
-                                                 : (n[1] * n[1] >= n[2] * n[2] ? 1 : 2);
+  const int largest =
+      n[0] * n[0] >= n[1] * n[1] ? (n[0] * n[0] >= n[2] * n[2] ? 0 : 2) : (n[1] * n[1] >= n[2] * n[2] ? 1 : 2);
   std::array<Vector3<Rational>, 2> result;
   for (int k = 0; k < 2; ++k) {
     const int other = (largest + 1 + k) % 3;

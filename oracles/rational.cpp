@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/rational.hpp>
-
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include <carom/oracles/rational.hpp>
 
 namespace carom::oracles {
 

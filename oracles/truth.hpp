@@ -6,8 +6,8 @@
 #include <carom/collision/model.hpp>
 #include <carom/oracles/kinematics.hpp>
 
-/// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and the
-/// law picks the combination. `certify` substitutes it into the defining equations.
+/// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and
+/// the law picks the combination. `certify` substitutes it into the defining equations.
 namespace carom::oracles {
 
 /// What happens at the contact.
@@ -32,8 +32,7 @@ template <class T>
     return {Vector3<T>{T(0), T(0), T(0)}, Vector3<T>{T(0), T(0), T(0)}};
   }
   const Vector3<T> angular_impulse = turned<T>(conjugate(body.orientation), lever_arm(body, point).cross(impulse));
-  return {impulse / body.mass,
-          turned<T>(body.orientation, angular_impulse.cwiseQuotient(body.principal_inertia))};
+  return {impulse / body.mass, turned<T>(body.orientation, angular_impulse.cwiseQuotient(body.principal_inertia))};
 }
 
 /// The change of all velocities by F on A and −F on B.

@@ -12,8 +12,8 @@ namespace carom::oracles {
 inline constexpr double default_limit_ulps = 32;
 
 /// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
-/// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by so
-/// much.
+/// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by
+/// so much.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
   double limit_ulps = default_limit_ulps;
@@ -22,9 +22,7 @@ struct Yardstick {
   /// Whether enclosures may decide what they can. The verdicts are the same without, only slower.
   bool filtered = true;
 
-  [[nodiscard]] double allowance() const {
-    return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff;
-  }
+  [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
 };
 
 }  // namespace carom::oracles

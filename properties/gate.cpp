@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/gate.hpp>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -8,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include <carom/properties/gate.hpp>
 #include <carom/properties/shrink.hpp>
 
 namespace carom::properties {
@@ -40,7 +39,9 @@ Coverage coverage_of(const JudgedCase& judged_case) {
   coverage.separating = approach == Approach::separating ? 1 : 0;
   coverage.inert = approach == Approach::inert ? 1 : 0;
   coverage.one_immovable = c.a.immovable != c.b.immovable ? 1 : 0;
-  coverage.spheres = approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1 : 0;
+  coverage.spheres =
+      approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1
+                                                                                                                  : 0;
   coverage.head_on = approach == Approach::colliding && judged_case.exact().is_head_on() ? 1 : 0;
   coverage.inelastic = c.restitution == 0 ? 1 : 0;
   coverage.elastic = c.restitution == 1 ? 1 : 0;
@@ -132,6 +133,7 @@ std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
 void judge_task(const Subject& subject, const Claim& claim, Session& session, std::size_t family, std::uint64_t first,
                 const std::vector<JudgedCase>& cases, Tally& tally) {
   std::vector<Collision> collisions;
+  collisions.reserve(cases.size());
   for (const JudgedCase& one : cases) {
     collisions.push_back(one.generated().collision);
   }
@@ -261,8 +263,9 @@ Witness make_witness(const SubjectResult& result, const Claim& claim, const Gate
         judge_in_session(result.subject, only, session, {collision, worst.original.convex_uniform});
     return single_verdict(judgement).severity() >= severity_kept;
   };
-  Witness witness{invariant, std::string(options.families[family]->name), worst.index, worst.original, worst.original,
-                  {}, Skipped{}};
+  Witness witness{
+      invariant, std::string(options.families[family]->name), worst.index, worst.original, worst.original, {},
+      Skipped{}};
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
   if (!invalid && invariant != "well_conditioned") {
     witness.shrunk.collision = shrink(worst.original.collision, fails, most_shrink_calls);
@@ -344,9 +347,7 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
   return names;
 }
 
-bool SubjectResult::is_sound() const {
-  return error.empty() && cases() > skipped() && violated_invariants().empty();
-}
+bool SubjectResult::is_sound() const { return error.empty() && cases() > skipped() && violated_invariants().empty(); }
 
 std::optional<double> SubjectResult::digits_at_least(double share) const {
   if (digits.empty()) {
@@ -369,6 +370,7 @@ SubjectResult::WorstFamily SubjectResult::worst_backward_error(const GateOptions
 
 GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options) {
   std::vector<Claim> claims;
+  claims.reserve(subjects.size());
   for (const Subject& subject : subjects) {
     claims.push_back(claim_of(subject, options.yardstick));
   }

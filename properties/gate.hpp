@@ -15,10 +15,10 @@ namespace carom::properties {
 
 struct GateOptions {
   std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;              // of each family
-  std::vector<const Family*> families;     // in the order to report
-  oracles::Yardstick yardstick;            // its unit roundoff is taken from each subject
-  unsigned jobs = 1;                       // threads
+  std::uint64_t cases = 1000;           // of each family
+  std::vector<const Family*> families;  // in the order to report
+  oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
+  unsigned jobs = 1;                    // threads
   /// Called now and then with the cases done and those there are, from any thread, one call at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
@@ -29,13 +29,13 @@ struct Coverage {
   std::uint64_t colliding = 0;
   std::uint64_t resting = 0;
   std::uint64_t separating = 0;
-  std::uint64_t inert = 0;         // both bodies immovable
+  std::uint64_t inert = 0;  // both bodies immovable
   std::uint64_t invalid = 0;
   std::uint64_t one_immovable = 0;
-  std::uint64_t spheres = 0;       // movable bodies isotropic, lever arms exactly along the normal
-  std::uint64_t head_on = 0;       // colliding with V⁻ ∥ N exactly
-  std::uint64_t inelastic = 0;     // ε = 0
-  std::uint64_t elastic = 0;       // ε = 1
+  std::uint64_t spheres = 0;    // movable bodies isotropic, lever arms exactly along the normal
+  std::uint64_t head_on = 0;    // colliding with V⁻ ∥ N exactly
+  std::uint64_t inelastic = 0;  // ε = 0
+  std::uint64_t elastic = 0;    // ε = 1
 
   Coverage& operator+=(const Coverage& other);
 };
@@ -55,8 +55,8 @@ struct WorstViolation {
 
 struct FamilyResult {
   std::uint64_t cases = 0;
-  std::uint64_t skipped = 0;                     // cases that could not be posed to the subject
-  double worst_backward_error = 0;               // ulps
+  std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
+  double worst_backward_error = 0;              // ulps
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
 };
@@ -65,20 +65,20 @@ struct FamilyResult {
 struct Witness {
   std::string invariant;
   std::string family;
-  std::uint64_t index = 0;   // of the case in its family
+  std::uint64_t index = 0;  // of the case in its family
   Case original;
-  Case shrunk;               // the simplest collision found that violates the same invariant about as badly
-  Verdict verdict;           // on the shrunk collision
-  Answer answer;             // to the shrunk collision
+  Case shrunk;      // the simplest collision found that violates the same invariant about as badly
+  Verdict verdict;  // on the shrunk collision
+  Answer answer;    // to the shrunk collision
 };
 
 struct SubjectResult {
   Subject subject;
-  std::string error;                       // why the subject could not be judged to the end; empty where it was
-  std::vector<FamilyResult> families;      // as in the options
-  std::vector<float> digits;               // of each colliding case that was answered, sorted
-  double nanoseconds_per_solve = 0;        // as seen by the gate, its own overhead included
-  std::vector<Witness> witnesses;          // one for each invariant violated
+  std::string error;                   // why the subject could not be judged to the end; empty where it was
+  std::vector<FamilyResult> families;  // as in the options
+  std::vector<float> digits;           // of each colliding case that was answered, sorted
+  double nanoseconds_per_solve = 0;    // as seen by the gate, its own overhead included
+  std::vector<Witness> witnesses;      // one for each invariant violated
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;
@@ -97,8 +97,8 @@ struct SubjectResult {
 
 struct GateReport {
   GateOptions options;
-  std::vector<Coverage> coverage;       // of each family
-  std::vector<SubjectResult> results;   // of each subject
+  std::vector<Coverage> coverage;      // of each family
+  std::vector<SubjectResult> results;  // of each subject
 };
 
 /// Precondition: no subject is absent.

@@ -21,7 +21,7 @@ enum class Status {
 /// What one invariant says of one answer.
 struct Verdict {
   Status status = Status::holds;
-  std::string detail;        // where violated or skipped: what was compared, or why not
+  std::string detail;  // where violated or skipped: what was compared, or why not
   // Where violated by an outcome; of several laws, the one that is missed most relative to what is allowed:
   double residual = 0;
   double allowed = 0;
@@ -46,7 +46,7 @@ struct Related {
 /// What an invariant sees: one subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  bool convex_uniform;                                 // of the case: C ⪯ 16 λI is claimed
+  bool convex_uniform;  // of the case: C ⪯ 16 λI is claimed
   Model model;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
@@ -63,8 +63,8 @@ struct Invariant {
   std::string_view statement;  // one sentence
   std::string_view formula;    // LaTeX
   std::string_view source;
-  std::string_view domain;     // the collisions that it speaks of
-  std::vector<Model> models;   // that it is claimed for
+  std::string_view domain;    // the collisions that it speaks of
+  std::vector<Model> models;  // that it is claimed for
   Verdict (*check)(const Evidence&);
   /// Further collisions to put to the subject, made from the collision and the outcome; nullptr where none are needed.
   std::vector<Collision> (*questions)(const Collision&, const Outcome<double>&) = nullptr;

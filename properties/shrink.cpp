@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/shrink.hpp>
-
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/shrink.hpp>
 
 namespace carom::properties {
 namespace {
@@ -65,7 +64,8 @@ void meet_head_on(Collision& c, int bits) {
 
 class Candidates {
  public:
-  explicit Candidates(const Collision& collision) : collision_(collision), complexity_(properties::complexity(collision)) {}
+  explicit Candidates(const Collision& collision)
+      : collision_(collision), complexity_(properties::complexity(collision)) {}
 
   template <class Change>
   void add(const Change& change) {

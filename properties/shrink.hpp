@@ -9,9 +9,9 @@
 
 namespace carom::properties {
 
-/// Simpler collisions close to this one, the boldest simplifications first: a body made immovable, a vector set to zero, a
-/// number rounded to few bits. Each is valid and strictly simpler by `complexity`, so that shrinking ends, in small dyadic
-/// numbers. Precondition: the collision is valid.
+/// Simpler collisions close to this one, the boldest simplifications first: a body made immovable, a vector set to
+/// zero, a number rounded to few bits. Each is valid and strictly simpler by `complexity`, so that shrinking ends, in
+/// small dyadic numbers. Precondition: the collision is valid.
 [[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
 
 /// How hard a collision is to read: the bits of its numbers and the distance of their exponents from 0.

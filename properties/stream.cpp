@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/stream.hpp>
-
 #include <array>
 #include <cmath>
 #include <cstdlib>
+
+#include <carom/properties/stream.hpp>
 
 namespace carom::properties {
 namespace {

@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// A stream of integers that decides everything a family draws. The gate, RapidCheck and fuzzers each supply one. Numbers
-/// are made of them by + − × ÷ alone, so that the same integers give the same collision on every machine.
+/// A stream of integers that decides everything a family draws. The gate, RapidCheck and fuzzers each supply one.
+/// Numbers are made of them by + − × ÷ alone, so that the same integers give the same collision on every machine.
 class Stream {
  public:
   explicit Stream(std::function<std::uint64_t()> next) : next_(std::move(next)) {}
@@ -51,8 +51,8 @@ class Stream {
   std::function<std::uint64_t()> next_;
 };
 
-/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014), started from the seed, the family's name
-/// and the number of the case, so that every case can be made by itself.
+/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014), started from the seed, the family's
+/// name and the number of the case, so that every case can be made by itself.
 [[nodiscard]] Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index);
 
 /// The stream that a single integer starts.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/trial.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/trial.hpp>
 
 namespace carom::properties {
 namespace {
@@ -90,9 +89,10 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
     if (claim.invariants[i]->questions == nullptr) {
       continue;
     }
-    const std::vector<Collision> asked = claim.invariants[i]->questions(judged_case.exact().collision(), outcome->rounded());
-    const bool all_valid = std::all_of(asked.begin(), asked.end(),
-                                       [&](const Collision& c) { return judged_case.related(c) != nullptr; });
+    const std::vector<Collision> asked =
+        claim.invariants[i]->questions(judged_case.exact().collision(), outcome->rounded());
+    const bool all_valid =
+        std::all_of(asked.begin(), asked.end(), [&](const Collision& c) { return judged_case.related(c) != nullptr; });
     if (all_valid) {
       question_count_[i] = asked.size();
       questions_.insert(questions_.end(), asked.begin(), asked.end());
@@ -112,8 +112,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   const bool has_truth = claim_->model != Model::any;
   if (outcome != nullptr && judged_case_->is_valid() && has_truth) {
-    judgement.accuracy =
-        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick);
+    judgement.accuracy = oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick);
   }
   std::size_t next_question = 0;
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {

@@ -22,8 +22,8 @@ struct Claim {
 
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
 
-/// A case, and what is exactly known of it and of the collisions related to it. Shared by the subjects that are judged on
-/// it; for one thread.
+/// A case, and what is exactly known of it and of the collisions related to it. Shared by the subjects that are judged
+/// on it; for one thread.
 class JudgedCase {
  public:
   explicit JudgedCase(const Case& generated);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/families/bodies.hpp>
-
 #include <cmath>
 
 #include <carom/oracles/kinematics.hpp>
+#include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/polyhedron.hpp>
 
 namespace carom::properties {

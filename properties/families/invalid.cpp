@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/families/invalid.hpp>
-
 #include <array>
 #include <limits>
 
 #include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/invalid.hpp>
 
 namespace carom::properties {
 namespace {

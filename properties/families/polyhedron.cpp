@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/properties/families/polyhedron.hpp>
-
 #include <array>
 #include <cstdint>
 
 #include <Eigen/Geometry>
+
+#include <carom/properties/families/polyhedron.hpp>
 
 namespace carom::properties {
 namespace {

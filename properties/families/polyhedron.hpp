@@ -14,8 +14,9 @@ struct PrincipalShape {
   Vector3<double> point;           // a point of the body [m]
 };
 
-/// A random convex polyhedron, the hull of 4 to 8 integer points. Its second moments S are rational; with S = L D Lᵀ the
-/// shear L⁻¹ takes it to a convex polyhedron whose second moments are D: exact mass properties without an eigenproblem.
+/// A random convex polyhedron, the hull of 4 to 8 integer points. Its second moments S are rational; with S = L D Lᵀ
+/// the shear L⁻¹ takes it to a convex polyhedron whose second moments are D: exact mass properties without an
+/// eigenproblem.
 [[nodiscard]] PrincipalShape random_polyhedron(Stream& stream);
 
 }  // namespace carom::properties

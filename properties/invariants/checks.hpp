@@ -36,7 +36,8 @@ namespace carom::properties {
 [[nodiscard]] Verdict check_rotation(const Evidence& evidence);
 [[nodiscard]] std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<double>& outcome);
 [[nodiscard]] Verdict check_reflection_symmetry(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_reflection_symmetry(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_reflection_symmetry(const Collision& collision,
+                                                             const Outcome<double>& outcome);
 [[nodiscard]] Verdict check_unit_scaling(const Evidence& evidence);
 [[nodiscard]] std::vector<Collision> ask_unit_scaling(const Collision& collision, const Outcome<double>& outcome);
 [[nodiscard]] Verdict check_homogeneous(const Evidence& evidence);

@@ -30,8 +30,8 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   return verdict;
 }
 
-/// Compares two outcomes that a relation makes equal, `expected` of the first and the second. `expected` maps outcomes of
-/// any field.
+/// Compares two outcomes that a relation makes equal, `expected` of the first and the second. `expected` maps outcomes
+/// of any field.
 template <class Expected>
 Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
               const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
@@ -42,10 +42,10 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
       const auto exactly = expected(first.exact());
       return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
     };
-    worst = both(std::move(worst),
-                 vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
-                               e.allowance() * sensitivity[k], e.yardstick.filtered,
-                               fmt::format("{}, as related and as computed", outcome_vector_names[k])));
+    worst =
+        both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
+                                             e.allowance() * sensitivity[k], e.yardstick.filtered,
+                                             fmt::format("{}, as related and as computed", outcome_vector_names[k])));
   }
   return worst;
 }
@@ -131,8 +131,8 @@ struct QuarterTurn {
 constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
-/// The body axes are turned along with the world, T R Tᵀ, and the principal moments change places: exact, where T R would
-/// need √½ in the quaternion.
+/// The body axes are turned along with the world, T R Tᵀ, and the principal moments change places: exact, where T R
+/// would need √½ in the quaternion.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
   Collision c = mapped_vectors(collision, turn, turn);
   for (Body* body : {&c.a, &c.b}) {
@@ -278,9 +278,8 @@ std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<do
 
 Verdict check_rotation(const Evidence& e) {
   const auto turned_back = [&](std::size_t index, const QuarterTurn& turn) {
-    return exactly_mapped(e, e.related[index], [back = turn.inverse()](const auto& y) {
-      return mapped_vectors(y, back, back);
-    });
+    return exactly_mapped(e, e.related[index],
+                          [back = turn.inverse()](const auto& y) { return mapped_vectors(y, back, back); });
   };
   return both(turned_back(0, about_z), turned_back(1, about_x));
 }
@@ -396,13 +395,12 @@ Verdict check_repeat(const Evidence& e) {
   }
   const oracles::LiftedOutcome& after = *std::get<const oracles::LiftedOutcome*>(answer);
   const auto untouched = [&](bool a) {
-    return verdict_of(oracles::compare(
-                          [a](const auto& c, const auto& y) {
-                            return a ? oracles::untouched(c.a, y.a) : oracles::untouched(c.b, y.b);
-                          },
-                          oracles::Relation::equal, second.exact_case, after, e.yardstick),
-                      a ? "velocities of A, after a second impulse and before it"
-                        : "velocities of B, after a second impulse and before it");
+    return verdict_of(
+        oracles::compare([a](const auto& c,
+                             const auto& y) { return a ? oracles::untouched(c.a, y.a) : oracles::untouched(c.b, y.b); },
+                         oracles::Relation::equal, second.exact_case, after, e.yardstick),
+        a ? "velocities of A, after a second impulse and before it"
+          : "velocities of B, after a second impulse and before it");
   };
   return both(untouched(true), untouched(false));
 }

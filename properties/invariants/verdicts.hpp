@@ -9,20 +9,19 @@
 /// How checks make and join verdicts.
 namespace carom::properties {
 
-[[nodiscard]] inline Verdict outside_domain(std::string why) {
-  return {Status::skipped, std::move(why), 0, 0, {}, {}};
-}
+[[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
 
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
   if (comparison.holds) {
     return {};
   }
-  return {Status::violated,   std::move(what),            comparison.residual,
-          comparison.allowed, std::move(comparison.left), std::move(comparison.right)};
+  return {Status::violated,           std::move(what),
+          comparison.residual,        comparison.allowed,
+          std::move(comparison.left), std::move(comparison.right)};
 }
 
-/// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as enclosures,
-/// and as functions that give them exactly where those do not decide.
+/// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as
+/// enclosures, and as functions that give them exactly where those do not decide.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,

@@ -15,12 +15,12 @@ struct BasicBody {
   /// Infinite mass: mass, principal_inertia and orientation are then not read. Its velocity may be nonzero (a driven
   /// wall) and never changes.
   bool immovable = false;
-  S mass{1};                                              // > 0 [kg]
-  Vector3<S> principal_inertia{S{1}, S{1}, S{1}};         // about the centre of mass, along the body axes, > 0 [kg m²]
-  Quaternion<S> orientation{S{1}, S{0}, S{0}, S{0}};      // body axes to world axes, any nonzero length
-  Vector3<S> position{S{0}, S{0}, S{0}};                  // centre of mass [m]
-  Vector3<S> velocity{S{0}, S{0}, S{0}};                  // of the centre of mass, before the impulse [m/s]
-  Vector3<S> angular_velocity{S{0}, S{0}, S{0}};          // before the impulse [rad/s]
+  S mass{1};                                          // > 0 [kg]
+  Vector3<S> principal_inertia{S{1}, S{1}, S{1}};     // about the centre of mass, along the body axes, > 0 [kg m²]
+  Quaternion<S> orientation{S{1}, S{0}, S{0}, S{0}};  // body axes to world axes, any nonzero length
+  Vector3<S> position{S{0}, S{0}, S{0}};              // centre of mass [m]
+  Vector3<S> velocity{S{0}, S{0}, S{0}};              // of the centre of mass, before the impulse [m/s]
+  Vector3<S> angular_velocity{S{0}, S{0}, S{0}};      // before the impulse [rad/s]
 };
 
 /// The exact input: two bodies that touch at one point.
@@ -81,8 +81,8 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 
 }  // namespace detail
 
-/// Calls f(path, numbers...) for every number that the collisions hold, in one fixed order, the collisions side by side.
-/// What an immovable body does not have is passed over; the first collision decides.
+/// Calls f(path, numbers...) for every number that the collisions hold, in one fixed order, the collisions side by
+/// side. What an immovable body does not have is passed over; the first collision decides.
 template <class F, class... Collisions>
 void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);

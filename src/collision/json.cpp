@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/collision/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <string_view>
+
+#include <carom/collision/json.hpp>
 
 namespace carom {
 namespace {

@@ -10,7 +10,8 @@
 
 namespace carom {
 
-/// What was found where something else was expected; the text names the place, "/a/mass: expected a number, found true".
+/// What was found where something else was expected; the text names the place, "/a/mass: expected a number, found
+/// true".
 class FormatError : public std::runtime_error {
  public:
   FormatError(const std::string& place, const std::string& expected)

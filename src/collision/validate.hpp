@@ -37,7 +37,7 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
 }
 
 inline void check_range(const char* field, double value, double low, double high, const char* expected,
-                 std::vector<Defect>& defects) {
+                        std::vector<Defect>& defects) {
   if (value < low || value > high) {
     defects.push_back({field, expected});
   }
@@ -63,7 +63,8 @@ inline void check_range(const char* field, double value, double low, double high
   constexpr double infinity = std::numeric_limits<double>::infinity();
   detail::check_range("restitution", collision.restitution, 0, 1, "a number from 0 to 1", defects);
   detail::check_range("friction", collision.friction, 0, infinity, "at least 0", defects);
-  detail::check_range("tangential_restitution", collision.tangential_restitution, -1, 1, "a number from -1 to 1", defects);
+  detail::check_range("tangential_restitution", collision.tangential_restitution, -1, 1, "a number from -1 to 1",
+                      defects);
   return defects;
 }
 

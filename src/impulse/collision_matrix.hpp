@@ -25,8 +25,8 @@ template <class S>
 }
 
 /// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per impulse at
-/// the contact (note eq. 24), 1/kg, world axes. It is the note's C (eq. 25 to 27, with λ counted once) before the change
-/// of basis.
+/// the contact (note eq. 24), 1/kg, world axes. It is the note's C (eq. 25 to 27, with λ counted once) before the
+/// change of basis.
 template <class S>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);

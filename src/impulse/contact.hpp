@@ -29,8 +29,8 @@ struct Contact {
   S restitution;      // ε in [0, 1]
 };
 
-/// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of two
-/// such vectors over- or underflows in S. Types without a range limit keep the vector as it is.
+/// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of
+/// two such vectors over- or underflows in S. Types without a range limit keep the vector as it is.
 template <class S, class Vector>
 [[nodiscard]] auto without_extreme_length(const Vector& vector) {
   using From = typename Vector::Scalar;

@@ -9,7 +9,8 @@
 namespace carom::impulse {
 
 /// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. The middle and
-/// last column are zero where the tangential part is exactly zero. It needs square roots, so S is a floating-point type.
+/// last column are zero where the tangential part is exactly zero. It needs square roots, so S is a floating-point
+/// type.
 template <class S>
 [[nodiscard]] Matrix3<S> tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -40,8 +41,8 @@ template <class S>
 }
 
 /// The reflection law as note §2 prints it (N·V⁻ on the right-hand side of eq. 25), with the fall-back to eq. 18 that
-/// implementations take where V⁻ has no tangential part. Kept because it fails: near head-on T0 is rounding noise and not
-/// orthogonal to N. Use `reflection` instead.
+/// implementations take where V⁻ has no tangential part. Kept because it fails: near head-on T0 is rounding noise and
+/// not orthogonal to N. Use `reflection` instead.
 template <class S>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact) {
   const Matrix3<S> basis = tangent_basis(contact);

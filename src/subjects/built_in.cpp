@@ -56,15 +56,15 @@ void add_in_scalar(std::vector<Subject>& subjects) {
   using impulse::Contact;
   subjects.push_back(solver_subject<S>("frictionless", "impulse along the normal, eq. 18", Model::frictionless,
                                        [](const Contact<S>& contact) { return impulse::frictionless(contact); }));
-  subjects.push_back(solver_subject<S>(
-      "reflection", "basis-free reflection, 3×3 solve by LDLᵀ", Model::reflection,
-      [](const Contact<S>& contact) { return impulse::reflection<impulse::Ldlt>(contact); }));
-  subjects.push_back(solver_subject<S>(
-      "reflection-llt", "basis-free reflection, 3×3 solve by Eigen's LLT", Model::reflection,
-      [](const Contact<S>& contact) { return impulse::reflection<impulse::EigenLlt>(contact); }));
-  subjects.push_back(solver_subject<S>(
-      "reflection-adjugate", "basis-free reflection, 3×3 solve by the adjugate", Model::reflection,
-      [](const Contact<S>& contact) { return impulse::reflection<impulse::Adjugate>(contact); }));
+  subjects.push_back(
+      solver_subject<S>("reflection", "basis-free reflection, 3×3 solve by LDLᵀ", Model::reflection,
+                        [](const Contact<S>& contact) { return impulse::reflection<impulse::Ldlt>(contact); }));
+  subjects.push_back(
+      solver_subject<S>("reflection-llt", "basis-free reflection, 3×3 solve by Eigen's LLT", Model::reflection,
+                        [](const Contact<S>& contact) { return impulse::reflection<impulse::EigenLlt>(contact); }));
+  subjects.push_back(
+      solver_subject<S>("reflection-adjugate", "basis-free reflection, 3×3 solve by the adjugate", Model::reflection,
+                        [](const Contact<S>& contact) { return impulse::reflection<impulse::Adjugate>(contact); }));
   Subject in_basis = solver_subject<S>(
       "reflection-in-basis", "reflection in the basis {N, T0, T1} as note §2 prints it; fails near head-on",
       Model::reflection, [](const Contact<S>& contact) { return impulse::reflection_in_basis(contact); });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/subjects/catalogue.hpp>
-
 #include <carom/subjects/engines/engines.hpp>
 
 namespace carom::subjects {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <carom/subjects/catalogue.hpp>
 
@@ -53,8 +52,8 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
   return families;
 }
 
-/// The subjects to judge: those named, which then all count, or all that there are, of which those count that are expected
-/// to pass.
+/// The subjects to judge: those named, which then all count, or all that there are, of which those count that are
+/// expected to pass.
 struct Selection {
   std::vector<Subject> subjects;
   std::vector<bool> counts;

@@ -53,7 +53,8 @@ json parsed(const std::string& text, const std::string& place) {
     // The library's text ends in what was expected; its own prefix says nothing to a reader.
     const std::string what = error.what();
     const std::size_t prefix = what.find("] ");
-    throw UsageError(fmt::format("{}: not JSON: {}", place, prefix == std::string::npos ? what : what.substr(prefix + 2)));
+    throw UsageError(
+        fmt::format("{}: not JSON: {}", place, prefix == std::string::npos ? what : what.substr(prefix + 2)));
   }
 }
 
@@ -91,7 +92,8 @@ ReadCollision read_record(const json& record, const std::string& place) {
   ReadCollision read{place, {}, std::nullopt};
   const bool is_wrapped = record.is_object() && record.contains("collision");
   try {
-    read.one.collision = is_wrapped ? collision_from_json(record.at("collision"), "/collision") : collision_from_json(record);
+    read.one.collision =
+        is_wrapped ? collision_from_json(record.at("collision"), "/collision") : collision_from_json(record);
   } catch (const FormatError& error) {
     fail(place, error.what());
   }

@@ -22,9 +22,9 @@ struct ReadCollision {
   std::optional<WitnessFacts> witness;
 };
 
-/// Reads a witness, a collision, an array of either, or JSON Lines of either. Throws UsageError that names the file, the
-/// place in it, and what was expected, also where a collision is invalid; a witness that an invalid collision was answered
-/// is the one exception.
+/// Reads a witness, a collision, an array of either, or JSON Lines of either. Throws UsageError that names the file,
+/// the place in it, and what was expected, also where a collision is invalid; a witness that an invalid collision was
+/// answered is the one exception.
 [[nodiscard]] std::vector<ReadCollision> read_collisions(const std::string& file);
 
 }  // namespace carom::tool

@@ -28,7 +28,8 @@ std::string failure_text(const properties::Witness& witness) {
                                in_words(witness.verdict.left), in_words(witness.verdict.right)));
 }
 
-void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant, bool counts) {
+void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,
+              bool counts) {
   pugi::xml_node test = suite.append_child("testcase");
   test.append_attribute("classname") = printable(result.subject.name).c_str();
   test.append_attribute("name") = invariant.c_str();

@@ -35,12 +35,15 @@ void print_markdown() {
   fmt::print(
       "# The invariants\n\n"
       "Printed by `carom invariants --format markdown`; a test fails where this page differs.\n\n"
-      "Notation: bodies A and B, masses m, world inertia J, lever arms r = P − X, velocities v, angular velocities w before "
+      "Notation: bodies A and B, masses m, world inertia J, lever arms r = P − X, velocities v, angular velocities w "
+      "before "
       "(−) and after (+) the impulse; V = V_A − V_B the relative velocity of the material points at the contact, N the "
       "normal on B pointing to A, F the impulse on A, ε the restitution, u the unit roundoff. *The note* is D. Eberly, "
       "\"Computing Impulse Forces for Colliding Contact\".\n\n"
-      "An equation g = 0 passes where it holds exactly for some inputs x and outputs y within the limit of those at hand: "
-      "|g| ≤ limit · u · (Σ |∂g/∂x| |x| + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)), g evaluated exactly, since an output is a sum of the "
+      "An equation g = 0 passes where it holds exactly for some inputs x and outputs y within the limit of those at "
+      "hand: "
+      "|g| ≤ limit · u · (Σ |∂g/∂x| |x| + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)), g evaluated exactly, since an output is a sum of "
+      "the "
       "velocity before and a change and is known to u times the larger of both; an inequality likewise, one-sided. "
       "Relations between two collisions allow each outcome its own rounding.\n\n"
       "| invariant | statement | claimed for | domain |\n| --- | --- | --- | --- |\n");
@@ -111,8 +114,7 @@ int list_families(const std::string& format, std::uint64_t seed) {
     properties::Stream stream = properties::case_stream(seed, family.name, 0);
     const Collision example = family.generate(stream).collision;
     if (format == "json") {
-      list.push_back(
-          {{"name", family.name}, {"summary", family.summary}, {"example", collision_to_json(example)}});
+      list.push_back({{"name", family.name}, {"summary", family.summary}, {"example", collision_to_json(example)}});
     } else {
       fmt::print("{}\n    {}\n{}", family.name, family.summary, in_words(example, "      "));
     }

@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
   GateArguments gate;
   CLI::App* gate_command = app.add_subcommand(
       "gate", "Judge subjects: exit status 0 all hold, 1 something violated, 2 usage or environment");
-  gate_command->add_option("SUBJECT", gate.subjects, "Subjects to judge (default: all; those expected to fail do not count)");
+  gate_command->add_option("SUBJECT", gate.subjects,
+                           "Subjects to judge (default: all; those expected to fail do not count)");
   gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases on every machine")
       ->capture_default_str();
   gate_command->add_option("--cases", gate.cases, "Cases of each family")
@@ -74,8 +75,8 @@ int main(int argc, char** argv) {
   families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
 
   ReplayArguments replay;
-  CLI::App* replay_command = app.add_subcommand(
-      "replay", "Show the exact truth of collisions, each step; judge a subject on them");
+  CLI::App* replay_command =
+      app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
   replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions")->required();
   replay_command->add_option("--subject", replay.subject, "Subject to judge (default: the one that a witness names)");
   add_yardstick(*replay_command, replay);

@@ -36,11 +36,16 @@ json numbers(const std::vector<double>& values) {
 json optional_number(const std::optional<double>& value) { return value ? number_to_json(*value) : json(); }
 
 json coverage_record(const properties::Coverage& coverage) {
-  return {{"cases", coverage.cases},           {"colliding", coverage.colliding},
-          {"resting", coverage.resting},       {"separating", coverage.separating},
-          {"inert", coverage.inert},           {"invalid", coverage.invalid},
-          {"one_immovable", coverage.one_immovable}, {"spheres", coverage.spheres},
-          {"head_on", coverage.head_on},       {"inelastic", coverage.inelastic},
+  return {{"cases", coverage.cases},
+          {"colliding", coverage.colliding},
+          {"resting", coverage.resting},
+          {"separating", coverage.separating},
+          {"inert", coverage.inert},
+          {"invalid", coverage.invalid},
+          {"one_immovable", coverage.one_immovable},
+          {"spheres", coverage.spheres},
+          {"head_on", coverage.head_on},
+          {"inelastic", coverage.inelastic},
           {"elastic", coverage.elastic}};
 }
 
@@ -157,8 +162,8 @@ json verdict_record(const properties::Verdict& verdict) {
           {"allowed", number_to_json(verdict.allowed)}};
 }
 
-json witness_record(const properties::Witness& witness, const Subject& subject,
-                    const properties::GateOptions& options, const std::string& replay_command) {
+json witness_record(const properties::Witness& witness, const Subject& subject, const properties::GateOptions& options,
+                    const std::string& replay_command) {
   const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
   json record{{"subject", subject_facts(subject)},
               {"invariant", witness.invariant},
@@ -233,8 +238,8 @@ json report_record(const GateRun& run) {
 std::string witness_file_name(const Subject& subject, const properties::Witness& witness) {
   std::string name = subject.name + '.' + witness.invariant;
   for (char& letter : name) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.' ||
-                          letter == '_';
+    const bool is_plain =
+        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.' || letter == '_';
     letter = is_plain ? letter : '_';
   }
   return name + ".json";

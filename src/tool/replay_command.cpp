@@ -38,12 +38,12 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
   const BasicCollision<Rational>& c = exact_case.exact();
   const Outcome<Rational> before = unchanged(c);
   const Matrix3<Rational>& k = exact_case.collision_matrix();
-  std::string text = fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n",
-                                 in_words<Rational>(oracles::lever_arm(c.a, c.point)),
-                                 in_words<Rational>(oracles::lever_arm(c.b, c.point)));
-  text += fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n",
-                      in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
-                      in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
+  std::string text =
+      fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n", in_words<Rational>(oracles::lever_arm(c.a, c.point)),
+                  in_words<Rational>(oracles::lever_arm(c.b, c.point)));
+  text +=
+      fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
+                  in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
   if (exact_case.approach() != Approach::inert) {
     text += fmt::format("  λ = {}\n", in_words(exact_case.inverse_mass()));
     for (int row = 0; row < 3; ++row) {

@@ -15,9 +15,9 @@ using properties::SubjectResult;
 using properties::Witness;
 
 std::string coverage_table(const GateReport& report) {
-  std::string text = fmt::format("{:18} {:>8} {:>10} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "family",
-                                 "cases", "colliding", "resting", "separating", "inert", "invalid", "one wall",
-                                 "spheres", "head-on", "ε = 0", "ε = 1");
+  std::string text = fmt::format("{:18} {:>8} {:>10} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
+                                 "family", "cases", "colliding", "resting", "separating", "inert", "invalid",
+                                 "one wall", "spheres", "head-on", "ε = 0", "ε = 1");
   for (std::size_t f = 0; f < report.coverage.size(); ++f) {
     const properties::Coverage& c = report.coverage[f];
     text += fmt::format("{:18} {:8} {:10} {:8} {:11} {:6} {:8} {:9} {:8} {:8} {:8} {:8}\n",
@@ -38,13 +38,13 @@ std::string digits_text(const SubjectResult& result) {
 std::string subject_line(const SubjectResult& result, const GateReport& report) {
   const auto worst = result.worst_backward_error(report.options);
   const std::size_t violated = result.violated_invariants().size();
-  const std::string verdict = violated > 0          ? fmt::format("{} violated", violated)
-                              : result.is_sound()   ? "sound"
+  const std::string verdict = violated > 0           ? fmt::format("{} violated", violated)
+                              : result.is_sound()    ? "sound"
                               : result.error.empty() ? "not judged"
                                                      : "error";
-  std::string line = fmt::format("{:32} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name,
-                                 result.cases(), verdict, worst.backward_error, worst.family, digits_text(result),
-                                 result.nanoseconds_per_solve);
+  std::string line =
+      fmt::format("{:32} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
+                  worst.backward_error, worst.family, digits_text(result), result.nanoseconds_per_solve);
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }
@@ -74,10 +74,10 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
   const auto family = std::find_if(report.options.families.begin(), report.options.families.end(),
                                    [&](const properties::Family* f) { return f->name == witness.family; });
   const auto f = static_cast<std::size_t>(family - report.options.families.begin());
-  std::string text = fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name,
-                                 witness.invariant, witness.family,
-                                 result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
-                                 result.count(witness.invariant).violated, invariant.statement);
+  std::string text =
+      fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name, witness.invariant,
+                  witness.family, result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
+                  result.count(witness.invariant).violated, invariant.statement);
   text += in_words(witness.shrunk.collision, "    ");
   if (const auto* outcome = std::get_if<ReportedOutcome>(&witness.answer)) {
     text += "  answered\n" + in_words(*outcome, "    ");
@@ -101,10 +101,10 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
 std::string report_text(const GateRun& run, const std::string& out_directory) {
   const GateReport& report = run.report;
   const oracles::Yardstick& yardstick = report.options.yardstick;
-  std::string text = fmt::format("Carom {}: {} cases of each of {} families, seed {}, limit {}\n\n", CAROM_VERSION,
-                                 report.options.cases, report.options.families.size(), report.options.seed,
-                                 yardstick.digits ? fmt::format("{} digits", *yardstick.digits)
-                                                  : fmt::format("{} ulps", yardstick.limit_ulps));
+  std::string text = fmt::format(
+      "Carom {}: {} cases of each of {} families, seed {}, limit {}\n\n", CAROM_VERSION, report.options.cases,
+      report.options.families.size(), report.options.seed,
+      yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps));
   text += coverage_table(report);
   const std::string heading = fmt::format("\n{:32} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
                                           "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");

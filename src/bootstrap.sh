@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [packages|build|gate|test|sanitize] [ARG…]
+#   packages  install what is missing (sudo where not root)
+#   build     packages, then the program at build/carom
+#   gate      build, then `build/carom gate ARG…`
+#   test      build, then all tests
+#   sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libfmt-dev nlohmann-json3-dev libcli11-dev
+  libpugixml-dev libgtest-dev librapidcheck-dev)
+engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
+jobs=$(nproc 2>/dev/null || echo 2)
+
+install_packages() {
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "bootstrap: this system has no apt. Install what Debian calls ${packages[*]}," >&2
+    echo "bootstrap: and for the engines ${engines[*]}; going on with what is there." >&2
+    return
+  fi
+  local missing=() package
+  for package in "${packages[@]}" "${engines[@]}"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "bootstrap: not root, and there is no sudo. As root: apt-get install ${missing[*]}" >&2
+      exit 2
+    }
+    as_root=(sudo)
+  fi
+  echo "bootstrap: installing ${missing[*]}" >&2
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# configure DIRECTORY [CMAKE ARG…]
+configure() {
+  local directory=$1
+  shift
+  cmake -S . -B "$directory" -G Ninja -Wno-dev --log-level=WARNING "$@" >/dev/null
+}
+
+build() {
+  install_packages
+  configure build -DCAROM_BUILD_TESTS=ON
+  cmake --build build --parallel "$jobs" --target "$1" >&2
+}
+
+command=${1:-build}
+[ $# -gt 0 ] && shift
+case "$command" in
+packages) install_packages ;;
+build) build carom_program ;;
+gate)
+  build carom_program
+  exec build/carom gate "$@"
+  ;;
+test)
+  build all
+  exec ctest --test-dir build --output-on-failure --parallel "$jobs" "$@"
+  ;;
+sanitize)
+  install_packages
+  configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+  cmake --build build-sanitize --parallel "$jobs" >&2
+  exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
+  ;;
+*)
+  sed -n '3,8p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+  ;;
+esac

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "examination.hpp"
+
+#include "rapidcheck_support.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// Two unit spheres of mass 1, one at rest, hit along the line of centres.
+Case head_on_probe() {
+  Case probe;
+  probe.collision.a.position = {0, 1, 0};
+  probe.collision.a.velocity = {0, -1, 0};
+  probe.collision.b.position = {0, -1, 0};
+  return probe;
+}
+
+bool has_responded(const Examinee& examinee, const JudgedCase& judged_case) {
+  if (!judged_case.is_valid() || judged_case.exact().approach() != oracles::Approach::colliding) {
+    return false;
+  }
+  const ExactAnswer answer = examinee.solve(judged_case.generated().collision);
+  const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer);
+  if (outcome == nullptr) {
+    return false;
+  }
+  const auto before = unchanged(judged_case.exact().exact());
+  bool responded = false;
+  for (std::size_t k = 0; k < outcome_vector_names.size(); ++k) {
+    responded = responded || *vectors(outcome->exact())[k] != *vectors(before)[k];
+  }
+  return responded;
+}
+
+std::string text_of(const Verdict& verdict) {
+  std::ostringstream text;
+  text << verdict.detail << ": residual " << verdict.residual << ", allowed " << verdict.allowed << '\n';
+  return text.str();
+}
+
+}  // namespace
+
+Question invariant_holds(const Invariant& invariant) {
+  return [&invariant](const Examinee& examinee, const JudgedCase& judged_case) -> Verdict {
+    const Claim claim{examinee.model, examinee.yardstick, {&invariant}};
+    const Judgement judgement =
+        try_case(judged_case, claim, examinee.solve, examinee.collision_matrix(judged_case));
+    if (judgement.skipped) {
+      return {Status::violated, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
+    }
+    if (judgement.verdicts.empty()) {
+      return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};
+    }
+    return judgement.verdicts.front().verdict;
+  };
+}
+
+std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
+                                          const Examination& examination) {
+  bool in_domain = false;
+  bool responded = false;
+  const auto put = [&](const Case& one) {
+    const JudgedCase judged_case(one);
+    const Verdict verdict = question(examinee, judged_case);
+    in_domain = in_domain || verdict.status == Status::holds;
+    responded = responded || has_responded(examinee, judged_case);
+    return verdict;
+  };
+  const Verdict of_probe = put(head_on_probe());
+  if (of_probe.status == Status::violated) {
+    return "on the head-on probe: " + text_of(of_probe);
+  }
+  const rc::detail::TestParams parameters = rapidcheck_parameters(examination.cases, examination.shrinks);
+  for (const Family& family : all_families()) {
+    const auto found = counterexample(parameters, [&] {
+      const Verdict verdict = put(*cases_of(family));
+      if (verdict.status == Status::violated) {
+        RC_LOG() << text_of(verdict);
+      }
+      RC_ASSERT(verdict.status != Status::violated);
+    });
+    if (found) {
+      return "in the family " + std::string(family.name) + ": " + *found;
+    }
+  }
+  if (!in_domain) {
+    return "no case was in the domain";
+  }
+  if (!responded) {
+    return "no colliding case was answered with other velocities than before: nothing was tested";
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom::properties

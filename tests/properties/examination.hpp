@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "examinee.hpp"
+
+namespace carom::properties {
+
+/// What one test says of one case.
+using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
+
+/// The verdict of one invariant of the catalogue; skipped on the cases that it does not speak of.
+[[nodiscard]] Question invariant_holds(const Invariant& invariant);
+
+struct Examination {
+  int cases = 0;        // of each family
+  bool shrinks = true;  // whether RapidCheck is to shrink what it finds
+};
+
+/// Puts a question about cases of every family, and about one plain head-on collision, to an examinee. Returns what
+/// speaks against it: a case on which the verdict is a violation; or that no case was in the question's domain; or that
+/// the examinee answered no colliding case with other velocities than before, so that nothing was tested.
+[[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
+                                                        const Examination& examination);
+
+}  // namespace carom::properties

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "examination.hpp"
+
+/// Every invariant holds of every solver that claims it, on every family: within 32 ulps in floating point, and with
+/// nothing allowed in ℚ, where the same solver text makes each invariant an exact statement.
+namespace carom::properties {
+namespace {
+
+struct Claimed {
+  const Invariant* invariant;
+  Examinee examinee;
+};
+
+void PrintTo(const Claimed& claimed, std::ostream* out) {
+  *out << claimed.invariant->statement << ' ' << claimed.examinee.name;
+}
+
+std::string name_of_test(const testing::TestParamInfo<Claimed>& test) {
+  return std::string(test.param.invariant->name) + '_' + test.param.examinee.name;
+}
+
+std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
+  std::vector<Claimed> claimed;
+  for (const Examinee& examinee : examinees) {
+    for (const Invariant& invariant : all_invariants()) {
+      if (invariant.claimed_for(examinee.model)) {
+        claimed.push_back({&invariant, examinee});
+      }
+    }
+  }
+  return claimed;
+}
+
+class Holds : public testing::TestWithParam<Claimed> {};
+
+TEST_P(Holds, For) {
+  const auto found = find_violation(GetParam().examinee, invariant_holds(*GetParam().invariant), {.cases = 20});
+  EXPECT_FALSE(found) << *found;
+}
+
+INSTANTIATE_TEST_SUITE_P(Invariants, Holds, testing::ValuesIn(claimed_by(built_in_examinees())), name_of_test);
+
+class HoldsExactly : public testing::TestWithParam<Claimed> {};
+
+TEST_P(HoldsExactly, For) {
+  const auto found = find_violation(GetParam().examinee, invariant_holds(*GetParam().invariant), {.cases = 15});
+  EXPECT_FALSE(found) << *found;
+}
+
+INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
+
+/// The tests above, put to a subject that returns its input unchanged: each has to fail.
+class NeverHolds : public testing::TestWithParam<Claimed> {};
+
+TEST_P(NeverHolds, ForASubjectThatReturnsItsInput) {
+  const auto found = find_violation(idle(GetParam().examinee), invariant_holds(*GetParam().invariant),
+                                    {.cases = 15, .shrinks = false});
+  EXPECT_TRUE(found);
+}
+
+/// One examinee of each model in each arithmetic that is judged differently.
+std::vector<Examinee> one_of_each() {
+  std::vector<Examinee> examinees;
+  for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
+    for (const Model model : models_with_truth) {
+      for (const Examinee& examinee : all) {
+        if (examinee.model == model) {
+          examinees.push_back(examinee);
+          break;
+        }
+      }
+    }
+  }
+  return examinees;
+}
+
+INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
+
+}  // namespace
+}  // namespace carom::properties
