@@ -36,7 +36,7 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
 int main(int argc, char** argv) {
   CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
   app.set_version_flag("--version", CAROM_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   std::function<int()> run;
 
   GateArguments gate;
@@ -87,6 +87,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : carom::tool::exit_usage;
+  }
+  if (!run) {
+    fmt::print(stderr, "carom: a command is needed\n{}", app.help());
+    return carom::tool::exit_usage;
   }
   try {
     return run();

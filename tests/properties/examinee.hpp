@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Examinee {
   ExactSolve solve;
   std::function<std::optional<Matrix3<oracles::Rational>>(const JudgedCase&)> collision_matrix;
 };
+
+/// How GoogleTest prints it.
+inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << examinee.name; }
 
 /// The built-in solvers that claim to be right, in float, double and long double (built_in_examinees.cpp).
 [[nodiscard]] std::vector<Examinee> built_in_examinees();

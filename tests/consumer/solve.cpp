@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solvers alone: a ball of 2 kg meets a fixed floor at 3 m/s, ε = 1/2.
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+
+int main() {
+  carom::Collision collision;
+  collision.a.mass = 2;
+  collision.a.position = {0, 1, 0};
+  collision.a.velocity = {0, -3, 0};
+  collision.b.immovable = true;
+  collision.restitution = 0.5;
+  const auto contact = carom::impulse::make_contact<double>(collision);
+  const bool frictionless = carom::impulse::frictionless(contact).a.velocity[1] == 1.5;
+  const bool reflection = carom::impulse::reflection<carom::impulse::Ldlt>(contact).a.velocity[1] == 1.5;
+  return frictionless && reflection ? 0 : 1;
+}

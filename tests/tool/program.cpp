@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <sstream>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/process.hpp>
+
+namespace carom::tests {
+
+RunResult run_carom(const std::vector<std::string>& arguments) {
+  namespace bp = boost::process;
+  boost::asio::io_context context;
+  std::future<std::string> output;
+  std::future<std::string> errors;
+  bp::child child(bp::exe = CAROM_PROGRAM, bp::args = arguments, bp::std_in < bp::null, bp::std_out > output,
+                  bp::std_err > errors, context);
+  context.run();
+  child.wait();
+  return {child.exit_code(), output.get(), errors.get()};
+}
+
+TemporaryDirectory::TemporaryDirectory() {
+  static int count = 0;
+  path_ = std::filesystem::temp_directory_path() /
+          ("carom-test-" + std::to_string(getpid()) + '-' + std::to_string(count++));
+  std::filesystem::create_directories(path_);
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryDirectory::write(const std::string& name, const std::string& text) const {
+  const std::filesystem::path file = path_ / name;
+  std::ofstream(file, std::ios::binary) << text;
+  return file.string();
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace carom::tests

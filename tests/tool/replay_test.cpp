@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+/// The smallest collision in which reflection creates energy: a cube's corner meets the floor.
+json cube_on_floor() {
+  return json::parse(R"({
+    "a": {"mass": 1, "principal_inertia": [0.5, 0.5, 0.5], "orientation": [2, 0, 0, 0],
+          "position": [-0.5, 0.5, 0], "velocity": [-1, -1, 0], "angular_velocity": [0, 0, 0]},
+    "b": {"immovable": true, "position": [0, 0, 0], "velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]},
+    "point": [0, 0, 0], "normal": [0, 1, 0], "restitution": 1})");
+}
+
+TEST(Replay, ShowsTheExactTruthOfEachModel) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("cube.json", cube_on_floor().dump());
+  const RunResult result = run_carom({"replay", file, "--format", "json"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  const json record = json::parse(result.output);
+  // r = (1/2, −1/2, 0), J = I/2: K's normal entry is 1 + 1/2, so f = 2/(3/2) = 4/3 and v⁺ = −1 + 4/3.
+  EXPECT_EQ(record.at("truth").at("frictionless").at("a").at("velocity"), json({"-1", "1/3", "0"}));
+  EXPECT_EQ(record.at("truth").at("frictionless").at("impulse"), json({"0", "4/3", "0"}));
+  EXPECT_EQ(record.at("truth").at("frictionless").at("nearest").at("a").at("velocity"), json({-1.0, 1.0 / 3, 0.0}));
+  EXPECT_EQ(record.at("truth").at("reflection").at("b").at("velocity"), json({"0", "0", "0"}));
+  EXPECT_EQ(record.at("approach"), "colliding");
+}
+
+TEST(Replay, JudgesASubject) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("cube.json", cube_on_floor().dump(2));
+  const RunResult result = run_carom({"replay", file, "--subject", "frictionless-double"});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("restitution            holds"), std::string::npos) << result.output;
+}
+
+TEST(Replay, ReadsArraysAndJsonLines) {
+  const TemporaryDirectory directory;
+  const json wrapped{{"collision", cube_on_floor()}};
+  for (const std::string& text : {json::array({cube_on_floor(), wrapped}).dump(2),
+                                  cube_on_floor().dump() + "\n" + wrapped.dump() + "\n\n"}) {
+    const RunResult result = run_carom({"replay", directory.write("two", text), "--format", "json"});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 2);
+  }
+}
+
+TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
+  const std::string good = cube_on_floor().dump();
+  const auto with = [](const char* pointer, const json& value) {
+    json changed = cube_on_floor();
+    changed[json::json_pointer(pointer)] = value;
+    return changed.dump();
+  };
+  const auto without = [](const char* body, const char* field) {
+    json changed = cube_on_floor();
+    changed.at(body).erase(field);
+    return changed.dump();
+  };
+  struct Malformed {
+    std::string text;
+    std::vector<std::string> said;
+  };
+  const std::vector<Malformed> table{
+      {"", {"empty"}},
+      {"  \n ", {"empty"}},
+      {"[]", {"no collision"}},
+      {"3", {"expected an object"}},
+      {"\"text\"", {"expected an object"}},
+      {good.substr(0, good.size() / 2), {"not JSON", "line 1"}},
+      {"{\n  \"a\": {,", {"not JSON", "line 2"}},
+      {with("/a/mass", -1), {"a.mass", "greater than 0"}},
+      {with("/a/mass", 0), {"a.mass", "greater than 0"}},
+      {with("/a/mass", "nan"), {"a.mass", "finite"}},
+      {with("/a/velocity/1", "-inf"), {"a.velocity[1]", "finite"}},
+      {with("/a/mass", "heavy"), {"/a/mass", "expected a number", "heavy"}},
+      {with("/a/mass", true), {"/a/mass", "expected a number", "true"}},
+      {with("/a/colour", "red"), {"/a/colour", "unknown field", "principal_inertia"}},
+      {with("/gravity", 9.81), {"/gravity", "unknown field"}},
+      {with("/b/mass", 2), {"/b/mass", "unknown field"}},
+      {with("/normal", {0, 1}), {"/normal", "array of 3"}},
+      {with("/normal", {0, 0, 0}), {"normal", "nonzero"}},
+      {with("/a/orientation", {0, 0, 0, 0}), {"a.orientation", "nonzero"}},
+      {with("/restitution", 1.5), {"restitution", "from 0 to 1"}},
+      {with("/b/immovable", "yes"), {"/b/immovable", "true or false"}},
+      {without("a", "velocity"), {"/a/velocity", "missing"}},
+      {R"({"a": 1, "a": 2})", {"\"a\"", "twice"}},
+      {R"({"a": {"mass": 1e999}})", {"not JSON"}},
+      {good + "\n" + with("/a/mass", -1) + "\n", {":2", "a.mass"}},
+      {good + "\n" + good.substr(0, 40) + "\n", {":2", "not JSON"}},
+      {"[" + good + "," + with("/a/mass", -1) + "]", {"element 1", "a.mass"}},
+      {R"({"collision": )" + good + R"(, "invariant": "no_such"})", {"/invariant", "no_such"}},
+      {R"({"collision": )" + good + R"(, "invariant": 3})", {"/invariant", "expected a string"}},
+      {R"({"collision": )" + good + R"(, "invariant": "push", "subject": 3})", {"/subject", "expected an object"}},
+      {R"({"collision": )" + good + R"(, "invariant": "push", "subject": {"name": "nobody"}})", {"nobody"}},
+  };
+  const TemporaryDirectory directory;
+  for (const Malformed& malformed : table) {
+    const std::string file = directory.write("input.json", malformed.text);
+    const RunResult result = run_carom({"replay", file});
+    EXPECT_EQ(result.exit_status, 2) << malformed.text << result.output;
+    for (const std::string& said : malformed.said) {
+      EXPECT_NE(result.errors.find(said), std::string::npos) << "not said: " << said << "\nin: " << result.errors;
+    }
+  }
+  EXPECT_NE(run_carom({"replay", directory.write("input.json", "{")}).errors.find("input.json"), std::string::npos);
+  EXPECT_NE(run_carom({"replay", "no/such/file"}).errors.find("no/such/file"), std::string::npos);
+  EXPECT_EQ(run_carom({"replay", directory.path().string()}).exit_status, 2);
+}
+
+TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
+  const TemporaryDirectory directory;
+  json collision = cube_on_floor();
+  collision["restitution"] = 2;
+  const json witness{{"collision", collision},
+                     {"invariant", "invalid_refused"},
+                     {"subject", {{"name", "frictionless-double"}}}};
+  const RunResult result = run_carom({"replay", directory.write("witness.json", witness.dump())});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
+}
+
+}  // namespace
+}  // namespace carom::tests

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <carom/properties/families/family.hpp>
+
+/// The collisions that the tests draw. Fixed seeds: a failure comes again.
+namespace carom::unit {
+
+inline constexpr std::uint64_t seed = 20240607;
+
+/// The case of a family. Precondition: there is such a family.
+[[nodiscard]] inline properties::Case case_of(std::string_view family, std::uint64_t index) {
+  properties::Stream stream = properties::case_stream(seed, family, index);
+  return properties::family_named(family)->generate(stream);
+}
+
+/// Cases of each family but `invalid`, with the family's name.
+[[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> valid_cases(std::uint64_t of_each) {
+  std::vector<std::pair<std::string_view, properties::Case>> cases;
+  for (const properties::Family& family : properties::all_families()) {
+    for (std::uint64_t i = 0; i < of_each && family.name != "invalid"; ++i) {
+      cases.emplace_back(family.name, case_of(family.name, i));
+    }
+  }
+  return cases;
+}
+
+/// k/8 with |k| ≤ most.
+[[nodiscard]] inline double eighths(properties::Stream& stream, int most) { return stream.integer(-most, most) / 8.0; }
+
+[[nodiscard]] inline Vector3<double> eighths3(properties::Stream& stream, int most) {
+  const double x = eighths(stream, most);
+  const double y = eighths(stream, most);
+  const double z = eighths(stream, most);
+  return {x, y, z};
+}
+
+/// A valid collision of small dyadic numbers k/8, where zeros and equal numbers are common; A is movable, B mostly. The
+/// normal points so that the contact does not separate: colliding, or resting once in a while.
+[[nodiscard]] inline Collision small_collision(properties::Stream& stream) {
+  Collision c;
+  for (Body* body : {&c.a, &c.b}) {
+    body->mass = stream.integer(1, 32) / 8.0;
+    for (int i = 0; i < 3; ++i) {
+      body->principal_inertia[i] = stream.integer(1, 32) / 8.0;
+    }
+    for (int i = 0; i < 4; ++i) {
+      body->orientation[i] = eighths(stream, 8);
+    }
+    if ((body->orientation.array() == 0).all()) {
+      body->orientation[0] = 1;
+    }
+    body->position = eighths3(stream, 16);
+    body->velocity = eighths3(stream, 16);
+    body->angular_velocity = eighths3(stream, 16);
+  }
+  c.b.immovable = stream.chance(4);
+  c.point = eighths3(stream, 16);
+  c.normal = eighths3(stream, 8);
+  if ((c.normal.array() == 0).all()) {
+    c.normal[1] = 1;
+  }
+  c.restitution = stream.integer(0, 8) / 8.0;
+  // Exact, since all of these have few bits.
+  const Vector3<double> arm_a = c.point - c.a.position;
+  const Vector3<double> arm_b = c.point - c.b.position;
+  const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
+    return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  };
+  const Vector3<double> v = c.a.velocity + cross(c.a.angular_velocity, arm_a) -
+                            (c.b.velocity + cross(c.b.angular_velocity, arm_b));
+  if (c.normal.dot(v) > 0) {
+    c.normal = -c.normal;
+  }
+  return c;
+}
+
+[[nodiscard]] inline bool same_bits(double x, double y) {
+  return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+}
+
+}  // namespace carom::unit

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
+
+#include "cases.hpp"
+
+namespace carom::impulse {
+namespace {
+
+/// Whether `scaled` is the vector times one power of two, with the largest component in [1/2, 1).
+void expect_scaled_by_power_of_two(const Vector3<double>& vector, const Vector3<double>& scaled) {
+  const double largest = scaled.cwiseAbs().maxCoeff();
+  EXPECT_GE(largest, 0.5);
+  EXPECT_LT(largest, 1);
+  int from = 0;
+  int to = 0;
+  std::frexp(vector.cwiseAbs().maxCoeff(), &from);
+  std::frexp(largest, &to);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(unit::same_bits(std::ldexp(scaled[i], from - to), vector[i])) << vector.transpose();
+  }
+}
+
+TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
+  properties::Stream stream = properties::stream_from(1);
+  for (int i = 0; i < 2000; ++i) {
+    Vector3<double> vector = stream.direction();
+    // Components up to 2^60 apart, so that the smallest stays a normal number on both sides.
+    vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
+    vector *= std::ldexp(1.0, stream.integer(-900, 1000));
+    expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
+  }
+}
+
+TEST(WithoutExtremeLength, BringsTheEndsOfTheRangeIntoTheMiddle) {
+  using Limits = std::numeric_limits<double>;
+  for (const double x : {Limits::max(), Limits::min(), Limits::denorm_min(), 3 * Limits::denorm_min(), 0.5, 1.0}) {
+    expect_scaled_by_power_of_two({x, -x, 0}, without_extreme_length<double>(Vector3<double>{x, -x, 0}));
+  }
+}
+
+TEST(WithoutExtremeLength, LeavesNoSquareToOverflowInFloat) {
+  for (const double x : {1e300, 1e30, 1e-30, 1e-300}) {
+    const Vector3<float> scaled = without_extreme_length<float>(Vector3<double>{x, 2 * x, -x});
+    const float squared = scaled.dot(scaled);
+    // Each component is at most 1, and the largest at least 1/2.
+    EXPECT_GE(squared, 0.25F);
+    EXPECT_LE(squared, 3.0F);
+    EXPECT_EQ(scaled[1], 2 * scaled[0]);
+    EXPECT_EQ(scaled[2], -scaled[0]);
+  }
+}
+
+TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Collision c = unit::case_of("driven_wall", 0).collision;
+  Body& wall = c.a.immovable ? c.a : c.b;
+  wall.mass = nan;
+  wall.principal_inertia.setConstant(nan);
+  wall.orientation.setConstant(nan);
+  const Contact<double> contact = make_contact<double>(c);
+  const ContactBody<double>& body = c.a.immovable ? contact.a : contact.b;
+  EXPECT_EQ(body.inverse_mass, 0);
+  EXPECT_EQ(body.inverse_inertia, Matrix3<double>(Matrix3<double>::Zero()));
+  const Outcome<double> outcome = reflection<Ldlt>(contact);
+  EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
+}
+
+template <class S>
+void expect_unchanged_bit_for_bit(const Contact<S>& contact, const Outcome<S>& outcome, const std::string& what) {
+  const Outcome<S> before = unchanged(contact);
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      const S x = (*vectors(before)[k])[i];
+      const S y = (*vectors(outcome)[k])[i];
+      EXPECT_TRUE(x == y && std::signbit(x) == std::signbit(y)) << what << ": " << x << " became " << y;
+    }
+  }
+}
+
+template <class S>
+void expect_all_leave_unchanged(const Collision& collision, const std::string& what) {
+  const Contact<S> contact = make_contact<S>(collision);
+  expect_unchanged_bit_for_bit(contact, frictionless(contact), what + ", frictionless");
+  expect_unchanged_bit_for_bit(contact, reflection<Ldlt>(contact), what + ", reflection by LDLT");
+  expect_unchanged_bit_for_bit(contact, reflection<EigenLlt>(contact), what + ", reflection by LLT");
+  expect_unchanged_bit_for_bit(contact, reflection<Adjugate>(contact), what + ", reflection by the adjugate");
+}
+
+/// Resting contacts do not spin there, so N·V is n0·(−n1 s) + n1·(n0 s): the products are rounded alike and cancel.
+TEST(Solvers, LeaveSeparatingRestingAndInertContactsUnchangedBitForBit) {
+  for (const char* family : {"separating", "resting", "both_immovable"}) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const Collision collision = unit::case_of(family, i).collision;
+      const std::string what = std::string(family) + ' ' + std::to_string(i);
+      expect_all_leave_unchanged<float>(collision, what);
+      expect_all_leave_unchanged<double>(collision, what);
+      expect_all_leave_unchanged<long double>(collision, what);
+    }
+  }
+}
+
+TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
+  Collision c;
+  c.a.velocity = {-0.0, 0.0, -0.0};
+  c.b.angular_velocity = {-0.0, -0.0, 0.0};
+  expect_all_leave_unchanged<double>(c, "at rest");
+}
+
+TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
+  Collision c;
+  c.a.immovable = true;
+  c.b.immovable = true;
+  c.a.velocity = {0, -1, 0};
+  c.b.velocity = {0.1, 1, 0};
+  expect_all_leave_unchanged<double>(c, "two driven walls");
+  const Contact<double> contact = make_contact<double>(c);
+  expect_unchanged_bit_for_bit(contact, reflection_in_basis(contact), "in the basis");
+}
+
+TEST(Solvers, ChangeACollidingContact) {
+  // The unchanged tests above can fail: the same solvers do act where the contact collides.
+  const Contact<double> contact = make_contact<double>(unit::case_of("elastic", 0).collision);
+  ASSERT_LT(contact.normal.dot(relative_velocity(contact)), 0);
+  EXPECT_NE(frictionless(contact).a.velocity, contact.a.velocity);
+  EXPECT_NE(reflection<Ldlt>(contact).a.velocity, contact.a.velocity);
+}
+
+/// The bodies of the smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), a fixed plane below.
+Contact<double> box_on_plane(double tangential_velocity) {
+  Collision c;
+  c.a.principal_inertia.setConstant(1.0 / 6);
+  c.a.position = {-0.5, 0.5, 0};
+  c.a.velocity = {tangential_velocity, -1, 0};
+  c.b.immovable = true;
+  return make_contact<double>(c);
+}
+
+/// Head-on the outcome is frictionless, F = (0, 4/5, 0); with any tangential velocity it is F = (−3/4, 5/4, 0): the two
+/// differ by ‖(3/4, −9/20)‖ = 0.87, more than the impulse of the first.
+TEST(ReflectionInBasis, JumpsWhereTheTangentialVelocityVanishes) {
+  const double slight = std::ldexp(1.0, -40);
+  const Vector3<double> head_on = reflection_in_basis(box_on_plane(0)).a.velocity;
+  const Vector3<double> oblique = reflection_in_basis(box_on_plane(slight)).a.velocity;
+  EXPECT_GT((oblique - head_on).norm(), 0.8);
+}
+
+TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
+  const double slight = std::ldexp(1.0, -40);
+  const Vector3<double> head_on = reflection<Ldlt>(box_on_plane(0)).a.velocity;
+  const Vector3<double> oblique = reflection<Ldlt>(box_on_plane(slight)).a.velocity;
+  // F depends on N·V alone and is the same; adding v_t to a number below 1 rounds by at most 2^-53.
+  EXPECT_LE((oblique - head_on).norm(), slight * 2);
+  EXPECT_GT(oblique[0], head_on[0]);
+}
+
+TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Contact<double> contact = make_contact<double>(unit::case_of("generic", i).collision);
+    const Vector3<double> n = contact.normal.normalized();
+    const Vector3<double> v = relative_velocity(contact);
+    const double v_t = n.cross(v).norm();
+    if (v_t < v.norm() / 16) {
+      continue;
+    }
+    const Matrix3<double> basis = tangent_basis(contact);
+    // T0 is off by a few roundings of ‖V‖, relative to v_t ≥ ‖V‖/16: below 2^-53 · 8 · 16.
+    const double bound = std::ldexp(1.0, -46);
+    EXPECT_LE((basis.transpose() * basis - Matrix3<double>::Identity()).cwiseAbs().maxCoeff(), bound) << i;
+  }
+}
+
+TEST(TangentBasis, HasNoTangentsWhereThereIsNoTangentialVelocity) {
+  const Matrix3<double> basis = tangent_basis(box_on_plane(0));
+  EXPECT_EQ(basis.col(0), (Vector3<double>{0, 1, 0}));
+  EXPECT_EQ(basis.col(1), (Vector3<double>{0, 0, 0}));
+  EXPECT_EQ(basis.col(2), (Vector3<double>{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace carom::impulse
