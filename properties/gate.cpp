@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include <carom/properties/gate.hpp>
@@ -68,7 +69,9 @@ struct Tally {
         digits.push_back(static_cast<float>(judgement.accuracy->digits()));
       }
     }
+    bool any_violated = false;
     for (const NamedVerdict& named : judgement.verdicts) {
+      any_violated = any_violated || named.verdict.status == Status::violated;
       const std::string name(named.invariant->name);
       Count& count = result.counts[name];
       switch (named.verdict.status) {
@@ -83,6 +86,7 @@ struct Tally {
           keep_worst(result, name, {index, named.verdict.severity(), judged_case.generated()});
       }
     }
+    result.violated += any_violated ? 1 : 0;
   }
 
   static void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
@@ -103,6 +107,7 @@ struct Tally {
       const FamilyResult& from = other.families[f];
       into.cases += from.cases;
       into.skipped += from.skipped;
+      into.violated += from.violated;
       into.worst_backward_error = std::max(into.worst_backward_error, from.worst_backward_error);
       for (const auto& [name, count] : from.counts) {
         into.counts[name].holds += count.holds;
@@ -119,6 +124,16 @@ struct Tally {
     return *this;
   }
 };
+
+/// The answers of a session, one to each collision. Throws std::runtime_error where it gives more or fewer.
+std::vector<Answer> answers_of(Session& session, std::span<const Collision> collisions) {
+  std::vector<Answer> answers = session(collisions);
+  if (answers.size() != collisions.size()) {
+    throw std::runtime_error("the session gave " + std::to_string(answers.size()) + " answers to " +
+                             std::to_string(collisions.size()) + " collisions");
+  }
+  return answers;
+}
 
 std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
   std::vector<ExactAnswer> result;
@@ -138,7 +153,7 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
     collisions.push_back(one.generated().collision);
   }
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Answer> answers = session(collisions);
+  const std::vector<Answer> answers = answers_of(session, collisions);
   tally.nanoseconds += std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
   tally.solves += collisions.size();
 
@@ -148,7 +163,7 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
     trials.emplace_back(cases[i], claim, lift(answers[i]), shown_collision_matrix(subject, cases[i]));
     questions.insert(questions.end(), trials.back().questions().begin(), trials.back().questions().end());
   }
-  const std::vector<ExactAnswer> replies = lifted(session(questions));
+  const std::vector<ExactAnswer> replies = lifted(answers_of(session, questions));
   std::span<const ExactAnswer> rest(replies);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t count = trials[i].questions().size();
@@ -224,7 +239,9 @@ class Worker {
 
 Judgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
   const JudgedCase judged_case(one);
-  const auto solve = [&](const Collision& collision) { return lift(session(std::span(&collision, 1)).at(0)); };
+  const auto solve = [&](const Collision& collision) {
+    return lift(answers_of(session, std::span(&collision, 1)).front());
+  };
   return try_case(judged_case, claim, solve, shown_collision_matrix(subject, judged_case));
 }
 
@@ -271,7 +288,7 @@ Witness make_witness(const SubjectResult& result, const Claim& claim, const Gate
     witness.shrunk.collision = shrink(worst.original.collision, fails, most_shrink_calls);
   }
   witness.verdict = single_verdict(judge_in_session(result.subject, only, session, witness.shrunk));
-  witness.answer = session(std::span(&witness.shrunk.collision, 1)).at(0);
+  witness.answer = answers_of(session, std::span(&witness.shrunk.collision, 1)).front();
   return witness;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -15,12 +17,9 @@ long complexity(double number) {
     return 0;
   }
   int exponent = 0;
-  double mantissa = std::frexp(std::abs(number), &exponent);
-  long bits = 0;
-  while (mantissa != 0) {
-    mantissa = mantissa * 2 - std::floor(mantissa * 2);
-    ++bits;
-  }
+  constexpr int mantissa_bits = 53;
+  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(number), &exponent), mantissa_bits));
+  const int bits = mantissa_bits - std::countr_zero(mantissa);
   return 3 * bits + std::abs(exponent - 1) + (number < 0 ? 1 : 0);
 }
 
@@ -71,7 +70,7 @@ class Candidates {
   void add(const Change& change) {
     Collision changed = collision_;
     change(changed);
-    if (properties::complexity(changed) < complexity_ && validate(changed).empty()) {
+    if (validate(changed).empty() && properties::complexity(changed) < complexity_) {
       found_.push_back(changed);
     }
   }
@@ -161,6 +160,11 @@ std::vector<Collision> simpler(const Collision& collision) {
       change_one([&](double x) { return rounded_to_bits(x, bits); });
     }
     change_one([](double x) { return std::round(x); });
+    change_one([](double x) {
+      int exponent = 0;
+      std::frexp(x, &exponent);
+      return std::ldexp(x, -exponent / 2);
+    });
     change_one([](double x) { return x / 2; });
     change_one([](double x) { return x * 2; });
   }

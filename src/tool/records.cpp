@@ -100,6 +100,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
     record["families"].push_back({{"family", options.families[f]->name},
                                   {"cases", family.cases},
                                   {"skipped", family.skipped},
+                                  {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});
   }

@@ -35,6 +35,19 @@ std::string digits_text(const SubjectResult& result) {
   return fmt::format("{:.1f} / {:.1f} / {:.1f}", *p50, *result.digits_at_least(0.99), *result.digits_at_least(1));
 }
 
+/// The families in which anything was violated, how often, and how far the outcomes are off.
+std::string families_text(const SubjectResult& result, const GateReport& report) {
+  std::string text;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const properties::FamilyResult& family = result.families[f];
+    if (family.violated > 0) {
+      text += fmt::format("{}{} {} % ({:.2g})", text.empty() ? "" : ", ", report.options.families[f]->name,
+                          (100 * family.violated + family.cases - 1) / family.cases, family.worst_backward_error);
+    }
+  }
+  return text;
+}
+
 std::string subject_line(const SubjectResult& result, const GateReport& report) {
   const auto worst = result.worst_backward_error(report.options);
   const std::size_t violated = result.violated_invariants().size();
@@ -55,7 +68,7 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   for (const std::string& name : result.violated_invariants()) {
     names += (names.empty() ? "" : ", ") + name;
   }
-  return names.empty() ? line : line + "    violated: " + names + '\n';
+  return names.empty() ? line : line + "    violated: " + names + "\n    in: " + families_text(result, report) + '\n';
 }
 
 std::string subject_table(const GateRun& run, bool counts) {

@@ -28,7 +28,8 @@ Matrix cross_matrix(const Vector& r) {
 
 /// Orthogonal to the vector, of about its length.
 Vector beside(const Vector& vector) {
-  return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1]) : Vector(-vector[1], vector[0], 0);
+  return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1])
+                                                   : Vector(-vector[1], vector[0], 0);
 }
 
 class Solver {
@@ -53,9 +54,7 @@ class Solver {
     return map_outcome<long double>(answered(collision), [](double x) { return static_cast<long double>(x); });
   }
 
-  [[nodiscard]] Matrix collision_matrix(const Collision& collision) const {
-    return collision_matrix(read(collision));
-  }
+  [[nodiscard]] Matrix collision_matrix(const Collision& collision) const { return collision_matrix(read(collision)); }
 
  private:
   [[nodiscard]] bool has(Defect defect) const { return defect_ == defect; }
@@ -93,8 +92,7 @@ class Solver {
       result.inverse_inertia *= q.squaredNorm() * q.squaredNorm();
     }
     if (has(Defect::quaternion_order)) {
-      result.inverse_inertia =
-          impulse::world_inverse_inertia<double>(body.principal_inertia, {q[3], q[0], q[1], q[2]});
+      result.inverse_inertia = impulse::world_inverse_inertia<double>(body.principal_inertia, {q[3], q[0], q[1], q[2]});
     }
     if (has(Defect::spin_in_body_frame)) {
       result.angular_velocity = impulse::rotation_matrix(q) * body.angular_velocity;

@@ -35,8 +35,8 @@ TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
       rejecting_invariants(subject_of(mutant), properties::all_families(), seed, cases);
   RecordProperty("rejected_by", joined(rejecting));
   for (const std::string_view expected : mutant.rejected_by) {
-    EXPECT_TRUE(rejecting.contains(expected)) << expected << " does not reject this defect: " << mutant.sentence
-                                              << "; rejected by: " << joined(rejecting);
+    EXPECT_TRUE(rejecting.contains(expected))
+        << expected << " does not reject this defect: " << mutant.sentence << "; rejected by: " << joined(rejecting);
   }
 }
 

@@ -17,8 +17,8 @@ std::set<std::string_view> rejecting_invariants(const Subject& subject, std::spa
     for (std::uint64_t index = 0; index < cases; ++index) {
       properties::Stream stream = properties::case_stream(seed, family.name, index);
       const properties::JudgedCase judged_case(family.generate(stream));
-      const properties::Judgement judgement = properties::try_case(
-          judged_case, claim, solve, properties::shown_collision_matrix(subject, judged_case));
+      const properties::Judgement judgement =
+          properties::try_case(judged_case, claim, solve, properties::shown_collision_matrix(subject, judged_case));
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         if (named.verdict.status == properties::Status::violated) {
           rejecting.insert(named.invariant->name);

@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Witnesses, testing::Values("separating_pulled", "wr
 TEST(Witness, OfAPullIsSmall) {
   const GateReport report = run_gate({subject_of(mutant_named("separating_pulled"))}, options_with({"separating"}));
   const auto& witnesses = report.results.at(0).witnesses;
-  const auto push = std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
+  const auto push =
+      std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
   ASSERT_NE(push, witnesses.end());
   // At the origin with r_A = r_B = 0, unit masses and one velocity, the simplest collisions cost less than this; a
   // general one costs thousands.

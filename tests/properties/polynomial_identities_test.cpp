@@ -16,18 +16,18 @@
 /// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
 /// The solver text uses + − × ÷ alone, so each entry of its outcome is a quotient of polynomials in the numbers of the
-/// collision, and each law, cleared of denominators, says that a polynomial p vanishes. One that is not zero, of degree d,
-/// vanishes at a point drawn uniformly from s values for each variable with probability at most d/s.
+/// collision, and each law, cleared of denominators, says that a polynomial p vanishes. One that is not zero, of degree
+/// d, vanishes at a point drawn uniformly from s values for each variable with probability at most d/s.
 ///
-/// The degree. With D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B (I: the product of the three moments), of degree 2·(1 + 4 + 3) = 16:
+/// The degree. With D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B (I: the product of the three moments), of degree 2·(1 + 4 + 3) =
+/// 16:
 ///   J⁻¹ is (degree 6) / (degree 7): entries R_ri R_ci / I_i with R of degree 2/2.
 ///   K = K̂ / D with K̂ of degree 17, from r·r J⁻¹ with (2 + 6) + (16 − 7).
-///   F = −(1+ε) (N·V⁻) D adj(K̂) N / ((N·N) det K̂): degree (1 + 3 + 16 + 34 + 1) / (2 + 51) = 55/53. The frictionless one,
-///   −(1+ε) (N·V⁻) D N / (N·K̂N), has less.
-///   Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
-/// The longest law is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124, and over the denominator that both
-/// bodies share, ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 + 4) = 144, it has
-/// degree 149. The denominators of its other side divide that one. So d < 256 for every law.
+///   F = −(1+ε) (N·V⁻) D adj(K̂) N / ((N·N) det K̂): degree (1 + 3 + 16 + 34 + 1) / (2 + 51) = 55/53. The frictionless
+///   one, −(1+ε) (N·V⁻) D N / (N·K̂N), has less. Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
+/// The longest law is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124, and over the denominator that
+/// both bodies share, ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 + 4) =
+/// 144, it has degree 149. The denominators of its other side divide that one. So d < 256 for every law.
 ///
 /// The answer depends on the sign of N·V⁻, so N is turned around where the contact does not approach: p(x) or p(x with
 /// −N), and their product is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points the
@@ -45,9 +45,7 @@ constexpr int points = 4;
 constexpr std::uint64_t seed = 20240301;
 
 /// Uniform in the 2³² integers from `lowest` on.
-Rational uniform(Stream& stream, double lowest) {
-  return Rational(lowest + static_cast<double>(stream.bits() >> 32U));
-}
+Rational uniform(Stream& stream, double lowest) { return Rational(lowest + static_cast<double>(stream.bits() >> 32U)); }
 
 /// Restitution is any integer: the identities do not ask that it be in [0, 1]. Masses and moments are positive.
 RationalCollision random_point(Stream& stream) {
@@ -85,8 +83,8 @@ Rational energy_gain(const RationalCollision& c, Model model) {
   return change / 2 * Vector(Rational(2) * v + change * n).dot(in_response);
 }
 
-/// The name of a law that the solver's outcome does not satisfy at one of the points; nothing where all are identities. A
-/// solver that does not act satisfies most of them, and is named as well.
+/// The name of a law that the solver's outcome does not satisfy at one of the points; nothing where all are identities.
+/// A solver that does not act satisfies most of them, and is named as well.
 std::optional<std::string> false_identity(Solver solver, Model model) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

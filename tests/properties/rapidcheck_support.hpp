@@ -26,8 +26,8 @@ namespace carom::properties {
 inline void showValue(const Case& one, std::ostream& out) { out << collision_to_json(one.collision).dump(); }
 
 /// The cases of a family. RapidCheck supplies one integer, which with the family's name starts the stream, so that
-/// families differ under one seed. A case shrinks as the gate's witnesses do, to small dyadic numbers; an invalid one is
-/// as small as its family makes it.
+/// families differ under one seed. A case shrinks as the gate's witnesses do, to small dyadic numbers; an invalid one
+/// is as small as its family makes it.
 [[nodiscard]] inline rc::Gen<Case> cases_of(const Family& family) {
   const auto shrinks = [](const Case& one) {
     std::vector<Case> simpler_cases;
@@ -58,8 +58,8 @@ inline constexpr std::uint64_t fixed_seed = 20240229;
   return given == nullptr ? defaults.testParams : rc::detail::configFromString(given, defaults).testParams;
 }
 
-/// Reports nothing as it goes. RapidCheck's own listener would first load its configuration and print a seed that is not
-/// the one in use.
+/// Reports nothing as it goes. RapidCheck's own listener would first load its configuration and print a seed that is
+/// not the one in use.
 class SilentListener : public rc::detail::TestListener {
  public:
   void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
@@ -71,8 +71,9 @@ class SilentListener : public rc::detail::TestListener {
 template <class Property>
 [[nodiscard]] std::optional<std::string> counterexample(const rc::detail::TestParams& parameters, Property&& property) {
   SilentListener listener;
-  const auto result = rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, parameters,
-                                                listener, std::unordered_map<std::string, rc::detail::Reproduce>{});
+  const auto result =
+      rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, parameters, listener,
+                                std::unordered_map<std::string, rc::detail::Reproduce>{});
   if (result.template is<rc::detail::SuccessResult>()) {
     return std::nullopt;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rapidcheck_support.hpp"
+
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include "rapidcheck_support.hpp"
 
 /// The tools that the property tests rest on.
 namespace carom::properties {

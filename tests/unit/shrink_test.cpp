@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/shrink.hpp>
@@ -39,20 +41,29 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
+/// Doubling or rounding up the largest numbers leaves binary64: such candidates are no candidates. In a process of its own,
+/// since a number that is not finite once kept `complexity` from ever ending.
+void simplify_at_the_ends(double x) {
+  constexpr unsigned seconds_until_it_counts_as_endless = 20;
+  alarm(seconds_until_it_counts_as_endless);
+  Collision c;
+  c.a.mass = x;
+  c.a.principal_inertia.setConstant(x);
+  c.a.position = {x, -x, x};
+  c.b.velocity = {-x, x, x};
+  c.normal = {x, x, x};
+  const std::vector<Collision> candidates = simpler(c);
+  bool all_valid = !candidates.empty();
+  for (const Collision& candidate : candidates) {
+    all_valid = all_valid && validate(candidate).empty();
+  }
+  std::exit(all_valid ? 0 : 1);
+}
+
 TEST(Simpler, StaysValidAtTheEndsOfBinary64) {
   using Limits = std::numeric_limits<double>;
-  for (const double x : {Limits::max(), Limits::min(), Limits::denorm_min()}) {
-    Collision c;
-    c.a.mass = x;
-    c.a.principal_inertia.setConstant(x);
-    c.a.position = {x, -x, x};
-    c.b.velocity = {-x, x, x};
-    c.normal = {x, x, x};
-    const std::vector<Collision> candidates = simpler(c);
-    EXPECT_FALSE(candidates.empty());
-    for (const Collision& candidate : candidates) {
-      EXPECT_EQ(describe(validate(candidate)), "") << x;
-    }
+  for (const double x : {Limits::max(), Limits::max() / 2, Limits::min(), Limits::denorm_min()}) {
+    EXPECT_EXIT(simplify_at_the_ends(x), testing::ExitedWithCode(0), "") << x;
   }
 }
 
