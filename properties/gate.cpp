@@ -54,8 +54,7 @@ struct Tally {
   std::string error;
   std::vector<FamilyResult> families;
   std::vector<float> digits;
-  double nanoseconds = 0;
-  std::uint64_t solves = 0;
+  std::vector<double> nanoseconds_per_solve;  // of each task
 
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Judgement& judgement,
            const Claim& claim) {
@@ -119,8 +118,8 @@ struct Tally {
       }
     }
     digits.insert(digits.end(), other.digits.begin(), other.digits.end());
-    nanoseconds += other.nanoseconds;
-    solves += other.solves;
+    nanoseconds_per_solve.insert(nanoseconds_per_solve.end(), other.nanoseconds_per_solve.begin(),
+                                 other.nanoseconds_per_solve.end());
     return *this;
   }
 };
@@ -154,8 +153,8 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   }
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Answer> answers = answers_of(session, collisions);
-  tally.nanoseconds += std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-  tally.solves += collisions.size();
+  const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+  tally.nanoseconds_per_solve.push_back(elapsed.count() / static_cast<double>(collisions.size()));
 
   std::vector<Trial> trials;
   std::vector<Collision> questions;
@@ -416,8 +415,11 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     }
     std::sort(tally.digits.begin(), tally.digits.end());
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}};
-    if (tally.solves > 0) {
-      result.nanoseconds_per_solve = tally.nanoseconds / static_cast<double>(tally.solves);
+    if (std::vector<double>& times = tally.nanoseconds_per_solve; !times.empty()) {
+      // The median: other programs disturb single batches by far more than solvers differ.
+      const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+      std::nth_element(times.begin(), middle, times.end());
+      result.nanoseconds_per_solve = *middle;
     }
     for (const std::string& invariant : result.violated_invariants()) {
       result.witnesses.push_back({invariant, {}, 0, {}, {}, {}, Skipped{}});

@@ -56,6 +56,7 @@ struct WorstViolation {
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
+  std::uint64_t violated = 0;                   // cases that violated any invariant
   double worst_backward_error = 0;              // ulps
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
@@ -77,7 +78,7 @@ struct SubjectResult {
   std::string error;                   // why the subject could not be judged to the end; empty where it was
   std::vector<FamilyResult> families;  // as in the options
   std::vector<float> digits;           // of each colliding case that was answered, sorted
-  double nanoseconds_per_solve = 0;    // as seen by the gate, its own overhead included
+  double nanoseconds_per_solve = 0;    // median over the batches, as seen by the gate: its own overhead included
   std::vector<Witness> witnesses;      // one for each invariant violated
 
   [[nodiscard]] std::uint64_t cases() const;

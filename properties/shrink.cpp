@@ -11,10 +11,10 @@
 namespace carom::properties {
 namespace {
 
-/// 0 for 0; 1 for 1; else the bits of the odd part, the size of the exponent, and a little for the sign.
+/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign.
 long complexity(double number) {
   if (number == 0) {
-    return 0;
+    return std::signbit(number) ? 1 : 0;
   }
   int exponent = 0;
   constexpr int mantissa_bits = 53;
