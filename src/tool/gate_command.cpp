@@ -128,12 +128,10 @@ void make_directory(const std::string& out) {
 }
 
 void write_reports(const GateRun& run, const std::string& out) {
-  const fs::path witnesses = fs::path(out) / "witnesses";
   for (const properties::SubjectResult& result : run.report.results) {
     for (const properties::Witness& witness : result.witnesses) {
-      const fs::path path = witnesses / witness_file_name(result.subject, witness);
-      const std::string replay = fmt::format("carom replay {} --subject {}", path.string(), result.subject.name);
-      write_file(path, witness_record(witness, result.subject, run.report.options, replay).dump(2) + '\n');
+      const fs::path path = witness_path(out, result.subject, witness);
+      write_file(path, witness_record(witness, result.subject, run.report.options, path).dump(2) + '\n');
     }
   }
   write_file(fs::path(out) / "report.json", report_record(run).dump(2) + '\n');

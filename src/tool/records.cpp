@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -51,6 +53,23 @@ json coverage_record(const properties::Coverage& coverage) {
 
 json count_record(const properties::Count& count) {
   return {{"holds", count.holds}, {"violated", count.violated}, {"skipped", count.skipped}};
+}
+
+/// Whether a shell leaves the character as it is.
+bool is_plain(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+         std::string_view("-._/").find(letter) != std::string_view::npos;
+}
+
+std::string shell_quoted(const std::string& word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
+    return word;
+  }
+  std::string quoted = "'";
+  for (const char letter : word) {
+    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  }
+  return quoted + '\'';
 }
 
 json yardstick_record(const oracles::Yardstick& yardstick) {
@@ -110,7 +129,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
                                     {"count", result.count(witness.invariant).violated},
                                     {"family", witness.family},
                                     {"case", witness.index},
-                                    {"witness", "witnesses/" + witness_file_name(result.subject, witness)}});
+                                    {"witness", witness_path({}, result.subject, witness).string()}});
   }
   return record;
 }
@@ -164,7 +183,7 @@ json verdict_record(const properties::Verdict& verdict) {
 }
 
 json witness_record(const properties::Witness& witness, const Subject& subject, const properties::GateOptions& options,
-                    const std::string& replay_command) {
+                    const std::filesystem::path& witness_file) {
   const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
   json record{{"subject", subject_facts(subject)},
               {"invariant", witness.invariant},
@@ -179,7 +198,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
               {"drawn", collision_to_json(witness.original.collision)},
               {"outcome", answer_record(witness.answer)},
               {"verdict", verdict_record(witness.verdict)},
-              {"replay", replay_command}};
+              {"replay", replay_command(witness_file, subject)}};
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {
     record["truth"] = json::object();
@@ -236,14 +255,17 @@ json report_record(const GateRun& run) {
   return record;
 }
 
-std::string witness_file_name(const Subject& subject, const properties::Witness& witness) {
+std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                   const properties::Witness& witness) {
   std::string name = subject.name + '.' + witness.invariant;
   for (char& letter : name) {
-    const bool is_plain =
-        std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.' || letter == '_';
-    letter = is_plain ? letter : '_';
+    letter = is_plain(letter) && letter != '/' ? letter : '_';
   }
-  return name + ".json";
+  return directory / "witnesses" / (name + ".json");
+}
+
+std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject) {
+  return fmt::format("carom replay {} --subject {}", shell_quoted(witness_file.string()), shell_quoted(subject.name));
 }
 
 }  // namespace carom::tool

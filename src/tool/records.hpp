@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,9 +25,10 @@ namespace carom::tool {
 /// "holds", "violated" or "skipped", with both sides of the formula where violated.
 [[nodiscard]] nlohmann::json verdict_record(const properties::Verdict& verdict);
 
-/// A witness as one file. `replay_command` replays it.
+/// A witness as one file.
 [[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
-                                            const properties::GateOptions& options, const std::string& replay_command);
+                                            const properties::GateOptions& options,
+                                            const std::filesystem::path& witness_file);
 
 /// report.json. `counts` says of each subject whether it counts towards the exit status.
 struct GateRun {
@@ -38,7 +41,11 @@ struct GateRun {
 
 [[nodiscard]] nlohmann::json report_record(const GateRun& run);
 
-/// The name of a witness's file in witnesses/.
-[[nodiscard]] std::string witness_file_name(const Subject& subject, const properties::Witness& witness);
+/// Where a witness is written: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
+[[nodiscard]] std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                                 const properties::Witness& witness);
+
+/// What to type in a POSIX shell to replay the witness in that file.
+[[nodiscard]] std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject);
 
 }  // namespace carom::tool

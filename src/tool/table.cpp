@@ -104,7 +104,8 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
   }
   text += '\n';
   if (!out_directory.empty()) {
-    text += fmt::format("  carom replay {}/witnesses/{}\n", out_directory, witness_file_name(result.subject, witness));
+    const auto file = witness_path(out_directory, result.subject, witness);
+    text += "  " + replay_command(file, result.subject) + '\n';
   }
   return text;
 }
