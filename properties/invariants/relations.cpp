@@ -155,10 +155,11 @@ Vector3<S> mirrored_axial(Vector3<S> v) {
   return v;
 }
 
-/// Changes of the units of mass, length and time by powers of two: exact.
+/// Changes of the units of mass, length and time by powers of two: exact. Chosen so that the unit of nothing that a solver
+/// computes with stays as it is, as that of impulse would with 2⁵, 2⁻³ and 2².
 constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
-constexpr int time_exponent = 2;
+constexpr int time_exponent = 1;
 
 template <class T>
 T times_power_of_two(const T& number, int exponent) {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/rational.hpp>
+
+#include "exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using Limits = std::numeric_limits<double>;
+using LongLimits = std::numeric_limits<long double>;
+
+/// p · 2^exponent, by GMP alone.
+Rational scaled(const Rational& p, int exponent) {
+  Rational result;
+  if (exponent < 0) {
+    mpq_div_2exp(result.mpq(), p.mpq(), static_cast<mp_bitcnt_t>(-exponent));
+  } else {
+    mpq_mul_2exp(result.mpq(), p.mpq(), static_cast<mp_bitcnt_t>(exponent));
+  }
+  return result;
+}
+
+Rational integer(const char* digits) { return Rational(digits); }
+
+TEST(Lift, IsExactForDoubles) {
+  EXPECT_EQ(lift(0.0L), 0);
+  EXPECT_EQ(lift(-0.0L), 0);
+  EXPECT_EQ(lift(1.5L), ratio(3, 2));
+  EXPECT_EQ(lift(-0.375L), ratio(-3, 8));
+  EXPECT_EQ(lift(0.1), scaled(integer("3602879701896397"), -55));
+  EXPECT_EQ(lift(Limits::denorm_min()), scaled(1, -1074));
+  EXPECT_EQ(lift(Limits::max()), scaled(integer("9007199254740991"), 971));
+}
+
+TEST(Lift, IsExactForExtendedNumbers) {
+  if (LongLimits::digits != 64) {
+    GTEST_SKIP() << "long double is not the 64-bit extended format here";
+  }
+  EXPECT_EQ(lift(1 + LongLimits::epsilon()), 1 + scaled(1, -63));
+  EXPECT_EQ(lift(1 - LongLimits::epsilon() / 2), 1 - scaled(1, -64));
+  EXPECT_EQ(lift(LongLimits::max()), scaled(integer("18446744073709551615"), 16320));
+  EXPECT_EQ(lift(-LongLimits::max()), -scaled(integer("18446744073709551615"), 16320));
+  EXPECT_EQ(lift(LongLimits::min()), scaled(1, -16382));
+  EXPECT_EQ(lift(LongLimits::denorm_min()), scaled(1, -16445));
+  EXPECT_EQ(lift(3 * LongLimits::denorm_min()), scaled(3, -16445));
+  // The largest subnormal: 63 ones.
+  EXPECT_EQ(lift(LongLimits::min() - LongLimits::denorm_min()), scaled(integer("9223372036854775807"), -16445));
+  // 64 bits whose leading 53 round up.
+  EXPECT_EQ(lift(std::ldexp(18446744073709551614.0L, 100)), scaled(integer("18446744073709551614"), 100));
+}
+
+TEST(Lift, IsExactForRandomBitsAndExponents) {
+  properties::Stream stream = properties::stream_from(21);
+  for (int i = 0; i < 5000; ++i) {
+    const std::uint64_t bits = stream.bits();
+    const int exponent = stream.integer(-16445, 16319);
+    // ldexp rounds where bits fall below the smallest subnormal: keep those that do not.
+    const long double number = std::ldexp(static_cast<long double>(bits), exponent);
+    if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
+      continue;
+    }
+    const Rational expected = scaled(integer(std::to_string(bits).c_str()), exponent);
+    EXPECT_EQ(lift(number), expected) << bits << " 2^" << exponent;
+    EXPECT_EQ(lift(-number), -expected);
+  }
+}
+
+TEST(Lift, TakesEveryNumberOfACollision) {
+  const Collision c = unit::case_of("generic", 4).collision;
+  const BasicCollision<Rational> lifted = lift(c);
+  for_each_number([](const FieldPath& path, const double& x, const Rational& y) {
+    EXPECT_EQ(Rational(x), y) << path.text();
+  }, c, lifted);
+}
+
+TEST(ToDouble, IsWithinOneUnitInTheLastPlace) {
+  properties::Stream stream = properties::stream_from(22);
+  for (int i = 0; i < 2000; ++i) {
+    const Rational exact = ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30));
+    const double rounded = to_double(exact);
+    EXPECT_LE(Rational(std::nextafter(rounded, 0)), exact);
+    EXPECT_GE(Rational(std::nextafter(rounded, Limits::infinity())), exact);
+  }
+}
+
+TEST(NearestDouble, IsExactForDoubles) {
+  properties::Stream stream = properties::stream_from(23);
+  for (int i = 0; i < 5000; ++i) {
+    const double x = std::ldexp(stream.signed_unit(), stream.integer(-1080, 1023));
+    EXPECT_EQ(nearest_double(Rational(x)), x);
+  }
+  for (const double x : {0.0, Limits::max(), -Limits::max(), Limits::denorm_min(), -Limits::min()}) {
+    EXPECT_EQ(nearest_double(Rational(x)), x);
+  }
+}
+
+/// The mean of two neighbours goes to the even one; a hair beside it to the nearer one.
+void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
+  const Rational half = (Rational(lower) + Rational(upper)) / 2;
+  const Rational hair = scaled(1, -1300);
+  EXPECT_EQ(nearest_double(half), lower_is_even ? lower : upper) << lower;
+  EXPECT_EQ(nearest_double(half - hair), lower) << lower;
+  EXPECT_EQ(nearest_double(half + hair), upper) << lower;
+  EXPECT_EQ(nearest_double(-half), lower_is_even ? -lower : -upper) << lower;
+}
+
+TEST(NearestDouble, BreaksTiesToEven) {
+  const double u = Limits::epsilon() / 2;
+  expect_ties_to_even(1, 1 + 2 * u, true);
+  expect_ties_to_even(1 + 2 * u, 1 + 4 * u, false);
+  expect_ties_to_even(1 - u, 1, false);
+  expect_ties_to_even(9007199254740992.0, 9007199254740994.0, true);    // 2^53 + 1
+  expect_ties_to_even(9007199254740994.0, 9007199254740996.0, false);   // 2^53 + 3
+}
+
+TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
+  const double least = Limits::denorm_min();
+  for (int k = 0; k < 20; ++k) {
+    expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0);
+  }
+  // The last subnormal number is odd, the first normal one even.
+  expect_ties_to_even(Limits::min() - least, Limits::min(), false);
+}
+
+TEST(NearestDouble, IsTheNearestOfTheNeighbours) {
+  properties::Stream stream = properties::stream_from(24);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational exact = scaled(ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)),
+                                  stream.integer(-1090, 900));
+    const double nearest = nearest_double(exact);
+    const Rational distance = CGAL::abs(exact - Rational(nearest));
+    for (const double to : {-Limits::infinity(), Limits::infinity()}) {
+      EXPECT_LE(distance, CGAL::abs(exact - Rational(std::nextafter(nearest, to))));
+    }
+  }
+}
+
+TEST(ToText, WritesLowestTerms) {
+  EXPECT_EQ(to_text(ratio(6, -4)), "-3/2");
+  EXPECT_EQ(to_text(Rational(7)), "7");
+  EXPECT_EQ(to_text(Rational(0)), "0");
+  EXPECT_EQ(to_text(Rational(0.1)), "3602879701896397/36028797018963968");
+}
+
+TEST(IsFinite, SeesEachComponent) {
+  ReportedOutcome outcome;
+  EXPECT_TRUE(is_finite(outcome));
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      for (const long double bad : {LongLimits::infinity(), -LongLimits::infinity(), LongLimits::quiet_NaN()}) {
+        ReportedOutcome spoiled = outcome;
+        (*vectors(spoiled)[k])[i] = bad;
+        EXPECT_FALSE(is_finite(spoiled)) << k << ' ' << i;
+      }
+    }
+  }
+  // Beyond binary64, but a number.
+  outcome.b.velocity[1] = LongLimits::max();
+  EXPECT_TRUE(is_finite(outcome));
+}
+
+}  // namespace
+}  // namespace carom::oracles
