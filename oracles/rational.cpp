@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 
@@ -54,8 +56,7 @@ double nearest_double(const Rational& number) {
   if (to_below != to_above) {
     return to_below < to_above ? below : above;
   }
-  int exponent = 0;
-  const bool below_is_even = std::fmod(std::ldexp(std::frexp(below, &exponent), 53), 2.0) == 0;
+  const bool below_is_even = (std::bit_cast<std::uint64_t>(below) & 1U) == 0;
   return below_is_even ? below : above;
 }
 

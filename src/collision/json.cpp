@@ -39,7 +39,9 @@ class ObjectReader {
   }
 
   [[nodiscard]] bool has(const char* name) {
-    asked_.emplace_back(name);
+    if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
+      asked_.emplace_back(name);
+    }
     return object_.contains(name);
   }
 
