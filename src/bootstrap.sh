@@ -5,7 +5,7 @@
 #   build     packages, then the program at build/carom
 #   gate      build, then `build/carom gate ARG…`
 #   test      build, then all tests
-#   sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
+#   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -66,7 +66,7 @@ test)
   ;;
 sanitize)
   install_packages
-  configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+  configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
   cmake --build build-sanitize --parallel "$jobs" >&2
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
   ;;

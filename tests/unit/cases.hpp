@@ -73,8 +73,8 @@ inline constexpr std::uint64_t seed = 20240607;
   const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
     return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
   };
-  const Vector3<double> v = c.a.velocity + cross(c.a.angular_velocity, arm_a) -
-                            (c.b.velocity + cross(c.b.angular_velocity, arm_b));
+  const Vector3<double> v =
+      c.a.velocity + cross(c.a.angular_velocity, arm_a) - (c.b.velocity + cross(c.b.angular_velocity, arm_b));
   if (c.normal.dot(v) > 0) {
     c.normal = -c.normal;
   }

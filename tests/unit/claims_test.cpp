@@ -11,11 +11,11 @@
 namespace carom {
 namespace {
 
-using unit::same;
 using unit::ExactMatrix;
 using unit::ExactVector;
-using unit::Rational;
 using unit::ratio;
+using unit::Rational;
+using unit::same;
 
 /// Two unit masses without spin, their centres on the normal, A coming down with velocity 1 on B at rest, ε = 1.
 BasicCollision<Rational> newtons_cradle() {
@@ -37,7 +37,7 @@ TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const Rational minus_epsilon = -c.restitution;
   EXPECT_NE(c.normal.dot(after.a.velocity), minus_epsilon * c.normal.dot(c.a.velocity));  // eq. 9
   EXPECT_NE(c.normal.dot(after.b.velocity), minus_epsilon * c.normal.dot(c.b.velocity));  // eq. 13
-  const auto sides = oracles::restitution(c, after);                                       // eq. 17
+  const auto sides = oracles::restitution(c, after);                                      // eq. 17
   EXPECT_EQ(sides.left[0], sides.right[0]);
 }
 

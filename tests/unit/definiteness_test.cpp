@@ -52,9 +52,8 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
         const bool definite = x > 0 && y > 0 && z > 0;
         const bool semidefinite = x >= 0 && y >= 0 && z >= 0;
         for (int i = 0; i < 30; ++i) {
-          const ExactMatrix d =
-              diagonal(x * ratio(stream.integer(1, 50), 9), y * ratio(stream.integer(1, 50), 7),
-                       z * ratio(stream.integer(1, 50), 1 << 20));
+          const ExactMatrix d = diagonal(x * ratio(stream.integer(1, 50), 9), y * ratio(stream.integer(1, 50), 7),
+                                         z * ratio(stream.integer(1, 50), 1 << 20));
           const ExactMatrix m = congruent_to(d, stream);
           EXPECT_EQ(is_positive_definite(m), definite) << unit::to_text(m);
           EXPECT_EQ(is_positive_semidefinite(m), semidefinite) << unit::to_text(m);

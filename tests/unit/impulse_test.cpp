@@ -13,12 +13,12 @@
 namespace carom::impulse {
 namespace {
 
-using unit::same;
 using unit::exact_contact;
 using unit::ExactMatrix;
 using unit::ExactVector;
-using unit::Rational;
 using unit::ratio;
+using unit::Rational;
+using unit::same;
 
 properties::Stream stream_of(std::uint64_t index) { return properties::stream_from(1000 + index); }
 
@@ -78,9 +78,8 @@ TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis
   for (std::uint64_t i = 0; i < 100; ++i) {
     properties::Stream stream = stream_of(i);
     const auto contact = exact_contact(unit::small_collision(stream));
-    const ExactMatrix basis = rotation_matrix(Quaternion<Rational>{1, unit::exact_eighths(stream, 16),
-                                                                   unit::exact_eighths(stream, 16),
-                                                                   unit::exact_eighths(stream, 16)});
+    const ExactMatrix basis = rotation_matrix(Quaternion<Rational>{
+        1, unit::exact_eighths(stream, 16), unit::exact_eighths(stream, 16), unit::exact_eighths(stream, 16)});
     EXPECT_TRUE(same(in_basis(collision_matrix(contact), basis), printed_collision_matrix(contact, basis))) << i;
   }
 }
@@ -160,9 +159,9 @@ Outcome<Rational> smallest_example(int restitution) {
 }
 
 TEST(Reflection, CreatesEnergyInTheSmallestExample) {
-  EXPECT_EQ(twice_energy({{-1, -1, 0}, {0, 0, 0}}), 2);             // E = 1 before
-  EXPECT_EQ(twice_energy(smallest_example(1).a), ratio(7, 2));      // 1.75 at ε = 1
-  EXPECT_EQ(twice_energy(smallest_example(0).a), ratio(17, 8));     // 1.0625 at ε = 0
+  EXPECT_EQ(twice_energy({{-1, -1, 0}, {0, 0, 0}}), 2);          // E = 1 before
+  EXPECT_EQ(twice_energy(smallest_example(1).a), ratio(7, 2));   // 1.75 at ε = 1
+  EXPECT_EQ(twice_energy(smallest_example(0).a), ratio(17, 8));  // 1.0625 at ε = 0
   EXPECT_TRUE(same(smallest_example(1).a.velocity, ExactVector(ratio(-7, 4), ratio(1, 4), 0)));
   EXPECT_TRUE(same(smallest_example(1).a.angular_velocity, ExactVector(0, 0, ratio(3, 2))));
 }

@@ -40,9 +40,9 @@ TEST(CollisionJson, RoundTripsEveryFamilyBitForBit) {
 
 TEST(CollisionJson, RoundTripsTheEndsOfBinary64) {
   using Limits = std::numeric_limits<double>;
-  for (const double x : {Limits::max(), Limits::min(), Limits::denorm_min(), -Limits::denorm_min(), -0.0, 0.1, 1e23,
-                         9007199254740993.0, 0x1.fffffffffffffp-1023, Limits::infinity(), -Limits::infinity(),
-                         Limits::quiet_NaN()}) {
+  for (const double x :
+       {Limits::max(), Limits::min(), Limits::denorm_min(), -Limits::denorm_min(), -0.0, 0.1, 1e23, 9007199254740993.0,
+        0x1.fffffffffffffp-1023, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
     Collision collision;
     collision.a.velocity = {x, 1, -x};
     collision.restitution = x;
@@ -124,9 +124,9 @@ std::string error_of(const Change& change, const std::string& place = {}) {
 }
 
 TEST(CollisionJson, NamesAMissingField) {
-  for (const char* field : {"/a/mass", "/a/principal_inertia", "/a/position", "/a/velocity", "/a/angular_velocity",
-                            "/b/position", "/b/velocity", "/b/angular_velocity", "/a", "/b", "/point", "/normal",
-                            "/restitution"}) {
+  for (const char* field :
+       {"/a/mass", "/a/principal_inertia", "/a/position", "/a/velocity", "/a/angular_velocity", "/b/position",
+        "/b/velocity", "/b/angular_velocity", "/a", "/b", "/point", "/normal", "/restitution"}) {
     const json::json_pointer pointer(field);
     EXPECT_EQ(error_of([&](json& r) { r.at(pointer.parent_pointer()).erase(pointer.back()); }),
               std::string(field) + ": is missing");
@@ -153,9 +153,13 @@ TEST(CollisionJson, NamesAFieldOfAnotherType) {
 
 TEST(CollisionJson, NamesAnArrayOfAnotherLength) {
   EXPECT_EQ(error_of([](json& r) { r["normal"] = {0, 1}; }), "/normal: expected an array of 3 numbers, found [0,1]");
-  EXPECT_EQ(error_of([](json& r) { r["a"]["orientation"] = {1, 0, 0}; }),
+  EXPECT_EQ(error_of([](json& r) {
+              r["a"]["orientation"] = {1, 0, 0};
+            }),
             "/a/orientation: expected an array of 4 numbers, found [1,0,0]");
-  EXPECT_EQ(error_of([](json& r) { r["b"]["velocity"] = {1, 0, 0, 0}; }),
+  EXPECT_EQ(error_of([](json& r) {
+              r["b"]["velocity"] = {1, 0, 0, 0};
+            }),
             "/b/velocity: expected an array of 3 numbers, found [1,0,0,0]");
 }
 

@@ -28,10 +28,14 @@ const std::vector<Rule>& rules() {
       {"src/collision/", "", true, {"carom/collision/", "Eigen/"}},
       {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/"}},
       {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
-      {"src/tool/", "", true,
+      {"src/tool/",
+       "",
+       true,
        {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/", "signal.h"}},
       {"oracles/", "", true, {"carom/collision/", "carom/oracles/", "CGAL/", "Eigen/"}},
-      {"properties/", "", true,
+      {"properties/",
+       "",
+       true,
        {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/", "rapidcheck", "rapidcheck/"}},
       {"", "", false, {"carom/tool/"}},
   };
@@ -50,7 +54,8 @@ const Rule& rule_for(const std::string& path) {
 }
 
 bool is_standard(const std::string& name) {
-  return std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
 bool is_allowed(const Rule& rule, const std::string& name) {
@@ -121,7 +126,8 @@ std::vector<std::string> licence_offences(const std::string& path, const std::st
   const bool right = std::any_of(licences.begin(), licences.end(), [&](const std::string& licence) {
     return line == comment + " SPDX-License-Identifier: " + licence;
   });
-  return right ? std::vector<std::string>{} : std::vector{path + ": does not begin with SPDX-License-Identifier: " + licences[0]};
+  return right ? std::vector<std::string>{}
+               : std::vector{path + ": does not begin with SPDX-License-Identifier: " + licences[0]};
 }
 
 std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-/// What the house of the design permits: which folder may include what, what stands at the top, which licence a file has.
+/// What the house of the design permits: which folder may include what, what stands at the top, which licence a file
+/// has.
 namespace carom::layout {
 
 /// The offences of one source file, "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to the top, with

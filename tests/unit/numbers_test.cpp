@@ -88,11 +88,9 @@ TEST(ForEachNumber, WalksSeveralCollisionsSideBySide) {
   const Collision from = unit::case_of("generic", 1).collision;
   Collision to;
   for_each_number([](const FieldPath&, const double& x, double& y) { y = x; }, from, to);
-  for_each_number(
-      [](const FieldPath& path, const double& x, const double& y) {
-        EXPECT_TRUE(unit::same_bits(x, y)) << path.text();
-      },
-      from, to);
+  for_each_number([](const FieldPath& path, const double& x,
+                     const double& y) { EXPECT_TRUE(unit::same_bits(x, y)) << path.text(); },
+                  from, to);
 }
 
 TEST(ForEachNumber, LetsTheFirstCollisionDecideWhatIsPassedOver) {
@@ -118,11 +116,9 @@ TEST(MapNumbers, ConvertsEveryNumberAndKeepsWhichBodiesAreImmovable) {
     const auto wide = map_numbers<long double>(c, [](double x) { return 3 * static_cast<long double>(x); });
     EXPECT_EQ(wide.a.immovable, c.a.immovable) << family;
     EXPECT_EQ(wide.b.immovable, c.b.immovable) << family;
-    for_each_number(
-        [](const FieldPath& path, const double& x, const long double& y) {
-          EXPECT_EQ(y, 3 * static_cast<long double>(x)) << path.text();
-        },
-        c, wide);
+    for_each_number([](const FieldPath& path, const double& x,
+                       const long double& y) { EXPECT_EQ(y, 3 * static_cast<long double>(x)) << path.text(); },
+                    c, wide);
   }
 }
 

@@ -74,9 +74,9 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
 TEST(Lift, TakesEveryNumberOfACollision) {
   const Collision c = unit::case_of("generic", 4).collision;
   const BasicCollision<Rational> lifted = lift(c);
-  for_each_number([](const FieldPath& path, const double& x, const Rational& y) {
-    EXPECT_EQ(Rational(x), y) << path.text();
-  }, c, lifted);
+  for_each_number(
+      [](const FieldPath& path, const double& x, const Rational& y) { EXPECT_EQ(Rational(x), y) << path.text(); }, c,
+      lifted);
 }
 
 TEST(ToDouble, IsWithinOneUnitInTheLastPlace) {
@@ -102,12 +102,13 @@ TEST(NearestDouble, IsExactForDoubles) {
 
 /// The mean of two neighbours goes to the even one; a hair beside it to the nearer one.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
+  SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;
   const Rational hair = scaled(1, -1300);
-  EXPECT_EQ(nearest_double(half), lower_is_even ? lower : upper) << lower;
-  EXPECT_EQ(nearest_double(half - hair), lower) << lower;
-  EXPECT_EQ(nearest_double(half + hair), upper) << lower;
-  EXPECT_EQ(nearest_double(-half), lower_is_even ? -lower : -upper) << lower;
+  ASSERT_EQ(nearest_double(half), lower_is_even ? lower : upper);
+  ASSERT_EQ(nearest_double(half - hair), lower);
+  ASSERT_EQ(nearest_double(half + hair), upper);
+  ASSERT_EQ(nearest_double(-half), lower_is_even ? -lower : -upper);
 }
 
 TEST(NearestDouble, BreaksTiesToEven) {
@@ -115,14 +116,14 @@ TEST(NearestDouble, BreaksTiesToEven) {
   expect_ties_to_even(1, 1 + 2 * u, true);
   expect_ties_to_even(1 + 2 * u, 1 + 4 * u, false);
   expect_ties_to_even(1 - u, 1, false);
-  expect_ties_to_even(9007199254740992.0, 9007199254740994.0, true);    // 2^53 + 1
-  expect_ties_to_even(9007199254740994.0, 9007199254740996.0, false);   // 2^53 + 3
+  expect_ties_to_even(9007199254740992.0, 9007199254740994.0, true);   // 2^53 + 1
+  expect_ties_to_even(9007199254740994.0, 9007199254740996.0, false);  // 2^53 + 3
 }
 
 TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
   const double least = Limits::denorm_min();
   for (int k = 0; k < 20; ++k) {
-    expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0);
+    ASSERT_NO_FATAL_FAILURE(expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0));
   }
   // The last subnormal number is odd, the first normal one even.
   expect_ties_to_even(Limits::min() - least, Limits::min(), false);
@@ -131,8 +132,8 @@ TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
 TEST(NearestDouble, IsTheNearestOfTheNeighbours) {
   properties::Stream stream = properties::stream_from(24);
   for (int i = 0; i < 3000; ++i) {
-    const Rational exact = scaled(ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)),
-                                  stream.integer(-1090, 900));
+    const Rational exact =
+        scaled(ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)), stream.integer(-1090, 900));
     const double nearest = nearest_double(exact);
     const Rational distance = CGAL::abs(exact - Rational(nearest));
     for (const double to : {-Limits::infinity(), Limits::infinity()}) {

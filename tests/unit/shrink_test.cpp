@@ -41,8 +41,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// Doubling or rounding up the largest numbers leaves binary64: such candidates are no candidates. In a process of its own,
-/// since a number that is not finite once kept `complexity` from ever ending.
+/// Doubling or rounding up the largest numbers leaves binary64: such candidates are no candidates. In a process of its
+/// own, since a number that is not finite once kept `complexity` from ever ending.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -133,7 +133,8 @@ TEST(Shrink, ReachesSmallDyadicNumbers) {
 }
 
 TEST(Shrink, GivesTheSimplestCollisionOfAllWhereEverythingFails) {
-  const Collision shrunk = shrink(unit::case_of("generic", 0).collision, [](const Collision&) { return true; }, ample);
+  const Collision shrunk = shrink(
+      unit::case_of("generic", 0).collision, [](const Collision&) { return true; }, ample);
   EXPECT_TRUE(shrunk.a.immovable && shrunk.b.immovable);
   int nonzero = 0;
   for_each_number([&](const FieldPath&, const double& number) { nonzero += number != 0 ? 1 : 0; }, shrunk);
@@ -142,12 +143,11 @@ TEST(Shrink, GivesTheSimplestCollisionOfAllWhereEverythingFails) {
 
 TEST(Shrink, KeepsACollisionThatNothingSimplerReplaces) {
   const Collision c = unit::case_of("generic", 3).collision;
-  const Collision shrunk = shrink(c, [](const Collision&) { return false; }, ample);
-  for_each_number(
-      [](const FieldPath& path, const double& x, const double& y) {
-        EXPECT_TRUE(unit::same_bits(x, y)) << path.text();
-      },
-      c, shrunk);
+  const Collision shrunk = shrink(
+      c, [](const Collision&) { return false; }, ample);
+  for_each_number([](const FieldPath& path, const double& x,
+                     const double& y) { EXPECT_TRUE(unit::same_bits(x, y)) << path.text(); },
+                  c, shrunk);
 }
 
 TEST(Shrink, CallsThePredicateNoMoreThanItMay) {

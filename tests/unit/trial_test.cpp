@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// A valid collision whose fields have exponents up to `most`, each its own.
+Case extreme_case(Stream& stream, int most) {
+  Case one = unit::case_of("physical", stream.bits() % 100);
+  const auto factor = [&] { return std::ldexp(1.0, stream.integer(-most, most)); };
+  for (Body* body : {&one.collision.a, &one.collision.b}) {
+    body->mass *= factor();
+    body->principal_inertia *= factor();
+    body->orientation *= factor();
+    body->velocity *= factor();
+    body->angular_velocity *= factor();
+  }
+  one.collision.normal *= factor();
+  return one;
+}
+
+/// Judges solvers on such collisions, all that they claim and the matrices that they show; leaves with 0 at the end.
+/// What the verdicts are is not the question.
+void judge_to_the_end(int most) {
+  Stream stream = stream_from(static_cast<std::uint64_t>(most));
+  for (int i = 0; i < 20; ++i) {
+    const Case one = extreme_case(stream, most);
+    for (const char* name : {"frictionless-float", "reflection-double", "reflection-in-basis-long-double"}) {
+      const Subject subject = subjects::subject_named(name).value();
+      if (judge_one(subject, claim_of(subject, {}), one).verdicts.empty()) {
+        std::exit(1);
+      }
+    }
+  }
+  std::exit(0);
+}
+
+/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
+  for (const int most : {50, 100, 200, 400, 900}) {
+    Stream stream = stream_from(static_cast<std::uint64_t>(most));
+    for (int i = 0; i < 20; ++i) {
+      ASSERT_EQ(describe(validate(extreme_case(stream, most).collision)), "");
+    }
+    EXPECT_EXIT(judge_to_the_end(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties
