@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -145,7 +146,7 @@ std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
 
 /// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise.
 void judge_task(const Subject& subject, const Claim& claim, Session& session, std::size_t family, std::uint64_t first,
-                const std::vector<JudgedCase>& cases, Tally& tally) {
+                const std::deque<JudgedCase>& cases, Tally& tally) {
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());
   for (const JudgedCase& one : cases) {
@@ -157,6 +158,7 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   tally.nanoseconds_per_solve.push_back(elapsed.count() / static_cast<double>(collisions.size()));
 
   std::vector<Trial> trials;
+  trials.reserve(cases.size());
   std::vector<Collision> questions;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     trials.emplace_back(cases[i], claim, lift(answers[i]), shown_collision_matrix(subject, cases[i]));
@@ -190,8 +192,7 @@ class Worker {
       const auto family = static_cast<std::size_t>(task / tasks_in_family);
       const std::uint64_t first = task % tasks_in_family * cases_in_task;
       const std::uint64_t last = std::min(first + cases_in_task, options_.cases);
-      std::vector<JudgedCase> cases;
-      cases.reserve(static_cast<std::size_t>(last - first));
+      std::deque<JudgedCase> cases;
       for (std::uint64_t index = first; index < last; ++index) {
         Stream stream = case_stream(options_.seed, options_.families[family]->name, index);
         cases.emplace_back(options_.families[family]->generate(stream));

