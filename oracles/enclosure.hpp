@@ -30,8 +30,17 @@ class Enclosure {
     // Extended has a wider range of exponents; an outcome that leaves binary64's is left to rationals.
     radius_ = std::isfinite(high_) && std::abs(high_) >= smallest_product ? 0 : (exact == 0 ? 0 : infinity);
   }
-  explicit Enclosure(const Rational& exact)
-      : high_(to_double(exact)), low_(to_double(exact - Rational(high_))), radius_(std::abs(low_) * two_to_minus_50) {}
+  explicit Enclosure(const Rational& exact) : high_(to_double(exact)) {
+    if (!std::isfinite(high_)) {
+      *this = {0, 0, infinity};
+      return;
+    }
+    low_ = to_double(exact - Rational(high_));
+    // What is left out is at most an ulp of the lower part, or lies below the range of binary64.
+    const bool is_exact = exact == Rational(high_) + Rational(low_);
+    const Pair normalised = fast_two_sum(high_, low_);
+    *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * two_to_minus_50 + smallest_product};
+  }
 
   [[nodiscard]] double middle() const { return high_; }
   [[nodiscard]] double radius() const { return radius_; }

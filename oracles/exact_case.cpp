@@ -55,12 +55,12 @@ template <class S, std::size_t N>
 double sensitivity_of(std::initializer_list<const Dual<S, N>*> components, const std::vector<double>& magnitude) {
   double sum = 0;
   for (std::size_t j = 0; j < magnitude.size(); ++j) {
-    double squared = 0;
+    double norm = 0;
     for (const auto* component : components) {
-      const double derivative = as_double(component->derivative[j]);
-      squared += derivative * derivative;
+      norm = std::hypot(norm, as_double(component->derivative[j]));
     }
-    sum += std::sqrt(squared) * magnitude[j];
+    // A number that is zero cannot be perturbed relatively, however steep the law is there.
+    sum += magnitude[j] == 0 ? 0 : norm * magnitude[j];
   }
   return sum;
 }
@@ -69,7 +69,7 @@ double sensitivity_of(std::initializer_list<const Dual<S, N>*> components, const
 Sensitivity norms_before(const Collision& collision) {
   const Outcome<double> before = unchanged(collision);
   const auto parts = vectors(before);
-  return {parts[0]->norm(), parts[1]->norm(), parts[2]->norm(), parts[3]->norm()};
+  return {parts[0]->stableNorm(), parts[1]->stableNorm(), parts[2]->stableNorm(), parts[3]->stableNorm()};
 }
 
 template <class S, class Convert>
@@ -260,12 +260,14 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
 }
 
 bool ExactCase::is_collinear() const {
-  const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const BasicBody<Rational>& exact) {
-    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal), [&] {
-             return lever_arm(exact, this->exact().point).cross(this->exact().normal);
-           });
+  const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const auto& exact_body) {
+    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal),
+                                         [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
   };
-  return is_along_normal(enclosed_.a, exact().a) && is_along_normal(enclosed_.b, exact().b);
+  return is_along_normal(
+             enclosed_.a, [&]() -> const auto& { return exact().a; }) &&
+         is_along_normal(
+             enclosed_.b, [&]() -> const auto& { return exact().b; });
 }
 
 bool ExactCase::is_head_on() const {

@@ -62,10 +62,13 @@ std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, const BasicColl
     result.error[k] = of_deviation[k]->stableNorm();
   }
   const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
-  if (norm_of_deviation > 0) {
+  const bool is_exact = std::all_of(result.error.begin(), result.error.end(), [](double error) { return error == 0; });
+  if (!is_exact) {
     const double norm_of_change = energy_norm(exact_case.collision(), change);
-    result.relative_error =
-        norm_of_change > 0 ? norm_of_deviation / norm_of_change : std::numeric_limits<double>::infinity();
+    const double ratio = norm_of_deviation / norm_of_change;
+    // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
+    const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
+    result.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
   return result;
 }
@@ -123,6 +126,13 @@ double Accuracy::digits() const {
 
 Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick) {
   const Sensitivity& sensitivity = exact_case.sensitivity(model, yardstick.allowance());
+  for (const double sum : sensitivity) {
+    if (!std::isfinite(sum)) {
+      Accuracy undecided;
+      undecided.is_decided = false;
+      return undecided;
+    }
+  }
   if (yardstick.filtered && yardstick.allowance() > 0) {
     if (const auto decided = accuracy_in(exact_case, exact_case.enclosed(), exact_case.enclosed_truth(model),
                                          outcome.enclosed(), sensitivity, yardstick)) {

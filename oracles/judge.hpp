@@ -14,7 +14,8 @@
 
 namespace carom::oracles {
 
-/// Whether ‖v‖ ≤ bound: always decided for rationals, for enclosures where the bounds decide it.
+/// Whether ‖v‖ ≤ bound: always decided for rationals, for enclosures where the bounds decide it. Precondition: the
+/// bound is finite.
 [[nodiscard]] bool norm_at_most(const std::vector<Rational>& vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(const std::vector<Enclosure>& vector, double bound);
 
@@ -36,6 +37,7 @@ enum class Relation { equal, at_least, at_most };
 /// A law held against an outcome. The decision is exact; the numbers are for print.
 struct Comparison {
   bool holds = true;
+  bool is_decided = true;  // false where the scale leaves the range of numbers
   // Where it does not hold:
   double residual = 0;  // ‖left − right‖, or by how much the inequality is missed
   double allowed = 0;   // what rounding may make of it
@@ -60,8 +62,8 @@ template <class T, int N, class IsPermitted>
 /// well. An output is its velocity before the impulse plus a change, and so is known to u times the larger of both: its
 /// own size alone would allow nothing where the exact sum is zero.
 template <class S, std::size_t N, class Law>
-[[nodiscard]] double scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome,
-                              bool with_collision) {
+[[nodiscard]] S scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome,
+                         bool with_collision) {
   using T = Dual<S, N>;
   DualInputs<S, N> inputs;
   if (with_collision) {
@@ -74,47 +76,58 @@ template <class S, std::size_t N, class Law>
   const auto dual_outcome =
       map_outcome<T>(outcome, [&](double number) { return T::input(static_cast<S>(number), next++); });
   const auto sides = law(inputs.collision, dual_outcome);
-  const auto squared_derivative = [&](std::size_t input) {
-    S sum(0);
+  // Hypotenuses: squares would leave the range of numbers long before the scale does.
+  const auto norm_of_derivative = [&](std::size_t input) {
+    S norm(0);
     for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-      const S derivative = sides.left[i].derivative[input] - sides.right[i].derivative[input];
-      sum += derivative * derivative;
+      norm = std::hypot(norm, sides.left[i].derivative[input] - sides.right[i].derivative[input]);
     }
-    return sum;
+    return norm;
   };
   S scale(0);
   for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-    scale += std::sqrt(squared_derivative(j)) * static_cast<S>(inputs.magnitude[j]);
+    scale += norm_of_derivative(j) * static_cast<S>(inputs.magnitude[j]);
   }
   const Outcome<double> before = unchanged(collision);
   const auto initial = vectors(before);
   const auto computed = vectors(outcome);
   for (std::size_t k = 0; k < computed.size(); ++k) {
-    S squared(0);
+    S norm(0);
     for (std::size_t i = 0; i < 3; ++i) {
-      squared += squared_derivative(first_output + 3 * k + i);
+      norm = std::hypot(norm, norm_of_derivative(first_output + 3 * k + i));
     }
-    scale += std::sqrt(squared) * static_cast<S>(computed[k]->norm() + initial[k]->norm());
+    scale += norm * static_cast<S>(computed[k]->stableNorm() + initial[k]->stableNorm());
   }
-  return static_cast<double>(scale);
+  return scale;
 }
 
-/// Both sums, with g = left − right.
+/// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
+template <class S>
+[[nodiscard]] bool is_in_range(S scale) {
+  constexpr S smallest = 0x1p-900;
+  constexpr S largest = 0x1p+1000;
+  return scale >= smallest && scale <= largest;
+}
+
+/// Both sums, with g = left − right; none where it leaves the range of numbers.
 template <class Law>
-[[nodiscard]] double scale_of(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
+[[nodiscard]] std::optional<double> scale_of(const Law& law, const Collision& collision,
+                                             const Outcome<double>& outcome) {
   constexpr std::size_t all_inputs = collision_inputs + outcome_inputs;
   const double scale = scale_in<double, all_inputs>(law, collision, outcome, true);
-  if (std::isfinite(scale) && scale > 0) {
+  if (is_in_range(scale)) {
     return scale;
   }
   // Products of extreme numbers leave the range of binary64; extended has the same bits and more range.
-  return scale_in<long double, all_inputs>(law, collision, outcome, true);
+  const long double wide = scale_in<long double, all_inputs>(law, collision, outcome, true);
+  return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
 /// The sum over the outputs alone: a lower bound of the scale, at a quarter of the cost.
 template <class Law>
 [[nodiscard]] double part_of_scale(const Law& law, const Collision& collision, const Outcome<double>& outcome) {
-  return scale_in<double, outcome_inputs>(law, collision, outcome, false);
+  const double part = scale_in<double, outcome_inputs>(law, collision, outcome, false);
+  return is_in_range(part) ? part : 0;
 }
 
 }  // namespace detail
@@ -125,31 +138,42 @@ template <class Law>
 [[nodiscard]] Comparison compare(const Law& law, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick) {
   const double allowance = yardstick.allowance();
-  std::optional<double> allowed;
-  const auto whole_allowance = [&] {
-    if (!allowed) {
-      allowed = allowance > 0 ? allowance * detail::scale_of(law, exact_case.collision(), outcome.rounded()) : 0;
+  std::optional<double> scale;
+  const auto allowed = [&]() -> std::optional<double> {
+    if (allowance == 0) {
+      return 0;
     }
-    return *allowed;
+    if (!scale) {
+      scale = detail::scale_of(law, exact_case.collision(), outcome.rounded());
+    }
+    return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
   };
   if (yardstick.filtered && allowance > 0) {
     const auto missed = detail::missed(law(exact_case.enclosed(), outcome.enclosed()), relation,
                                        [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
     if (missed.empty() ||
         norm_at_most(missed, allowance * detail::part_of_scale(law, exact_case.collision(), outcome.rounded()))
-            .value_or(false) ||
-        norm_at_most(missed, whole_allowance()).value_or(false)) {
+            .value_or(false)) {
+      return {};
+    }
+    const std::optional<double> bound = allowed();
+    if (bound && norm_at_most(missed, *bound).value_or(false)) {
       return {};
     }
   }
   const auto sides = law(exact_case.exact(), outcome.exact());
   const auto missed = detail::missed(sides, relation, [](const Rational& x, int sign) { return x * sign >= 0; });
-  // A scale beyond the range of numbers decides nothing.
-  if (missed.empty() || norm_at_most(missed, 0) || !std::isfinite(whole_allowance()) ||
-      norm_at_most(missed, whole_allowance())) {
+  if (missed.empty() || norm_at_most(missed, 0)) {
     return {};
   }
-  Comparison comparison{false, norm(missed), whole_allowance(), {}, {}};
+  const std::optional<double> bound = allowed();
+  if (!bound) {
+    return {true, false, 0, 0, {}, {}};
+  }
+  if (norm_at_most(missed, *bound)) {
+    return {};
+  }
+  Comparison comparison{false, true, norm(missed), *bound, {}, {}};
   for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
     comparison.left.push_back(to_double(sides.left[i]));
     comparison.right.push_back(to_double(sides.right[i]));
@@ -161,7 +185,8 @@ template <class Law>
 struct Accuracy {
   std::array<double, 4> error{};                        // ‖ŷ_k − y_k‖
   Sensitivity sensitivity{};                            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
-  std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick, decided exactly
+  bool is_decided = true;                               // false where the sensitivity leaves the range of numbers
+  std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not
 

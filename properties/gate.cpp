@@ -62,7 +62,7 @@ struct Tally {
     FamilyResult& result = families[family];
     ++result.cases;
     result.skipped += judgement.skipped ? 1 : 0;
-    if (judgement.accuracy) {
+    if (judgement.accuracy && judgement.accuracy->is_decided) {
       result.worst_backward_error =
           std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
       if (judged_case.exact().approach() == Approach::colliding) {
@@ -445,7 +445,17 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   in_parallel(jobs, places.size(), [&](std::size_t i) {
     SubjectResult& result = report.results[places[i].subject];
     Witness& witness = result.witnesses[places[i].witness];
-    witness = make_witness(result, claims[places[i].subject], options, witness.invariant);
+    try {
+      witness = make_witness(result, claims[places[i].subject], options, witness.invariant);
+    } catch (const std::exception& exception) {
+      // The violation stands; only its smallest form was not reached.
+      const std::size_t family = family_of_witness(result, witness.invariant);
+      const WorstViolation& worst = result.families[family].worst.at(witness.invariant);
+      witness.family = options.families[family]->name;
+      witness.index = worst.index;
+      witness.original = witness.shrunk = worst.original;
+      witness.verdict.detail = std::string("the subject failed while the case was shrunk: ") + exception.what();
+    }
   });
   return report;
 }

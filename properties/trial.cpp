@@ -168,7 +168,8 @@ std::optional<Matrix3<Rational>> shown_collision_matrix(const Subject& subject, 
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (!std::isfinite(shown(i, j))) {
-        return std::nullopt;
+        // A matrix that is not finite bounds nothing: shown as zero it violates `definite`.
+        return Matrix3<Rational>::Constant(Rational(0));
       }
       lifted(i, j) = oracles::lift(shown(i, j));
     }

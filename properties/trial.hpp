@@ -86,8 +86,8 @@ using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 [[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
                                  const std::optional<Matrix3<oracles::Rational>>& collision_matrix = std::nullopt);
 
-/// The collision matrix that the subject shows for a valid collision, lifted; none where it shows none or it is not
-/// finite.
+/// The collision matrix that the subject shows for a valid collision, lifted, zero where it is not finite; none where
+/// it shows none.
 [[nodiscard]] std::optional<Matrix3<oracles::Rational>> shown_collision_matrix(const Subject& subject,
                                                                                const JudgedCase& judged_case);
 

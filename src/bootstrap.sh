@@ -71,7 +71,7 @@ sanitize)
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
   ;;
 *)
-  sed -n '3,8p' "${BASH_SOURCE[0]}" >&2
+  sed -n '3,8p' src/bootstrap.sh >&2
   exit 2
   ;;
 esac

@@ -11,7 +11,7 @@ namespace {
 const std::vector<Model> every_model{Model::frictionless, Model::reflection, Model::any};
 const std::vector<Model> with_truth{Model::frictionless, Model::reflection};
 
-// `finite` and `invalid_refused` speak of the answer itself, not of an outcome: judge_answer decides them.
+// `finite` and `invalid_refused` speak of the answer itself, not of an outcome: Trial::judge decides them.
 const std::array invariants{
     Invariant{"finite", "A valid collision is answered, with finite numbers.",
               R"(x \text{ valid} \Rightarrow y(x) \in \mathbb{R}^{12})", "protocol; failure cases 12, 25, 28 to 30, 34",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include <carom/oracles/definiteness.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -30,6 +32,9 @@ Verdict check_definite(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("both bodies are immovable");
   }
+  if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
+    return beyond_range();
+  }
   const Rational lambda = e.exact_case.inverse_mass();
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
@@ -43,6 +48,9 @@ Verdict check_definite(const Evidence& e) {
 Verdict check_well_conditioned(const Evidence& e) {
   if (!e.convex_uniform || e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("the bodies are not known to be convex and uniform");
+  }
+  if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
+    return beyond_range();
   }
   const Rational bound = 16 * e.exact_case.inverse_mass();
   // The bound is sharp, and the stored moments and lever arms are rounded.

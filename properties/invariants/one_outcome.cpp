@@ -57,6 +57,9 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
 
 Verdict check_backward_error(const Evidence& e) {
   const oracles::Accuracy& accuracy = *e.accuracy;
+  if (!accuracy.is_decided) {
+    return beyond_range();
+  }
   const bool enough_digits = e.yardstick.digits && accuracy.relative_error <= std::pow(10.0, -*e.yardstick.digits);
   Verdict worst;
   for (std::size_t k = 0; k < accuracy.error.size() && !enough_digits; ++k) {

@@ -65,8 +65,9 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
 }
 
 /// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
+/// `factor` is what `expected` multiplies the first outcome by, and its rounding with it.
 template <class Expected>
-Verdict related_pair(const Evidence& e, const Expected& expected) {
+Verdict related_pair(const Evidence& e, double factor, const Expected& expected) {
   const auto first = outcome_of(e.related[0]);
   const auto second = outcome_of(e.related[1]);
   for (const auto* answer : {&first, &second}) {
@@ -74,11 +75,9 @@ Verdict related_pair(const Evidence& e, const Expected& expected) {
       return *verdict;
     }
   }
-  // A factor in `expected` multiplies the rounding of the first as well; three is the largest used.
-  constexpr double largest_factor = 3;
-  const auto sum = [](oracles::Sensitivity of_first, const oracles::Sensitivity& of_second) {
+  const auto sum = [factor](oracles::Sensitivity of_first, const oracles::Sensitivity& of_second) {
     for (std::size_t k = 0; k < of_first.size(); ++k) {
-      of_first[k] = largest_factor * of_first[k] + of_second[k];
+      of_first[k] = factor * of_first[k] + of_second[k];
     }
     return of_first;
   };
@@ -155,8 +154,8 @@ Vector3<S> mirrored_axial(Vector3<S> v) {
   return v;
 }
 
-/// Changes of the units of mass, length and time by powers of two: exact. Chosen so that the unit of nothing that a solver
-/// computes with stays as it is, as that of impulse would with 2⁵, 2⁻³ and 2².
+/// Changes of the units of mass, length and time by powers of two: exact. Chosen so that the unit of nothing that a
+/// solver computes with stays as it is, as that of impulse would with 2⁵, 2⁻³ and 2².
 constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
 constexpr int time_exponent = 1;
@@ -253,7 +252,7 @@ std::vector<Collision> ask_galilean(const Collision& collision, const Outcome<do
 }
 
 Verdict check_galilean(const Evidence& e) {
-  return related_pair(e, [&](const auto& y) { return plus_added_velocity(y, e); });
+  return related_pair(e, 1, [&](const auto& y) { return plus_added_velocity(y, e); });
 }
 
 std::vector<Collision> ask_translation(const Collision& collision, const Outcome<double>&) {
@@ -270,7 +269,7 @@ std::vector<Collision> ask_translation(const Collision& collision, const Outcome
 }
 
 Verdict check_translation(const Evidence& e) {
-  return related_pair(e, [](const auto& y) { return y; });
+  return related_pair(e, 1, [](const auto& y) { return y; });
 }
 
 std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<double>&) {
@@ -344,7 +343,7 @@ std::vector<Collision> ask_homogeneous(const Collision& collision, const Outcome
 }
 
 Verdict check_homogeneous(const Evidence& e) {
-  return related_pair(e, [](const auto& y) {
+  return related_pair(e, velocity_factor, [](const auto& y) {
     using T = std::decay_t<decltype(y.a.velocity[0])>;
     return map_outcome<T>(y, [](const T& number) { return T(number * T(velocity_factor)); });
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -11,7 +12,13 @@ namespace carom::properties {
 
 [[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
 
+/// What cannot be decided is never a pass.
+[[nodiscard]] inline Verdict beyond_range() { return outside_domain("the scale leaves the range of numbers"); }
+
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
+  if (!comparison.is_decided) {
+    return beyond_range();
+  }
   if (comparison.holds) {
     return {};
   }
@@ -26,6 +33,9 @@ template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
                                     double allowed, bool filtered, const std::string& what) {
+  if (!std::isfinite(allowed)) {
+    return beyond_range();
+  }
   if (filtered && oracles::norm_at_most(oracles::difference(actual, expected), allowed).value_or(false)) {
     return {};
   }

@@ -131,10 +131,13 @@ void write_reports(const GateRun& run, const std::string& out) {
   for (const properties::SubjectResult& result : run.report.results) {
     for (const properties::Witness& witness : result.witnesses) {
       const fs::path path = witness_path(out, result.subject, witness);
-      write_file(path, witness_record(witness, result.subject, run.report.options, path).dump(2) + '\n');
+      write_file(path, witness_record(witness, result.subject, run.report.options, path)
+                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                           '\n');
     }
   }
-  write_file(fs::path(out) / "report.json", report_record(run).dump(2) + '\n');
+  write_file(fs::path(out) / "report.json",
+             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
   write_file(fs::path(out) / "junit.xml", junit_xml(run));
 }
 
@@ -158,7 +161,7 @@ int gate(const GateArguments& arguments) {
     write_reports(run, arguments.out);
   }
   if (arguments.format == "json") {
-    fmt::print("{}\n", report_record(run).dump(2));
+    fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     fmt::print("{}", report_text(run, arguments.out));
   }

@@ -37,7 +37,12 @@ std::string content_of(const std::string& file) {
 /// Parses, and refuses a field that an object has twice, which JSON leaves open.
 json parsed(const std::string& text, const std::string& place) {
   std::vector<std::set<std::string>> fields;
-  const auto watch = [&](int, json::parse_event_t event, json& value) {
+  // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
+  constexpr int deepest = 64;
+  const auto watch = [&](int depth, json::parse_event_t event, json& value) {
+    if (depth > deepest) {
+      throw UsageError(fmt::format("{}: nested more than {} levels deep", place, deepest));
+    }
     if (event == json::parse_event_t::object_start) {
       fields.emplace_back();
     } else if (event == json::parse_event_t::object_end) {
@@ -113,9 +118,10 @@ bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") 
 
 /// JSON Lines where the first of several lines is a whole JSON text by itself.
 bool is_json_lines(const std::string& text) {
-  const std::size_t end = text.find('\n');
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  const std::size_t end = text.find('\n', start);
   return end != std::string::npos && text.find_first_not_of(" \t\r\n", end) != std::string::npos &&
-         json::accept(text.substr(0, end));
+         json::accept(text.substr(start, end - start));
 }
 
 }  // namespace

@@ -15,11 +15,15 @@ namespace {
 using carom::tool::GateArguments;
 using carom::tool::ReplayArguments;
 
+// Below, no arithmetic passes; above, everything does.
+constexpr double smallest_limit = 1e-3;
+constexpr double largest_limit = 1e15;
+
 template <class Arguments>
 void add_yardstick(CLI::App& command, Arguments& arguments) {
   arguments.limit_ulps = carom::oracles::default_limit_ulps;
   command.add_option("--limit-ulps", arguments.limit_ulps, "Largest backward error that passes, in ulps")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(smallest_limit, largest_limit))
       ->capture_default_str();
   command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
       ->check(CLI::Range(1, 18));
@@ -93,7 +97,11 @@ int main(int argc, char** argv) {
     return carom::tool::exit_usage;
   }
   try {
-    return run();
+    const int status = run();
+    if (std::fflush(stdout) != 0) {
+      throw carom::tool::UsageError("standard output cannot be written");
+    }
+    return status;
   } catch (const std::exception& error) {
     fmt::print(stderr, "carom: {}\n", error.what());
     return carom::tool::exit_usage;

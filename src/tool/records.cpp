@@ -161,7 +161,8 @@ json truth_record(const oracles::ExactCase& exact_case, Model model) {
   for (int i = 0; i < 3; ++i) {
     record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
   }
-  record["nearest"] = velocities_record(truth.outcome, [](const Rational& x) { return oracles::nearest_double(x); });
+  record["nearest"] =
+      velocities_record(truth.outcome, [](const Rational& x) { return number_to_json(oracles::nearest_double(x)); });
   return record;
 }
 
@@ -198,7 +199,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
               {"drawn", collision_to_json(witness.original.collision)},
               {"outcome", answer_record(witness.answer)},
               {"verdict", verdict_record(witness.verdict)},
-              {"replay", replay_command(witness_file, subject)}};
+              {"replay", replay_command(witness_file, subject, options.yardstick)}};
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {
     record["truth"] = json::object();
@@ -264,8 +265,17 @@ std::filesystem::path witness_path(const std::filesystem::path& directory, const
   return directory / "witnesses" / (name + ".json");
 }
 
-std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject) {
-  return fmt::format("carom replay {} --subject {}", shell_quoted(witness_file.string()), shell_quoted(subject.name));
+std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+                           const oracles::Yardstick& yardstick) {
+  std::string command =
+      fmt::format("carom replay {} --subject {}", shell_quoted(witness_file.string()), shell_quoted(subject.name));
+  if (yardstick.limit_ulps != oracles::default_limit_ulps) {
+    command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
+  }
+  if (yardstick.digits) {
+    command += fmt::format(" --digits {}", *yardstick.digits);
+  }
+  return command;
 }
 
 }  // namespace carom::tool

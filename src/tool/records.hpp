@@ -45,7 +45,8 @@ struct GateRun {
 [[nodiscard]] std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
                                                  const properties::Witness& witness);
 
-/// What to type in a POSIX shell to replay the witness in that file.
-[[nodiscard]] std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject);
+/// What to type in a POSIX shell to replay the witness in that file with the same verdict.
+[[nodiscard]] std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+                                         const oracles::Yardstick& yardstick);
 
 }  // namespace carom::tool

@@ -175,7 +175,7 @@ int replay(const ReplayArguments& arguments) {
                           judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
     }
     if (arguments.format == "json") {
-      fmt::print("{}\n", record.dump());
+      fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));
     } else {
       fmt::print("{}\n", text);
     }

@@ -105,7 +105,7 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
   text += '\n';
   if (!out_directory.empty()) {
     const auto file = witness_path(out_directory, result.subject, witness);
-    text += "  " + replay_command(file, result.subject) + '\n';
+    text += "  " + replay_command(file, result.subject, report.options.yardstick) + '\n';
   }
   return text;
 }

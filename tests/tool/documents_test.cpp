@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariant.hpp>
 #include <carom/subjects/catalogue.hpp>
-#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 

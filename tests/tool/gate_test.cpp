@@ -58,9 +58,9 @@ TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplays) {
 
 TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
   const auto report = [](const std::string& seed, const std::string& jobs) {
-    const RunResult result = run_carom({"gate", "frictionless-float", "reflection-in-basis-double", "--cases", "120",
-                                        "--families", "generic,head_on", "--format", "json", "--seed", seed, "--jobs",
-                                        jobs});
+    const RunResult result =
+        run_carom({"gate", "frictionless-float", "reflection-in-basis-double", "--cases", "120", "--families",
+                   "generic,head_on", "--format", "json", "--seed", seed, "--jobs", jobs});
     json parsed = json::parse(result.output);
     for (json& subject : parsed.at("subjects")) {
       subject.erase("nanoseconds_per_solve");
@@ -98,8 +98,8 @@ TEST(GateCommand, ReportsAreWrittenAndOldWitnessesRemoved) {
 
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
   // A hundredth of an ulp is less than any rounding; three digits are half of what binary32 has.
-  const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases", "40",
-                                        "--limit-ulps", "0.01"};
+  const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases",
+                                        "40",   "--limit-ulps",       "0.01"};
   EXPECT_EQ(run_carom(strict).exit_status, 1);
   std::vector<std::string> lenient = strict;
   lenient.insert(lenient.end(), {"--digits", "3"});
@@ -118,6 +118,7 @@ TEST(GateCommand, WrongUsageEndsInTwoAndSaysWhy) {
       {{"gate", "--cases", "0"}, "--cases"},
       {{"gate", "--cases", "many"}, "--cases"},
       {{"gate", "--limit-ulps", "-1"}, "--limit-ulps"},
+      {{"gate", "--limit-ulps", "nan"}, "--limit-ulps"},
       {{"gate", "--digits", "0"}, "--digits"},
       {{"gate", "--unknown"}, "--unknown"},
       {{"gate", "--format", "xml"}, "--format"},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.hpp"
 
-#include <unistd.h>
-
 #include <fstream>
 #include <future>
 #include <iterator>
@@ -10,6 +8,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/process.hpp>
+#include <unistd.h>
 
 namespace carom::tests {
 
@@ -18,7 +17,7 @@ RunResult run_carom(const std::vector<std::string>& arguments) {
   boost::asio::io_context context;
   std::future<std::string> output;
   std::future<std::string> errors;
-  bp::child child(bp::exe = CAROM_PROGRAM, bp::args = arguments, bp::std_in < bp::null, bp::std_out > output,
+  bp::child child(bp::exe = CAROM_PROGRAM, bp::args = arguments, bp::std_in<bp::null, bp::std_out> output,
                   bp::std_err > errors, context);
   context.run();
   child.wait();

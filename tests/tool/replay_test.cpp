@@ -43,8 +43,8 @@ TEST(Replay, JudgesASubject) {
 TEST(Replay, ReadsArraysAndJsonLines) {
   const TemporaryDirectory directory;
   const json wrapped{{"collision", cube_on_floor()}};
-  for (const std::string& text : {json::array({cube_on_floor(), wrapped}).dump(2),
-                                  cube_on_floor().dump() + "\n" + wrapped.dump() + "\n\n"}) {
+  for (const std::string& text :
+       {json::array({cube_on_floor(), wrapped}).dump(2), cube_on_floor().dump() + "\n" + wrapped.dump() + "\n\n"}) {
     const RunResult result = run_carom({"replay", directory.write("two", text), "--format", "json"});
     EXPECT_EQ(result.exit_status, 0) << result.errors;
     EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 2);
@@ -92,6 +92,7 @@ TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
       {without("a", "velocity"), {"/a/velocity", "missing"}},
       {R"({"a": 1, "a": 2})", {"\"a\"", "twice"}},
       {R"({"a": {"mass": 1e999}})", {"not JSON"}},
+      {std::string(100000, '[') + std::string(100000, ']'), {"levels deep"}},
       {good + "\n" + with("/a/mass", -1) + "\n", {":2", "a.mass"}},
       {good + "\n" + good.substr(0, 40) + "\n", {":2", "not JSON"}},
       {"[" + good + "," + with("/a/mass", -1) + "]", {"element 1", "a.mass"}},
@@ -114,13 +115,27 @@ TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
   EXPECT_EQ(run_carom({"replay", directory.path().string()}).exit_status, 2);
 }
 
+TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
+  // The frictionless answer to a ball that meets a floor is exact in binary64 at every power of two.
+  const TemporaryDirectory directory;
+  for (const char* pointer : {"/a/mass", "/a/velocity/1", "/normal/1", "/a/orientation/0"}) {
+    for (const double factor : {0x1p-500, 0x1p-1000, 0x1p+500, 0x1p+1000}) {
+      json ball = cube_on_floor();
+      ball["a"]["position"] = {0, 1, 0};
+      ball[json::json_pointer(pointer)] = ball.at(json::json_pointer(pointer)).get<double>() * factor;
+      const RunResult result =
+          run_carom({"replay", directory.write("ball.json", ball.dump()), "--subject", "frictionless-double"});
+      EXPECT_EQ(result.exit_status, 0) << pointer << ' ' << factor << '\n' << result.output << result.errors;
+    }
+  }
+}
+
 TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   const TemporaryDirectory directory;
   json collision = cube_on_floor();
   collision["restitution"] = 2;
-  const json witness{{"collision", collision},
-                     {"invariant", "invalid_refused"},
-                     {"subject", {{"name", "frictionless-double"}}}};
+  const json witness{
+      {"collision", collision}, {"invariant", "invalid_refused"}, {"subject", {{"name", "frictionless-double"}}}};
   const RunResult result = run_carom({"replay", directory.write("witness.json", witness.dump())});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;

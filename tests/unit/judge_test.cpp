@@ -275,6 +275,27 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   EXPECT_EQ(exact.digits(), 40);
 }
 
+/// On both sides of limit · u · sensitivity, with the filter and without.
+TEST(Accuracy, AllowsWhatTheYardstickSays) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = 0x1p-30;
+    yardstick.limit_ulps = 8;
+    yardstick.filtered = filtered;
+    const double allowed = 0x1p-27 * exact_case.sensitivity(Model::reflection, 0x1p-27)[0];
+    for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
+      const Accuracy result = accuracy(exact_case, Model::reflection, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.allowed[0], std::abs(part) < 1) << part;
+    }
+  }
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};
