@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 
@@ -23,7 +24,13 @@ template <class Arguments>
 void add_yardstick(CLI::App& command, Arguments& arguments) {
   arguments.limit_ulps = carom::oracles::default_limit_ulps;
   command.add_option("--limit-ulps", arguments.limit_ulps, "Largest backward error that passes, in ulps")
-      ->check(CLI::Range(smallest_limit, largest_limit))
+      ->check([](const std::string& text) {
+        // CLI::Range lets NaN pass.
+        const double limit = std::strtod(text.c_str(), nullptr);
+        return limit >= smallest_limit && limit <= largest_limit
+                   ? std::string()
+                   : fmt::format("expected a number from {} to {}", smallest_limit, largest_limit);
+      })
       ->capture_default_str();
   command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
       ->check(CLI::Range(1, 18));
