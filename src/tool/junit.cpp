@@ -23,9 +23,8 @@ std::string printable(std::string text) {
 }
 
 std::string failure_text(const properties::Witness& witness) {
-  return printable(fmt::format("{}\n{}{}: {} and {}", properties::invariant_named(witness.invariant)->statement,
-                               in_words(witness.shrunk.collision, "  "), witness.verdict.detail,
-                               in_words(witness.verdict.left), in_words(witness.verdict.right)));
+  return printable(std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +
+                   in_words(witness.shrunk.collision, "  ") + in_words(witness.verdict));
 }
 
 void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,

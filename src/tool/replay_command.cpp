@@ -93,12 +93,7 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
         text += fmt::format("  {:22} –  {}\n", named.invariant->name, verdict.detail);
         break;
       case properties::Status::violated:
-        text += fmt::format("  {:22} VIOLATED  {}", named.invariant->name, verdict.detail);
-        if (!verdict.left.empty()) {
-          text += fmt::format(": {} and {}, apart by {:.3g}, allowed {:.3g}", in_words(verdict.left),
-                              in_words(verdict.right), verdict.residual, verdict.allowed);
-        }
-        text += '\n';
+        text += fmt::format("  {:22} VIOLATED  {}\n", named.invariant->name, in_words(verdict));
     }
   }
   return text;

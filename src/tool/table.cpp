@@ -97,12 +97,7 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
   } else if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
     text += "  refused: " + refused->why + '\n';
   }
-  text += "  " + witness.verdict.detail;
-  if (!witness.verdict.left.empty()) {
-    text += fmt::format(": {} and {}, apart by {:.3g}, allowed {:.3g}", in_words(witness.verdict.left),
-                        in_words(witness.verdict.right), witness.verdict.residual, witness.verdict.allowed);
-  }
-  text += '\n';
+  text += "  " + in_words(witness.verdict) + '\n';
   if (!out_directory.empty()) {
     const auto file = witness_path(out_directory, result.subject, witness);
     text += "  " + replay_command(file, result.subject, report.options.yardstick) + '\n';

@@ -61,4 +61,12 @@ std::string in_words(const ReportedOutcome& outcome, const std::string& indent) 
   return text;
 }
 
+std::string in_words(const properties::Verdict& violated) {
+  if (violated.left.empty()) {
+    return violated.detail;
+  }
+  return fmt::format("{}: {} and {}, apart by {:.3g}, allowed {:.3g}", violated.detail, in_words(violated.left),
+                     in_words(violated.right), violated.residual, violated.allowed);
+}
+
 }  // namespace carom::tool

@@ -6,6 +6,7 @@
 
 #include <carom/collision/outcome.hpp>
 #include <carom/oracles/rational.hpp>
+#include <carom/properties/invariant.hpp>
 
 /// Numbers and collisions as a person reads them.
 namespace carom::tool {
@@ -29,5 +30,8 @@ template <class S>
 
 /// One line a body.
 [[nodiscard]] std::string in_words(const ReportedOutcome& outcome, const std::string& indent);
+
+/// What was compared, both sides, and by how much they miss each other; no line end.
+[[nodiscard]] std::string in_words(const properties::Verdict& violated);
 
 }  // namespace carom::tool
