@@ -10,14 +10,13 @@
 namespace carom::oracles {
 
 Rational lift(long double number) {
-  // A double holds the leading 53 bits and a second one the rest: up to 106 bits, more than extended has.
+  // Doubles take the mantissa off in pieces, whatever format long double has here.
   int exponent = 0;
-  const long double mantissa = std::frexp(number, &exponent);
-  const double high = static_cast<double>(mantissa);
-  const double low = static_cast<double>(mantissa - static_cast<long double>(high));
-  Rational result = Rational(high);
-  if (low != 0) {
-    result += Rational(low);
+  Rational result(0);
+  for (long double rest = std::frexp(number, &exponent); rest != 0;) {
+    const auto piece = static_cast<double>(rest);
+    result += Rational(piece);
+    rest -= static_cast<long double>(piece);
   }
   if (exponent == 0) {
     return result;

@@ -46,7 +46,7 @@ class Solver {
       return Refused{describe(refusal)};
     }
     if (has(Defect::demands_unit_normal)) {
-      constexpr double unit_tolerance = 1e-6;
+      constexpr double unit_tolerance = 1e-6;  // part of the defect, as engines have it: nothing is judged by it
       if (std::abs(collision.normal.squaredNorm() - 1) > unit_tolerance) {
         return Refused{"normal: expected a vector of length 1"};
       }
@@ -356,7 +356,7 @@ class Solver {
       return std::exchange(previous_, outcome);
     }
     if (has(Defect::outcome_to_ten_digits)) {
-      constexpr double error = 1e-10;
+      constexpr double error = 1e-10;  // the defect itself
       return map_outcome<double>(outcome, [](double x) { return x * (1 + error); });
     }
     if (has(Defect::outcome_in_float)) {
