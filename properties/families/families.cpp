@@ -134,6 +134,17 @@ Case mass_ratio(Stream& stream) {
   return result;
 }
 
+/// Both masses in another unit, so to speak: what a determinant or an absolute threshold does not survive.
+Case mass_scale(Stream& stream) {
+  Case result = general_bodies(stream);
+  const double scale = stream.power_of_ten(-12, 12);
+  for (Body* body : {&result.collision.a, &result.collision.b}) {
+    body->mass *= scale;
+    body->principal_inertia *= scale;
+  }
+  return result;
+}
+
 Case with_immovable(Stream& stream, bool a, bool b) {
   Case result = general_bodies(stream);
   Collision& c = result.collision;
@@ -208,6 +219,28 @@ Case common_velocity(Stream& stream) {
   return result;
 }
 
+/// Spins that dwarf the velocities, so that the approach comes of w × r.
+Case fast_spin(Stream& stream) {
+  Case result = general_bodies(stream);
+  Collision& c = result.collision;
+  const double scale = stream.power_of_ten(1, 6);
+  c.a.angular_velocity *= scale;
+  c.b.angular_velocity *= scale;
+  make_approaching(c);
+  return result;
+}
+
+/// Speeds below every threshold that an engine may have.
+Case slow(Stream& stream) {
+  Case result = general_bodies(stream);
+  const double scale = stream.power_of_ten(-12, -1);
+  for (Body* body : {&result.collision.a, &result.collision.b}) {
+    body->velocity *= scale;
+    body->angular_velocity *= scale;
+  }
+  return result;
+}
+
 Case long_normal(Stream& stream) {
   Case result = general_bodies(stream);
   result.collision.normal *= stream.power_of_ten(-30, 30);
@@ -236,6 +269,7 @@ constexpr std::array families{
     Family{"inelastic", "restitution 0", inelastic},
     Family{"elastic", "restitution 1", elastic},
     Family{"mass_ratio", "one body 10^k times as heavy, k = 1 to 9", mass_ratio},
+    Family{"mass_scale", "both bodies 10^k times as heavy, k = -12 to 12", mass_scale},
     Family{"immovable_a", "A has infinite mass", immovable_a},
     Family{"immovable_b", "B has infinite mass", immovable_b},
     Family{"driven_wall", "one body has infinite mass and moves", driven_wall},
@@ -243,8 +277,10 @@ constexpr std::array families{
     Family{"zero_lever", "the contact at the centre of mass of one body or of both", zero_lever},
     Family{"far_from_origin", "10^k m from the origin, k = 1 to 12", far_from_origin},
     Family{"common_velocity", "a common velocity of 10^k m/s added, k = 1 to 12", common_velocity},
+    Family{"fast_spin", "angular velocities 10^k times as large, k = 1 to 6", fast_spin},
     Family{"long_normal", "a normal of length 10^k, k = -30 to 30", long_normal},
     Family{"long_quaternion", "orientations of length 10^k, k = -30 to 30", long_quaternion},
+    Family{"slow", "velocities 10^-k times as large, k = 1 to 12", slow},
     Family{"invalid", "one field non-finite, negative, zero or out of range: to be refused", invalid},
 };
 
