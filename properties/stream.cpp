@@ -22,8 +22,9 @@ constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
 }  // namespace
 
 int Stream::integer(int low, int high) {
-  const auto count = static_cast<std::uint64_t>(high - low) + 1;
-  return low + static_cast<int>(bits() % count);
+  const std::int64_t from = low;  // wide enough for every difference of two ints
+  const auto count = static_cast<std::uint64_t>(high - from) + 1;
+  return static_cast<int>(from + static_cast<std::int64_t>(bits() % count));
 }
 
 double Stream::unit() {
