@@ -20,9 +20,6 @@ double energy_norm(const Collision& collision, const Outcome<double>& change) {
   return std::sqrt(energy_norm_squared(collision.a, change.a) + energy_norm_squared(collision.b, change.b));
 }
 
-double rounded(const Rational& number) { return to_double(number); }
-double rounded(const Enclosure& number) { return number.middle(); }
-
 /// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show
 /// it.
 template <class T>
@@ -99,14 +96,6 @@ std::optional<bool> norm_at_most(const std::vector<Enclosure>& vector, double bo
     return false;
   }
   return std::nullopt;
-}
-
-double norm(const std::vector<Rational>& vector) {
-  double sum = 0;
-  for (const Rational& component : vector) {
-    sum = std::hypot(sum, to_double(component));
-  }
-  return sum;
 }
 
 double Accuracy::backward_error(double unit_roundoff) const {

@@ -19,8 +19,19 @@ namespace carom::oracles {
 [[nodiscard]] bool norm_at_most(const std::vector<Rational>& vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(const std::vector<Enclosure>& vector, double bound);
 
+/// For print.
+[[nodiscard]] inline double rounded(const Rational& number) { return to_double(number); }
+[[nodiscard]] inline double rounded(const Enclosure& number) { return number.middle(); }
+
 /// ‖v‖, rounded.
-[[nodiscard]] double norm(const std::vector<Rational>& vector);
+template <class T>
+[[nodiscard]] double norm(const std::vector<T>& vector) {
+  double sum = 0;
+  for (const T& component : vector) {
+    sum = std::hypot(sum, rounded(component));
+  }
+  return sum;
+}
 
 /// The components of left − right.
 template <class Derived, class OtherDerived>
@@ -130,6 +141,17 @@ template <class Law>
   return is_in_range(part) ? part : 0;
 }
 
+/// Both sides and by how much they miss each other, rounded for print.
+template <class T, int N>
+[[nodiscard]] Comparison violation(const Sides<T, N>& sides, const std::vector<T>& missed, double allowed) {
+  Comparison comparison{false, true, norm(missed), allowed, {}, {}};
+  for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
+    comparison.left.push_back(rounded(sides.left[i]));
+    comparison.right.push_back(rounded(sides.right[i]));
+  }
+  return comparison;
+}
+
 }  // namespace detail
 
 /// Holds a law, (collision, outcome) → Sides in any field, against an outcome: exactly evaluated, and allowed
@@ -157,8 +179,9 @@ template <class Law>
       return {};
     }
     const std::optional<double> bound = allowed();
-    if (bound && norm_at_most(missed, *bound).value_or(false)) {
-      return {};
+    const std::optional<bool> within = bound ? norm_at_most(missed, *bound) : std::nullopt;
+    if (within) {
+      return *within ? Comparison{} : detail::violation(law(exact_case.enclosed(), outcome.enclosed()), missed, *bound);
     }
   }
   const auto sides = law(exact_case.exact(), outcome.exact());
@@ -173,12 +196,7 @@ template <class Law>
   if (norm_at_most(missed, *bound)) {
     return {};
   }
-  Comparison comparison{false, true, norm(missed), *bound, {}, {}};
-  for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-    comparison.left.push_back(to_double(sides.left[i]));
-    comparison.right.push_back(to_double(sides.right[i]));
-  }
-  return comparison;
+  return detail::violation(sides, missed, *bound);
 }
 
 /// How far an outcome is from the truth.

@@ -57,8 +57,8 @@ struct Tally {
   std::vector<float> digits;
   std::vector<double> nanoseconds_per_solve;  // of each task
 
-  void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Judgement& judgement,
-           const Claim& claim) {
+  void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
+           const Judgement& judgement, const Claim& claim) {
     FamilyResult& result = families[family];
     ++result.cases;
     result.skipped += judgement.skipped ? 1 : 0;
@@ -83,7 +83,7 @@ struct Tally {
           break;
         case Status::violated:
           ++count.violated;
-          keep_worst(result, name, {index, named.verdict.severity(), judged_case.generated()});
+          keep_worst(result, name, {index, judged_case.generated(), named.verdict, answer});
       }
     }
     result.violated += any_violated ? 1 : 0;
@@ -91,8 +91,10 @@ struct Tally {
 
   static void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
     const auto [known, is_new] = result.worst.emplace(invariant, violation);
-    const bool is_worse = violation.severity > known->second.severity ||
-                          (violation.severity == known->second.severity && violation.index < known->second.index);
+    const double severity = violation.verdict.severity();
+    const double known_severity = known->second.verdict.severity();
+    const bool is_worse =
+        severity > known_severity || (severity == known_severity && violation.index < known->second.index);
     if (!is_new && is_worse) {
       known->second = violation;
     }
@@ -146,7 +148,7 @@ std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
 
 /// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise.
 void judge_task(const Subject& subject, const Claim& claim, Session& session, std::size_t family, std::uint64_t first,
-                const std::deque<JudgedCase>& cases, Tally& tally) {
+                std::uint64_t relations_every, const std::deque<JudgedCase>& cases, Tally& tally) {
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());
   for (const JudgedCase& one : cases) {
@@ -161,14 +163,15 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   trials.reserve(cases.size());
   std::vector<Collision> questions;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    trials.emplace_back(cases[i], claim, lift(answers[i]), shown_collision_matrix(subject, cases[i]));
+    trials.emplace_back(cases[i], claim, lift(answers[i]), shown_collision_matrix(subject, cases[i]),
+                        (first + i) % relations_every == 0);
     questions.insert(questions.end(), trials.back().questions().begin(), trials.back().questions().end());
   }
   const std::vector<ExactAnswer> replies = lifted(answers_of(session, questions));
   std::span<const ExactAnswer> rest(replies);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::size_t count = trials[i].questions().size();
-    tally.add(family, first + i, cases[i], trials[i].judge(rest.first(count)), claim);
+    tally.add(family, first + i, cases[i], answers[i], trials[i].judge(rest.first(count)), claim);
     rest = rest.subspan(count);
   }
 }
@@ -188,7 +191,8 @@ class Worker {
   void run(NextTask next_task, Done done) {
     open_sessions();
     const std::uint64_t tasks_in_family = (options_.cases + cases_in_task - 1) / cases_in_task;
-    for (std::uint64_t task = next_task(); task < tasks_in_family * options_.families.size(); task = next_task()) {
+    for (std::uint64_t task = next_task();
+         task < tasks_in_family * options_.families.size() && !options_.stop.stop_requested(); task = next_task()) {
       const auto family = static_cast<std::size_t>(task / tasks_in_family);
       const std::uint64_t first = task % tasks_in_family * cases_in_task;
       const std::uint64_t last = std::min(first + cases_in_task, options_.cases);
@@ -199,16 +203,29 @@ class Worker {
         coverage_[family] += coverage_of(cases.back());
       }
       for (std::size_t s = 0; s < subjects_.size(); ++s) {
-        guarded(s, [&] { judge_task(subjects_[s], claims_[s], sessions_[s], family, first, cases, tallies_[s]); });
+        guarded(s, [&] {
+          judge_task(subjects_[s], claims_[s], sessions_[s], family, first, relations_every(subjects_[s]), cases,
+                     tallies_[s]);
+        });
       }
       done(last - first);
     }
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      guarded(s, [&] { sessions_[s].close(); });
+    }
+    sessions_.clear();  // in the thread that opened them
   }
 
   [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::vector<Coverage>& coverage() const { return coverage_; }
 
  private:
+  [[nodiscard]] std::uint64_t relations_every(const Subject& subject) const {
+    constexpr std::uint64_t of_programs = 8;
+    const bool is_program = !subject.specification.empty();
+    return options_.relations_every > 0 ? options_.relations_every : (is_program ? of_programs : 1);
+  }
+
   /// A subject that throws is judged no further; what was found of it stays.
   template <class F>
   void guarded(std::size_t subject, const F& f) {
@@ -218,7 +235,9 @@ class Worker {
     try {
       f();
     } catch (const std::exception& exception) {
-      tallies_[subject].error = exception.what();
+      if (!options_.stop.stop_requested()) {
+        tallies_[subject].error = exception.what();
+      }
     }
   }
 
@@ -237,12 +256,13 @@ class Worker {
   std::vector<Coverage> coverage_;
 };
 
-Judgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
+AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
   const JudgedCase judged_case(one);
-  const auto solve = [&](const Collision& collision) {
-    return lift(answers_of(session, std::span(&collision, 1)).front());
-  };
-  return try_case(judged_case, claim, solve, shown_collision_matrix(subject, judged_case));
+  const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
+  const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
+  const std::vector<ExactAnswer> replies =
+      trial.questions().empty() ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
+  return {answer, trial.judge(replies)};
 }
 
 /// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
@@ -265,30 +285,41 @@ std::size_t family_of_witness(const SubjectResult& result, const std::string& in
   return best;
 }
 
-Witness make_witness(const SubjectResult& result, const Claim& claim, const GateOptions& options,
-                     const std::string& invariant) {
+/// A witness as it was found.
+Witness found_witness(const SubjectResult& result, const GateOptions& options, const std::string& invariant) {
   const std::size_t family = family_of_witness(result, invariant);
   const WorstViolation& worst = result.families[family].worst.at(invariant);
+  return {invariant,      std::string(options.families[family]->name),
+          worst.index,    worst.original,
+          worst.original, worst.verdict,
+          worst.answer};
+}
+
+/// The witness with the simplest collision that can be found.
+Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness) {
   Claim only = claim;
-  only.invariants = {invariant_named(invariant)};
-  Session session = result.subject.open();
-  const bool invalid = !JudgedCase(worst.original).is_valid();
+  only.invariants = {invariant_named(witness.invariant)};
+  Session session = subject.open();
   // A violation that shrinks to one just beyond the limit convinces nobody.
-  const double severity_kept = std::max(1.0, worst.severity / 16);
+  const double severity_kept = std::max(1.0, witness.verdict.severity() / 16);
   const auto fails = [&](const Collision& collision) {
-    const Judgement judgement =
-        judge_in_session(result.subject, only, session, {collision, worst.original.convex_uniform});
-    return single_verdict(judgement).severity() >= severity_kept;
+    const AnswerAndJudgement shrunk =
+        judge_in_session(subject, only, session, {collision, witness.original.convex_uniform});
+    return single_verdict(shrunk.judgement).severity() >= severity_kept;
   };
-  Witness witness{
-      invariant, std::string(options.families[family]->name), worst.index, worst.original, worst.original, {},
-      Skipped{}};
+  Case simplest = witness.original;
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
-  if (!invalid && invariant != "well_conditioned") {
-    witness.shrunk.collision = shrink(worst.original.collision, fails, most_shrink_calls);
+  if (JudgedCase(witness.original).is_valid() && witness.invariant != "well_conditioned") {
+    simplest.collision = shrink(witness.original.collision, fails, most_shrink_calls);
   }
-  witness.verdict = single_verdict(judge_in_session(result.subject, only, session, witness.shrunk));
-  witness.answer = answers_of(session, std::span(&witness.shrunk.collision, 1)).front();
+  only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
+  const AnswerAndJudgement shrunk = judge_in_session(subject, only, session, simplest);
+  session.close();
+  if (single_verdict(shrunk.judgement).status == Status::violated) {
+    witness.shrunk = simplest;
+    witness.verdict = single_verdict(shrunk.judgement);
+    witness.answer = shrunk.answer;
+  }
   return witness;
 }
 
@@ -408,7 +439,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
                         });
   });
 
-  GateReport report{options, std::vector<Coverage>(options.families.size()), {}};
+  GateReport report{options, std::vector<Coverage>(options.families.size()), {}, false};
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     Tally tally = workers[0].tallies()[s];
     for (std::size_t w = 1; w < workers.size(); ++w) {
@@ -423,7 +454,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
       result.nanoseconds_per_solve = *middle;
     }
     for (const std::string& invariant : result.violated_invariants()) {
-      result.witnesses.push_back({invariant, {}, 0, {}, {}, {}, Skipped{}});
+      result.witnesses.push_back(found_witness(result, options, invariant));
     }
     report.results.push_back(std::move(result));
   }
@@ -446,23 +477,22 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     SubjectResult& result = report.results[places[i].subject];
     Witness& witness = result.witnesses[places[i].witness];
     try {
-      witness = make_witness(result, claims[places[i].subject], options, witness.invariant);
-    } catch (const std::exception& exception) {
-      // The violation stands; only its smallest form was not reached.
-      const std::size_t family = family_of_witness(result, witness.invariant);
-      const WorstViolation& worst = result.families[family].worst.at(witness.invariant);
-      witness.family = options.families[family]->name;
-      witness.index = worst.index;
-      witness.original = witness.shrunk = worst.original;
-      witness.verdict.detail = std::string("the subject failed while the case was shrunk: ") + exception.what();
+      if (!options.stop.stop_requested()) {
+        witness = shrunk_witness(result.subject, claims[places[i].subject], witness);
+      }
+    } catch (const std::exception&) {
+      // The violation stands as it was found.
     }
   });
+  report.interrupted = options.stop.stop_requested();
   return report;
 }
 
-Judgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
+AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
   Session session = subject.open();
-  return judge_in_session(subject, claim, session, one);
+  AnswerAndJudgement judged = judge_in_session(subject, claim, session, one);
+  session.close();
+  return judged;
 }
 
 }  // namespace carom::properties

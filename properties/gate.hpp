@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct GateOptions {
   std::vector<const Family*> families;  // in the order to report
   oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
   unsigned jobs = 1;                    // threads
+  /// The invariants that relate a collision to others are judged on every so many cases; 0: on every case of subjects
+  /// in this process, on every eighth of programs, for which each question costs a hundred times as much.
+  std::uint64_t relations_every = 0;
+  /// Where a stop is requested, what was judged until then is reported.
+  std::stop_token stop;
   /// Called now and then with the cases done and those there are, from any thread, one call at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
@@ -49,8 +55,9 @@ struct Count {
 /// The case of a family that violated an invariant most; of equals the first.
 struct WorstViolation {
   std::uint64_t index;
-  double severity;  // Verdict::severity
   Case original;
+  Verdict verdict;
+  Answer answer;
 };
 
 struct FamilyResult {
@@ -68,7 +75,8 @@ struct Witness {
   std::string family;
   std::uint64_t index = 0;  // of the case in its family
   Case original;
-  Case shrunk;      // the simplest collision found that violates the same invariant about as badly
+  Case shrunk;      // the simplest collision found that violates the same invariant about as badly; the original where
+                    // the subject could not be asked on
   Verdict verdict;  // on the shrunk collision
   Answer answer;    // to the shrunk collision
 };
@@ -100,12 +108,18 @@ struct GateReport {
   GateOptions options;
   std::vector<Coverage> coverage;      // of each family
   std::vector<SubjectResult> results;  // of each subject
+  bool interrupted = false;            // by options.stop
 };
 
 /// Precondition: no subject is absent.
 [[nodiscard]] GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options);
 
-/// A subject's judgement of one collision, by a session of its own.
-[[nodiscard]] Judgement judge_one(const Subject& subject, const Claim& claim, const Case& one);
+struct AnswerAndJudgement {
+  Answer answer;
+  Judgement judgement;
+};
+
+/// A subject's answer to one collision, by a session of its own, judged. Throws where the subject cannot be judged.
+[[nodiscard]] AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one);
 
 }  // namespace carom::properties

@@ -32,10 +32,21 @@ Verdict finite(const ExactAnswer& answer) {
   return {};
 }
 
+/// Whether a collision is invalid only by fields that no law judged here reads: friction is the law `rough`'s alone.
+bool is_invalid_by_friction_alone(const Collision& collision) {
+  Collision without = collision;
+  without.friction = 0;
+  without.tangential_restitution = 0;
+  return validate(without).empty();
+}
+
 /// `invalid_refused`, of the answer to an invalid collision.
-Verdict invalid_refused(const ExactAnswer& answer) {
+Verdict invalid_refused(const Collision& collision, const ExactAnswer& answer) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};
+  }
+  if (is_invalid_by_friction_alone(collision)) {
+    return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
   }
   return violated("an invalid collision was answered");
 }
@@ -75,18 +86,19 @@ const oracles::ExactCase* JudgedCase::related(const Collision& collision) const 
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-             std::optional<Matrix3<Rational>> collision_matrix)
+             std::optional<Matrix3<Rational>> collision_matrix, bool with_relations)
     : judged_case_(&judged_case),
       claim_(&claim),
       answer_(std::move(answer)),
       collision_matrix_(std::move(collision_matrix)),
+      with_relations_(with_relations),
       question_count_(claim.invariants.size(), 0) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   if (outcome == nullptr || !judged_case.is_valid()) {
     return;
   }
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
-    if (claim.invariants[i]->questions == nullptr) {
+    if (claim.invariants[i]->questions == nullptr || !with_relations) {
       continue;
     }
     const std::vector<Collision> asked =
@@ -120,11 +132,13 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
     if (invariant.check == nullptr) {
       const bool about_invalid = invariant.name == "invalid_refused";
       if (about_invalid != judged_case_->is_valid()) {
-        judgement.verdicts.push_back({&invariant, about_invalid ? invalid_refused(answer_) : finite(answer_)});
+        judgement.verdicts.push_back({&invariant, about_invalid
+                                                      ? invalid_refused(judged_case_->generated().collision, answer_)
+                                                      : finite(answer_)});
       }
       continue;
     }
-    if (outcome == nullptr || !judged_case_->is_valid()) {
+    if (outcome == nullptr || !judged_case_->is_valid() || (invariant.questions != nullptr && !with_relations_)) {
       continue;
     }
     std::vector<Related> related;

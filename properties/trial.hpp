@@ -61,8 +61,9 @@ struct Judgement {
 class Trial {
  public:
   /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
+  /// Without relations, the invariants that ask about further collisions are left out.
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-        std::optional<Matrix3<oracles::Rational>> collision_matrix);
+        std::optional<Matrix3<oracles::Rational>> collision_matrix, bool with_relations = true);
 
   /// The related collisions that the claimed invariants ask about.
   [[nodiscard]] const std::vector<Collision>& questions() const { return questions_; }
@@ -75,6 +76,7 @@ class Trial {
   const Claim* claim_;
   ExactAnswer answer_;
   std::optional<Matrix3<oracles::Rational>> collision_matrix_;
+  bool with_relations_;
   std::vector<Collision> questions_;
   std::vector<std::size_t> question_count_;  // of each claimed invariant
 };

@@ -72,10 +72,16 @@ Verdict check_backward_error(const Evidence& e) {
                     e.allowance() * accuracy.sensitivity[k],
                     {},
                     {}};
-    const oracles::Truth<Rational>& truth = e.exact_case.truth(e.model);
-    for (int i = 0; i < 3; ++i) {
-      verdict.left.push_back((*vectors(e.outcome.rounded())[k])[i]);
-      verdict.right.push_back(oracles::to_double((*vectors(truth.outcome)[k])[i]));
+    const auto show = [&](const auto& truth) {
+      for (int i = 0; i < 3; ++i) {
+        verdict.left.push_back((*vectors(e.outcome.rounded())[k])[i]);
+        verdict.right.push_back(oracles::rounded((*vectors(truth.outcome)[k])[i]));
+      }
+    };
+    if (e.yardstick.filtered) {
+      show(e.exact_case.enclosed_truth(e.model));
+    } else {
+      show(e.exact_case.truth(e.model));
     }
     worst = both(std::move(worst), std::move(verdict));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,20 +37,23 @@ template <class Exact>
   if (!std::isfinite(allowed)) {
     return beyond_range();
   }
-  if (filtered && oracles::norm_at_most(oracles::difference(actual, expected), allowed).value_or(false)) {
-    return {};
+  const auto violation = [&](const auto& left, const auto& right) {
+    Verdict verdict{Status::violated, what, oracles::norm(oracles::difference(left, right)), allowed, {}, {}};
+    for (int i = 0; i < 3; ++i) {
+      verdict.left.push_back(oracles::rounded(left[i]));
+      verdict.right.push_back(oracles::rounded(right[i]));
+    }
+    return verdict;
+  };
+  const std::optional<bool> within =
+      filtered ? oracles::norm_at_most(oracles::difference(actual, expected), allowed) : std::nullopt;
+  if (within) {
+    return *within ? Verdict{} : violation(actual, expected);
   }
   const auto& [exact_actual, exact_expected] = exact_pair();
-  const auto difference = oracles::difference(exact_actual, exact_expected);
-  if (oracles::norm_at_most(difference, allowed)) {
-    return {};
-  }
-  Verdict verdict{Status::violated, what, oracles::norm(difference), allowed, {}, {}};
-  for (int i = 0; i < 3; ++i) {
-    verdict.left.push_back(oracles::to_double(exact_actual[i]));
-    verdict.right.push_back(oracles::to_double(exact_expected[i]));
-  }
-  return verdict;
+  return oracles::norm_at_most(oracles::difference(exact_actual, exact_expected), allowed)
+             ? Verdict{}
+             : violation(exact_actual, exact_expected);
 }
 
 /// Both must hold: the worse of two verdicts, a violation before a pass before a skip.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include <carom/collision/json.hpp>
@@ -12,12 +13,17 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string found(const json& value) {
+template <class Json>
+std::string shortened(const Json& value) {
   constexpr std::size_t most = 60;
-  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  return ", found " + (text.size() > most ? text.substr(0, most) + "…" : text);
+  // The library prints no long double.
+  const std::string text = json(value).dump(-1, ' ', true, json::error_handler_t::replace);
+  return text.size() > most ? text.substr(0, most) + "…" : text;
+}
+
+template <class Json>
+std::string found(const Json& value) {
+  return ", found " + shortened(value);
 }
 
 template <class Vector>
@@ -29,10 +35,29 @@ json numbers_to_json(const Vector& vector) {
   return array;
 }
 
+template <class Number, class Json>
+Number read_number(const Json& value, const std::string& place) {
+  using Limits = std::numeric_limits<Number>;
+  if (value.is_number()) {
+    return value.template get<Number>();
+  }
+  if (value == "nan") {
+    return Limits::quiet_NaN();
+  }
+  if (value == "inf") {
+    return Limits::infinity();
+  }
+  if (value == "-inf") {
+    return -Limits::infinity();
+  }
+  throw FormatError(place, "expected a number" + found(value));
+}
+
 /// Reads the fields of one JSON object, and knows which were asked for.
+template <class Json>
 class ObjectReader {
  public:
-  ObjectReader(const json& value, std::string place) : object_(value), place_(std::move(place)) {
+  ObjectReader(const Json& value, std::string place) : object_(value), place_(std::move(place)) {
     if (!value.is_object()) {
       throw FormatError(place_, "expected an object" + found(value));
     }
@@ -45,7 +70,7 @@ class ObjectReader {
     return object_.contains(name);
   }
 
-  [[nodiscard]] const json& required(const char* name) {
+  [[nodiscard]] const Json& required(const char* name) {
     if (!has(name)) {
       throw FormatError(at(name), "is missing");
     }
@@ -64,12 +89,13 @@ class ObjectReader {
 
   template <class Vector>
   void numbers(const char* name, Vector& into) {
-    const json& array = required(name);
+    const Json& array = required(name);
     if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
       throw FormatError(at(name), "expected an array of " + std::to_string(into.size()) + " numbers" + found(array));
     }
     for (Eigen::Index i = 0; i < into.size(); ++i) {
-      into[i] = number_from_json(array[static_cast<std::size_t>(i)], at(name) + '/' + std::to_string(i));
+      using Number = typename Vector::Scalar;
+      into[i] = read_number<Number>(array[static_cast<std::size_t>(i)], at(name) + '/' + std::to_string(i));
     }
   }
 
@@ -86,7 +112,7 @@ class ObjectReader {
   }
 
  private:
-  const json& object_;
+  const Json& object_;
   std::string place_;
   std::vector<std::string> asked_;
 };
@@ -132,6 +158,37 @@ Body body_from_json(const json& value, const std::string& place) {
 
 }  // namespace
 
+template <class Json>
+Json parse_json(std::string_view text) {
+  std::vector<std::set<std::string>> fields;
+  // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
+  constexpr int deepest = 64;
+  const auto watch = [&](int depth, typename Json::parse_event_t event, Json& value) {
+    if (depth > deepest) {
+      throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
+    }
+    if (event == Json::parse_event_t::object_start) {
+      fields.emplace_back();
+    } else if (event == Json::parse_event_t::object_end) {
+      fields.pop_back();
+    } else if (event == Json::parse_event_t::key && !fields.back().insert(value.template get<std::string>()).second) {
+      throw FormatError("the field " + shortened(value) + " stands twice in one object");
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, watch);
+  } catch (const nlohmann::detail::exception& error) {
+    // The library's text ends in what was expected; its own prefix says nothing to a reader.
+    const std::string what = error.what();
+    const std::size_t prefix = what.find("] ");
+    throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
+  }
+}
+
+template json parse_json<json>(std::string_view);
+template WideJson parse_json<WideJson>(std::string_view);
+
 json number_to_json(double number) {
   if (std::isnan(number)) {
     return "nan";
@@ -142,21 +199,7 @@ json number_to_json(double number) {
   return number;
 }
 
-double number_from_json(const json& value, const std::string& place) {
-  if (value.is_number()) {
-    return value.get<double>();
-  }
-  if (value == "nan") {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  if (value == "inf") {
-    return infinity;
-  }
-  if (value == "-inf") {
-    return -infinity;
-  }
-  throw FormatError(place, "expected a number" + found(value));
-}
+double number_from_json(const json& value, const std::string& place) { return read_number<double>(value, place); }
 
 json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vector); }
 
@@ -188,6 +231,19 @@ Collision collision_from_json(const json& value, const std::string& place) {
   reader.optional_number("tangential_restitution", collision.tangential_restitution);
   reader.reject_others();
   return collision;
+}
+
+ReportedOutcome outcome_from_json(const WideJson& value) {
+  ReportedOutcome outcome;
+  ObjectReader reader(value, {});
+  const auto read = [&](const char* name, BodyVelocity<long double>& motion) {
+    ObjectReader body(reader.required(name), reader.at(name));
+    body.numbers("velocity", motion.velocity);
+    body.numbers("angular_velocity", motion.angular_velocity);
+  };
+  read("a", outcome.a);
+  read("b", outcome.b);
+  return outcome;
 }
 
 }  // namespace carom

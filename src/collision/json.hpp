@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +20,20 @@ class FormatError : public std::runtime_error {
  public:
   FormatError(const std::string& place, const std::string& expected)
       : std::runtime_error((place.empty() ? std::string("/") : place) + ": " + expected) {}
+  /// Of the text as a whole.
+  explicit FormatError(const std::string& what) : std::runtime_error(what) {}
 };
+
+/// JSON whose numbers have the bits of long double: a subject's that computes in extended.
+using WideJson =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
+
+/// Parses JSON, and refuses what it leaves open: a field that stands twice in one object, and nesting deeper than 64
+/// levels. Throws FormatError.
+template <class Json = nlohmann::json>
+[[nodiscard]] Json parse_json(std::string_view text);
+extern template nlohmann::json parse_json<nlohmann::json>(std::string_view);
+extern template WideJson parse_json<WideJson>(std::string_view);
 
 /// A finite number as itself; what JSON has no number for as "nan", "inf" or "-inf".
 [[nodiscard]] nlohmann::json number_to_json(double number);
@@ -33,5 +50,9 @@ class FormatError : public std::runtime_error {
 
 /// Throws FormatError where a field is missing, unknown, or of another type. Does not validate the numbers.
 [[nodiscard]] Collision collision_from_json(const nlohmann::json& json, const std::string& place = {});
+
+/// An outcome of the line protocol: the objects `a` and `b` of a reply, which may have further fields. Numbers as
+/// number_from_json reads them. Throws FormatError.
+[[nodiscard]] ReportedOutcome outcome_from_json(const WideJson& json);
 
 }  // namespace carom

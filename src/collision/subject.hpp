@@ -4,6 +4,8 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -25,13 +27,39 @@ struct Refused {
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused>;
 
-/// Answers collisions in order, one answer each. Used by one thread at a time.
-using Session = std::function<std::vector<Answer>(std::span<const Collision>)>;
+/// Answers collisions in order, one answer each. Used by the thread that opened it alone.
+class Session {
+ public:
+  using Solve = std::function<std::vector<Answer>(std::span<const Collision>)>;
+
+  Session() = default;
+  /// `close` ends what the session holds on to; empty where that is nothing.
+  template <class F>
+  requires std::is_invocable_r_v<std::vector<Answer>, F&, std::span<const Collision>> Session(
+      F solve, std::function<void()> close = {})
+      : solve_(std::move(solve)), close_(std::move(close)) {}
+
+  [[nodiscard]] std::vector<Answer> operator()(std::span<const Collision> collisions) { return solve_(collisions); }
+
+  /// Ends the session in an orderly way. Throws where the subject does not end as it should.
+  void close() {
+    if (close_) {
+      close_();
+    }
+  }
+
+ private:
+  Solve solve_;
+  std::function<void()> close_;
+};
 
 /// A solver under test.
 struct Subject {
   std::string name;
-  std::string summary;
+  /// What the command line calls it, where that is not its name: "exec:PROGRAM ARG…".
+  std::string specification = {};
+  std::string summary = {};
+  std::string version = {};  // of the engine; empty where it has none of its own
   Model model = Model::any;
   Precision precision = Precision::binary64;
   /// Whether its author claims that it is right. One that is kept because it fails is shown, and does not count.

@@ -6,15 +6,23 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
+#include <carom/subjects/protocol/exec.hpp>
 
 namespace carom::subjects {
 
 /// The solvers of carom/impulse, as users compile them.
 [[nodiscard]] std::vector<Subject> built_in_subjects();
 
-/// Every subject that this program knows by name: the built-in solvers, then the engines, also those not installed.
+/// The built-in solvers, and the engines that are linked: what runs in this process, also what is not installed.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
-[[nodiscard]] std::optional<Subject> subject_named(std::string_view name);
+/// Every engine, linked or over the protocol, also those not installed. Programs are started with these options.
+[[nodiscard]] std::vector<Subject> engine_subjects(const protocol::ExecOptions& options);
+
+/// The subject that this program knows by that name, engines over the protocol among them.
+[[nodiscard]] std::optional<Subject> subject_named(std::string_view name, const protocol::ExecOptions& options = {});
+
+/// What subject_named knows, with nothing started: engines over the protocol have no `open`.
+[[nodiscard]] std::vector<Subject> known_subjects();
 
 }  // namespace carom::subjects

@@ -29,12 +29,16 @@ struct GateArguments {
   std::optional<int> digits;
   unsigned jobs = 0;  // 0: one for each core
   std::string out;    // a directory; empty for none
+  bool engines = false;
+  std::uint64_t relations_every = 0;  // 0: as GateOptions says
+  double timeout = 5;                 // of each reply of a program [s]
   std::string format = "text";
 };
 
 struct ReplayArguments {
   std::string file;
   std::string subject;  // empty: the one that a witness names
+  double timeout = 5;   // of each reply of a program [s]
   double limit_ulps = 32;
   std::optional<int> digits;
   std::string format = "text";

@@ -3,16 +3,21 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/exec.hpp>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "junit.hpp"
 #include "records.hpp"
+#include "subject_argument.hpp"
 #include "table.hpp"
 
 namespace carom::tool {
@@ -60,29 +65,42 @@ struct Selection {
   std::vector<Subject> absent;
 };
 
-Selection select(const GateArguments& arguments) {
+/// Two programs may call themselves the same: the later ones are numbered.
+void make_names_unique(std::vector<Subject>& subjects) {
+  std::map<std::string, int> seen;
+  for (Subject& subject : subjects) {
+    const int count = ++seen[subject.name];
+    subject.name += count > 1 ? fmt::format(" #{}", count) : "";
+  }
+}
+
+Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   std::vector<Subject> wanted;
-  for (const std::string& name : arguments.subjects) {
-    const std::optional<Subject> subject = subjects::subject_named(name);
-    if (!subject) {
-      throw UsageError(fmt::format("there is no subject '{}'; `carom subjects` lists them", name));
-    }
-    const bool repeated = std::any_of(wanted.begin(), wanted.end(), [&](const Subject& s) { return s.name == name; });
-    if (!repeated) {
-      wanted.push_back(*subject);
+  std::set<std::string> words;
+  for (const std::string& word : arguments.subjects) {
+    if (words.insert(word).second) {
+      wanted.push_back(subject_from_argument(word, arguments.timeout, stop));
     }
   }
   const bool named = !wanted.empty();
-  if (!named) {
+  if (arguments.engines) {
+    for (Subject& engine : subjects::engine_subjects(subjects::protocol::exec_options(arguments.timeout, stop))) {
+      if (!words.contains(engine.name)) {
+        wanted.push_back(std::move(engine));
+      }
+    }
+  } else if (!named) {
     wanted = subjects::all_subjects();
   }
+  make_names_unique(wanted);
   Selection selection;
   for (Subject& subject : wanted) {
     if (!subject.absent.empty()) {
       selection.absent.push_back(std::move(subject));
       continue;
     }
-    selection.counts.push_back(named || subject.expected_to_pass);
+    selection.counts.push_back(subject.expected_to_pass || words.contains(subject.name) ||
+                               words.contains(subject.specification));
     selection.subjects.push_back(std::move(subject));
   }
   return selection;
@@ -119,9 +137,11 @@ void make_directory(const std::string& out) {
   if (error) {
     throw UsageError(fmt::format("--out: {} cannot be made: {}", witnesses.string(), error.message()));
   }
-  // Witnesses of an earlier run would pass for this one's.
+  // Witnesses of an earlier run would pass for this one's. Other files are left alone.
   for (const fs::directory_entry& entry : fs::directory_iterator(witnesses)) {
-    if (entry.path().extension() == ".json") {
+    const std::string invariant = entry.path().stem().extension().string();  // of SUBJECT.INVARIANT.json
+    const bool is_witness = !invariant.empty() && properties::invariant_named(invariant.substr(1)) != nullptr;
+    if (entry.path().extension() == ".json" && is_witness) {
       fs::remove(entry.path());
     }
   }
@@ -144,7 +164,8 @@ void write_reports(const GateRun& run, const std::string& out) {
 }  // namespace
 
 int gate(const GateArguments& arguments) {
-  Selection selection = select(arguments);
+  const std::stop_token stop = stop_on_interrupt();
+  Selection selection = select(arguments, stop);
   properties::GateOptions options;
   options.seed = arguments.seed;
   options.cases = arguments.cases;
@@ -153,6 +174,8 @@ int gate(const GateArguments& arguments) {
   options.yardstick.digits = arguments.digits;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   options.progress = progress_line();
+  options.stop = stop;
+  options.relations_every = arguments.relations_every;
   if (!arguments.out.empty()) {
     make_directory(arguments.out);
   }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +23,16 @@ using carom::tool::ReplayArguments;
 // Below, no arithmetic passes; above, everything does.
 constexpr double smallest_limit = 1e-3;
 constexpr double largest_limit = 1e15;
+constexpr double shortest_timeout = 1e-3;  // [s]
+constexpr double longest_timeout = 86400;  // [s]
+
+/// CLI11 wraps what does not fit into 64 bits, and minus signs.
+std::string is_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  return error == std::errc() && end == text.data() + text.size() ? std::string()
+                                                                  : "expected an integer from 0 to 2^64 - 1";
+}
 
 template <class Arguments>
 void add_yardstick(CLI::App& command, Arguments& arguments) {
@@ -34,6 +48,18 @@ void add_yardstick(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
   command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
       ->check(CLI::Range(1, 18));
+}
+
+template <class Arguments>
+void add_timeout(CLI::App& command, Arguments& arguments) {
+  command.add_option("--timeout", arguments.timeout, "Seconds that an exec: subject may take for each reply")
+      ->check([](const std::string& text) {
+        const double seconds = std::strtod(text.c_str(), nullptr);
+        return seconds >= shortest_timeout && seconds <= longest_timeout
+                   ? std::string()
+                   : fmt::format("expected a number from {} to {}", shortest_timeout, longest_timeout);
+      })
+      ->capture_default_str();
 }
 
 void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats) {
@@ -54,17 +80,26 @@ int main(int argc, char** argv) {
   CLI::App* gate_command = app.add_subcommand(
       "gate", "Judge subjects: exit status 0 all hold, 1 something violated, 2 usage or environment");
   gate_command->add_option("SUBJECT", gate.subjects,
-                           "Subjects to judge (default: all; those expected to fail do not count)");
+                           "Subjects to judge, built-in names or 'exec:PROGRAM ARG…' for a program that speaks the "
+                           "protocol (default: all built-ins; those expected to fail do not count)");
+  gate_command->add_flag("--engines", gate.engines, "Judge every engine that is installed");
   gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases on every machine")
+      ->check(is_seed)
       ->capture_default_str();
   gate_command->add_option("--cases", gate.cases, "Cases of each family")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
+  gate_command
+      ->add_option("--relations-every", gate.relations_every,
+                   "Judge the invariants that relate collisions on every Nth case (default: 1; 8 for programs)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
       ->delimiter(',');
-  gate_command->add_option("--out", gate.out, "Directory for report.json, junit.xml and witnesses/");
+  gate_command->add_option("--out", gate.out,
+                           "Directory for the reports and witnesses/; those of an earlier run are replaced");
   gate_command->add_option("--jobs", gate.jobs, "Threads (default: one for each core)")->check(CLI::Range(1, 1024));
   add_yardstick(*gate_command, gate);
+  add_timeout(*gate_command, gate);
   add_format(*gate_command, gate.format, {"text", "json"});
   gate_command->callback([&] { run = [&] { return carom::tool::gate(gate); }; });
 
@@ -81,7 +116,7 @@ int main(int argc, char** argv) {
   std::string families_format = "text";
   std::uint64_t families_seed = 1;
   CLI::App* families_command = app.add_subcommand("families", "List the families, with an example of each");
-  families_command->add_option("--seed", families_seed, "Seed of the examples")->capture_default_str();
+  families_command->add_option("--seed", families_seed, "Seed of the examples")->check(is_seed)->capture_default_str();
   add_format(*families_command, families_format, {"text", "json"});
   families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
 
@@ -91,6 +126,7 @@ int main(int argc, char** argv) {
   replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions")->required();
   replay_command->add_option("--subject", replay.subject, "Subject to judge (default: the one that a witness names)");
   add_yardstick(*replay_command, replay);
+  add_timeout(*replay_command, replay);
   add_format(*replay_command, replay.format, {"text", "json"});
   replay_command->callback([&] { run = [&] { return carom::tool::replay(replay); }; });
 

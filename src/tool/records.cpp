@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include <carom/collision/json.hpp>
+#include <carom/subjects/protocol/words.hpp>
 
 #include "commands.hpp"
 
@@ -55,23 +55,6 @@ json count_record(const properties::Count& count) {
   return {{"holds", count.holds}, {"violated", count.violated}, {"skipped", count.skipped}};
 }
 
-/// Whether a shell leaves the character as it is.
-bool is_plain(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-         std::string_view("-._/").find(letter) != std::string_view::npos;
-}
-
-std::string shell_quoted(const std::string& word) {
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
-    return word;
-  }
-  std::string quoted = "'";
-  for (const char letter : word) {
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  }
-  return quoted + '\'';
-}
-
 json yardstick_record(const oracles::Yardstick& yardstick) {
   json record{{"limit_ulps", yardstick.limit_ulps}};
   if (yardstick.digits) {
@@ -80,20 +63,34 @@ json yardstick_record(const oracles::Yardstick& yardstick) {
   return record;
 }
 
+}  // namespace
+
 std::string status_of(const properties::SubjectResult& result) {
+  if (!result.error.empty()) {
+    return "error";
+  }
   if (!result.violated_invariants().empty()) {
     return "violated";
   }
-  return result.is_sound() ? "sound" : "error";
+  return result.is_sound() ? "sound" : "not judged";
 }
 
+namespace {
+
 json subject_facts(const Subject& subject) {
-  return {{"name", subject.name},
-          {"summary", subject.summary},
-          {"model", name_of(subject.model)},
-          {"precision", name_of(subject.precision)},
-          {"expected_to_pass", subject.expected_to_pass},
-          {"deviates", subject.deviates}};
+  json facts{{"name", subject.name},
+             {"summary", subject.summary},
+             {"model", name_of(subject.model)},
+             {"precision", name_of(subject.precision)},
+             {"expected_to_pass", subject.expected_to_pass},
+             {"deviates", subject.deviates}};
+  if (!subject.specification.empty()) {
+    facts["specification"] = subject.specification;
+  }
+  if (!subject.version.empty()) {
+    facts["version"] = subject.version;
+  }
+  return facts;
 }
 
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
@@ -214,19 +211,21 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
 
 int GateRun::exit_status() const {
   bool judged = false;
-  bool failed = false;
+  bool violated = false;
+  bool failed = report.interrupted;
   for (std::size_t s = 0; s < report.results.size(); ++s) {
     if (!counts[s]) {
       continue;
     }
     judged = true;
     const std::string status = status_of(report.results[s]);
-    if (status == "violated") {
-      return exit_violated;
-    }
-    failed = failed || status == "error";
+    violated = violated || status == "violated";
+    failed = failed || status == "error" || status == "not judged";
   }
-  return judged && !failed ? exit_all_hold : exit_usage;
+  if (failed || !judged) {
+    return exit_usage;
+  }
+  return violated ? exit_violated : exit_all_hold;
 }
 
 json report_record(const GateRun& run) {
@@ -236,6 +235,7 @@ json report_record(const GateRun& run) {
               {"cases_of_each_family", options.cases},
               {"yardstick", yardstick_record(options.yardstick)},
               {"exit_status", run.exit_status()},
+              {"interrupted", run.report.interrupted},
               {"families", json::array()},
               {"subjects", json::array()}};
   for (std::size_t f = 0; f < options.families.size(); ++f) {
@@ -260,7 +260,8 @@ std::filesystem::path witness_path(const std::filesystem::path& directory, const
                                    const properties::Witness& witness) {
   std::string name = subject.name + '.' + witness.invariant;
   for (char& letter : name) {
-    letter = is_plain(letter) && letter != '/' ? letter : '_';
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
+    letter = is_plain ? letter : '_';
   }
   return directory / "witnesses" / (name + ".json");
 }
@@ -268,7 +269,8 @@ std::filesystem::path witness_path(const std::filesystem::path& directory, const
 std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
                            const oracles::Yardstick& yardstick) {
   std::string command =
-      fmt::format("carom replay {} --subject {}", shell_quoted(witness_file.string()), shell_quoted(subject.name));
+      fmt::format("carom replay {} --subject {}", subjects::protocol::quoted(witness_file.string()),
+                  subjects::protocol::quoted(subject.specification.empty() ? subject.name : subject.specification));
   if (yardstick.limit_ulps != oracles::default_limit_ulps) {
     command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
   }

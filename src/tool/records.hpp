@@ -30,12 +30,16 @@ namespace carom::tool {
                                             const properties::GateOptions& options,
                                             const std::filesystem::path& witness_file);
 
+/// "sound", "violated", "error" where it could not be judged to the end, "not judged" where no case could be posed to
+/// it.
+[[nodiscard]] std::string status_of(const properties::SubjectResult& result);
+
 /// report.json. `counts` says of each subject whether it counts towards the exit status.
 struct GateRun {
   properties::GateReport report;
   std::vector<bool> counts;
   std::vector<Subject> absent;  // asked for, or part of the default, and not installed
-  /// 0 all hold, 1 something violated, 2 something that counts could not be judged, or nothing was.
+  /// 2 something that counts could not be judged to the end, or nothing was; else 1 something violated, 0 all hold.
   [[nodiscard]] int exit_status() const;
 };
 

@@ -5,11 +5,11 @@
 
 #include <carom/collision/json.hpp>
 #include <carom/properties/gate.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "commands.hpp"
 #include "input_file.hpp"
 #include "records.hpp"
+#include "subject_argument.hpp"
 #include "words.hpp"
 
 namespace carom::tool {
@@ -99,26 +99,34 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   return text;
 }
 
-Subject required_subject(const std::string& name) {
-  std::optional<Subject> subject = subjects::subject_named(name);
-  if (!subject) {
-    throw UsageError(fmt::format("there is no subject '{}'; `carom subjects` lists them", name));
+Subject required_subject(const ReplayArguments& arguments, const std::string& name) {
+  Subject subject = subject_from_argument(name, arguments.timeout, {});
+  if (!subject.absent.empty()) {
+    throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
   }
-  if (!subject->absent.empty()) {
-    throw UsageError(fmt::format("{} is absent: {}", name, subject->absent));
-  }
-  return *subject;
+  return subject;
 }
 
 /// The subject to judge on this collision, if any.
 std::optional<Subject> subject_for(const ReplayArguments& arguments, const ReadCollision& read) {
   if (!arguments.subject.empty()) {
-    return required_subject(arguments.subject);
+    return required_subject(arguments, arguments.subject);
   }
   if (read.witness && !read.witness->subject.empty()) {
-    return required_subject(read.witness->subject);
+    // A file does not start programs: that takes the word of whoever runs this one.
+    return read.witness->is_program ? std::nullopt
+                                    : std::optional<Subject>(required_subject(arguments, read.witness->subject));
   }
   return std::nullopt;
+}
+
+properties::AnswerAndJudgement judged(const Subject& subject, const properties::Claim& claim,
+                                      const properties::Case& one) {
+  try {
+    return properties::judge_one(subject, claim, one);
+  } catch (const std::exception& error) {
+    throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
+  }
 }
 
 bool is_violated(const properties::Judgement& judgement) {
@@ -154,8 +162,7 @@ int replay(const ReplayArguments& arguments) {
     }
     if (const std::optional<Subject> subject = subject_for(arguments, read)) {
       const properties::Claim claim = properties::claim_of(*subject, yardstick);
-      const properties::Judgement judgement = properties::judge_one(*subject, claim, read.one);
-      const Answer answer = subject->open()(std::span(&collision, 1)).at(0);
+      const auto [answer, judgement] = judged(*subject, claim, read.one);
       violated = violated || is_violated(judgement);
       record["subject"] = subject->name;
       record["outcome"] = answer_record(answer);
@@ -168,6 +175,10 @@ int replay(const ReplayArguments& arguments) {
       }
       text += fmt::format("{}, judged\n{}", subject->name,
                           judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+    }
+    if (read.witness && read.witness->is_program && arguments.subject.empty()) {
+      text += fmt::format("  judged on no subject: the witness names a program; to run it, give --subject {}\n",
+                          read.witness->subject);
     }
     if (arguments.format == "json") {
       fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -48,13 +48,21 @@ std::string families_text(const SubjectResult& result, const GateReport& report)
   return text;
 }
 
+/// The text with every line but the first moved in.
+std::string indented(const std::string& text, const std::string& by) {
+  std::string result;
+  for (const char letter : text) {
+    result += letter;
+    result += letter == '\n' ? by : "";
+  }
+  return result;
+}
+
 std::string subject_line(const SubjectResult& result, const GateReport& report) {
   const auto worst = result.worst_backward_error(report.options);
   const std::size_t violated = result.violated_invariants().size();
-  const std::string verdict = violated > 0           ? fmt::format("{} violated", violated)
-                              : result.is_sound()    ? "sound"
-                              : result.error.empty() ? "not judged"
-                                                     : "error";
+  const std::string status = status_of(result);
+  const std::string verdict = status == "violated" ? fmt::format("{} violated", violated) : status;
   std::string line =
       fmt::format("{:32} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
                   worst.backward_error, worst.family, digits_text(result), result.nanoseconds_per_solve);
@@ -62,7 +70,7 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }
   if (!result.error.empty()) {
-    line += "    error: " + result.error + '\n';
+    line += indented("    error: " + result.error, "      ") + '\n';
   }
   std::string names;
   for (const std::string& name : result.violated_invariants()) {
@@ -114,6 +122,9 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
       "Carom {}: {} cases of each of {} families, seed {}, limit {}\n\n", CAROM_VERSION, report.options.cases,
       report.options.families.size(), report.options.seed,
       yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps));
+  if (report.interrupted) {
+    text += "INTERRUPTED: what follows is what was judged until then\n\n";
+  }
   text += coverage_table(report);
   const std::string heading = fmt::format("\n{:32} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
                                           "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");

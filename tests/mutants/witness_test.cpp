@@ -37,7 +37,7 @@ GateOptions options_with(std::initializer_list<std::string_view> families) {
 properties::Status status_of(const SubjectResult& result, const std::string& invariant, const properties::Case& one) {
   properties::Claim claim = properties::claim_of(result.subject, {});
   claim.invariants = {properties::invariant_named(invariant)};
-  const properties::Judgement judgement = properties::judge_one(result.subject, claim, one);
+  const properties::Judgement judgement = properties::judge_one(result.subject, claim, one).judgement;
   return judgement.verdicts.empty() ? properties::Status::skipped : judgement.verdicts.front().verdict.status;
 }
 

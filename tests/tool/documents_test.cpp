@@ -32,7 +32,7 @@ TEST(Documents, EveryInvariantSaysWhatItClaims) {
 
 TEST(Documents, ListsNameEverything) {
   const auto subjects = nlohmann::json::parse(run_carom({"subjects", "--format", "json"}).output);
-  EXPECT_EQ(subjects.size(), subjects::all_subjects().size());
+  EXPECT_EQ(subjects.size(), subjects::known_subjects().size());
   const auto invariants = nlohmann::json::parse(run_carom({"invariants", "--format", "json"}).output);
   EXPECT_EQ(invariants.size(), properties::all_invariants().size());
   const auto families = nlohmann::json::parse(run_carom({"families", "--format", "json"}).output);

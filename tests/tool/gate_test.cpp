@@ -74,11 +74,13 @@ TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
 TEST(GateCommand, ReportsAreWrittenAndOldWitnessesRemoved) {
   const TemporaryDirectory out;
   std::filesystem::create_directories(out.path() / "witnesses");
-  const std::string stale = out.write("witnesses/stale.json", "{}");
+  const std::string stale = out.write("witnesses/old.restitution.json", "{}");
+  const std::string not_ours = out.write("witnesses/mine.json", "{}");
   const RunResult result = run_carom({"gate", "reflection-in-basis-double", "frictionless-double", "--families",
                                       "head_on", "--cases", "60", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 1);
   EXPECT_FALSE(std::filesystem::exists(stale));
+  EXPECT_TRUE(std::filesystem::exists(not_ours));
 
   const json report = json::parse(content_of(out.path() / "report.json"));
   EXPECT_EQ(report.at("exit_status"), 1);

@@ -8,6 +8,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/process.hpp>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace carom::tests {
@@ -22,6 +23,21 @@ RunResult run_carom(const std::vector<std::string>& arguments) {
   context.run();
   child.wait();
   return {child.exit_code(), output.get(), errors.get()};
+}
+
+pid_t start_carom(const std::vector<std::string>& arguments) {
+  namespace bp = boost::process;
+  bp::child child(bp::exe = CAROM_PROGRAM, bp::args = arguments, bp::std_in<bp::null, bp::std_out> bp::null,
+                  bp::std_err > bp::null);
+  const pid_t process = child.id();
+  child.detach();
+  return process;
+}
+
+int wait_for(pid_t process) {
+  int status = 0;
+  waitpid(process, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TemporaryDirectory::TemporaryDirectory() {

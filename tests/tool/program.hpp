@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 /// Runs the program as a user would.
 namespace carom::tests {
 
@@ -16,6 +18,12 @@ struct RunResult {
 
 /// `carom ARG…`, without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
+
+/// Starts it and goes on, its output dropped.
+[[nodiscard]] pid_t start_carom(const std::vector<std::string>& arguments);
+
+/// Waits for a started one: its exit status, or -1 where a signal ended it.
+[[nodiscard]] int wait_for(pid_t process);
 
 /// A directory of its own, removed at the end.
 class TemporaryDirectory {

@@ -47,21 +47,24 @@ TEST(Dual, GivesConstantsNoDerivative) {
   EXPECT_EQ(D().value, 0);
 }
 
+/// The same object, in a way that compilers do not warn of.
+const D& itself(const D& x) { return x; }
+
 TEST(Dual, SurvivesBeingItsOwnOperand) {
   const D x = D::input(ratio(3, 2), 0);
   D sum = x;
-  sum += sum;
+  sum += itself(sum);
   EXPECT_EQ(sum.derivative[0], 2);
   D difference = x;
-  difference -= difference;
+  difference -= itself(difference);
   EXPECT_EQ(difference.value, 0);
   EXPECT_EQ(difference.derivative[0], 0);
   D product = x;
-  product *= product;
+  product *= itself(product);
   EXPECT_EQ(product.value, ratio(9, 4));
   EXPECT_EQ(product.derivative[0], 3);
   D quotient = x;
-  quotient /= quotient;
+  quotient /= itself(quotient);
   EXPECT_EQ(quotient.value, 1);
   EXPECT_EQ(quotient.derivative[0], 0);
 }

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+#include <boost/asio.hpp>
+#include <boost/process.hpp>
+#include <boost/process/extend.hpp>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <carom/subjects/protocol/child.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+namespace asio = boost::asio;
+namespace process = boost::process;
+using Clock = std::chrono::steady_clock;
+
+/// How soon a request to stop is seen while waiting for the process.
+constexpr std::chrono::milliseconds glance{50};
+
+/// What the child starts with: the signals as a program expects them, whatever this process does with them, and an end
+/// of its own when the thread that started it ends.
+struct AsProgramsExpect : process::extend::handler {
+  template <class Executor>
+  void on_exec_setup(Executor& /*unused*/) const {
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) {
+      std::signal(signal, SIG_DFL);
+    }
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  }
+};
+
+/// Another child must not hold on to the ends of these pipes: their closing could then not be seen.
+std::mutex& start_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void keep_to_this_process(process::async_pipe& pipe) {
+  for (const int end : {pipe.native_source(), pipe.native_sink()}) {
+    if (end >= 0) {
+      fcntl(end, F_SETFD, FD_CLOEXEC);
+    }
+  }
+}
+
+/// What execvp would run.
+std::string program_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) {
+    return name;
+  }
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string candidate = (folder.empty() ? "." : folder) + '/' + name;
+    if (access(candidate.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(candidate)) {
+      return candidate;
+    }
+  }
+  throw ChildError("'" + name + "' was not found on PATH");
+}
+
+/// A child that has ended is known by its output; writing to it must not end this process.
+void ignore_broken_pipes() {
+  struct sigaction current {};
+  sigaction(SIGPIPE, nullptr, &current);
+  if (current.sa_handler == SIG_DFL) {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+}
+
+std::string end_of(int status) {
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+  }
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+class ChildProcess::State {
+ public:
+  State(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop)
+      : limits_(limits), stop_(std::move(stop)) {
+    const std::lock_guard lock(start_mutex());
+    ignore_broken_pipes();
+    for (process::async_pipe* pipe : {&input_, &output_, &errors_}) {
+      *pipe = process::async_pipe(context_);
+      keep_to_this_process(*pipe);
+    }
+    std::error_code failure;
+    const std::vector<std::string> arguments(words.begin() + 1, words.end());
+    child_ = process::child(process::exe = program_path(words[0]), process::args = arguments,
+                            process::std_in<input_, process::std_out> output_, process::std_err > errors_, group_,
+                            AsProgramsExpect(), failure);
+    if (failure) {
+      throw ChildError("'" + words[0] + "' cannot be run: " + failure.message());
+    }
+    read_errors();
+  }
+
+  ~State() {
+    kill();
+    std::error_code ignored;
+    child_.wait(ignored);
+  }
+
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void exchange(const std::string& text, std::size_t count, const std::function<void(std::string_view)>& on_line) {
+    write(text);
+    deadline_ = Clock::now() + limits_.timeout;
+    while (count > 0) {
+      if (const std::optional<std::string> line = next_line()) {
+        --count;
+        deadline_ = Clock::now() + limits_.timeout;
+        on_line(*line);
+      } else if (output_ended_) {
+        throw ChildError(how_it_ended());
+      } else {
+        read_output();
+        wait("wrote no line within ");
+      }
+    }
+    while (is_writing_) {  // replies to all of it came before all of it was read
+      wait("did not read its standard input within ");
+    }
+  }
+
+  void finish(const std::string& text) {
+    write(text);
+    deadline_ = Clock::now() + limits_.timeout;
+    while (is_writing_) {
+      wait("did not read its standard input within ");
+    }
+    input_.close();
+    while (!output_ended_) {
+      if (!unread_.empty()) {
+        throw ChildError("wrote more lines than it was asked for: " + beginning(unread_));
+      }
+      read_output();
+      wait("did not end within ", " of being told to stop");
+    }
+    if (!unread_.empty()) {
+      throw ChildError("wrote more lines than it was asked for: " + beginning(unread_));
+    }
+    while (is_running()) {
+      wait("did not end within ", " of being told to stop");
+    }
+    if (child_.native_exit_code() != 0) {
+      throw ChildError(end_of(child_.native_exit_code()) + " on being told to stop");
+    }
+  }
+
+  std::string standard_error() {
+    // What is there already, for the reader of an error.
+    const auto until = Clock::now() + glance;
+    while (!errors_ended_ && Clock::now() < until) {
+      run_one(until - Clock::now());
+    }
+    return kept_errors_;
+  }
+
+ private:
+  static std::string beginning(const std::string& text) {
+    constexpr std::size_t most = 80;
+    const std::string line = text.substr(0, text.find('\n'));
+    return line.size() > most ? line.substr(0, most) + "…" : line;
+  }
+
+  void write(const std::string& text) {
+    text_ = text;
+    is_writing_ = true;
+    asio::async_write(input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
+      // A process that does not read on is known by the replies that it does not write.
+      is_writing_ = false;
+    });
+  }
+
+  void read_output() {
+    if (is_reading_ || output_ended_) {
+      return;
+    }
+    is_reading_ = true;
+    output_.async_read_some(asio::buffer(chunk_), [this](const boost::system::error_code& failure, std::size_t size) {
+      is_reading_ = false;
+      output_ended_ = static_cast<bool>(failure);
+      unread_.append(chunk_.data(), size);
+    });
+  }
+
+  void read_errors() {
+    errors_.async_read_some(asio::buffer(errors_chunk_),
+                            [this](const boost::system::error_code& failure, std::size_t size) {
+                              kept_errors_.append(errors_chunk_.data(), size);
+                              if (kept_errors_.size() > limits_.standard_error) {
+                                kept_errors_.erase(0, kept_errors_.size() - limits_.standard_error);
+                              }
+                              errors_ended_ = static_cast<bool>(failure);
+                              if (!errors_ended_) {
+                                read_errors();
+                              }
+                            });
+  }
+
+  /// The next whole line of what was read.
+  std::optional<std::string> next_line() {
+    const std::size_t end = unread_.find('\n', searched_);
+    if (end == std::string::npos) {
+      unread_.erase(0, begin_);
+      begin_ = 0;
+      searched_ = unread_.size();
+      if (searched_ > limits_.line) {
+        throw ChildError("wrote a line of more than " + std::to_string(limits_.line) + " bytes: " + beginning(unread_));
+      }
+      return std::nullopt;
+    }
+    std::string line = unread_.substr(begin_, end - begin_);
+    begin_ = searched_ = end + 1;
+    if (line.size() > limits_.line) {
+      throw ChildError("wrote a line of more than " + std::to_string(limits_.line) + " bytes: " + beginning(line));
+    }
+    if (begin_ == unread_.size()) {
+      unread_.clear();
+      begin_ = searched_ = 0;
+    }
+    return line;
+  }
+
+  /// Lets one thing happen. Throws past the deadline.
+  void wait(const char* too_late, const char* after = "") {
+    if (stop_.stop_requested()) {
+      throw ChildError("was stopped by the user");
+    }
+    if (Clock::now() >= deadline_) {
+      const std::chrono::duration<double> seconds = limits_.timeout;
+      std::string text = std::to_string(seconds.count());
+      text.erase(text.find_last_not_of('0') + 1);
+      text.erase(text.find_last_not_of('.') + 1);
+      throw ChildError(too_late + text + " s" + after);
+    }
+    run_one(glance);
+  }
+
+  /// Lets one thing happen, or a while pass.
+  void run_one(Clock::duration at_most) {
+    constexpr std::chrono::milliseconds moment{1};
+    context_.restart();
+    if (context_.run_one_for(at_most) == 0 && context_.stopped()) {
+      std::this_thread::sleep_for(std::min<Clock::duration>(at_most, moment));  // there is nothing to wait for
+    }
+  }
+
+  bool is_running() {
+    std::error_code ignored;
+    return child_.running(ignored);
+  }
+
+  std::string how_it_ended() {
+    // Its output is closed, and its end may be a moment away.
+    const auto until = Clock::now() + std::min<Clock::duration>(limits_.timeout, std::chrono::seconds(1));
+    while (is_running() && Clock::now() < until) {
+      run_one(std::chrono::milliseconds(1));
+    }
+    return is_running() ? std::string("closed its standard output") : end_of(child_.native_exit_code());
+  }
+
+  /// The whole group: also what the process has started itself.
+  void kill() {
+    std::error_code ignored;
+    group_.terminate(ignored);
+  }
+
+  ChildLimits limits_;
+  std::stop_token stop_;
+  asio::io_context context_;
+  process::async_pipe input_{context_};
+  process::async_pipe output_{context_};
+  process::async_pipe errors_{context_};
+  process::group group_;
+  process::child child_;
+  Clock::time_point deadline_;
+
+  std::string text_;
+  bool is_writing_ = false;
+
+  std::array<char, 65536> chunk_{};
+  bool is_reading_ = false;
+  bool output_ended_ = false;
+  std::string unread_;        // of standard output
+  std::size_t begin_ = 0;     // of the next line in it
+  std::size_t searched_ = 0;  // there is no line end before
+
+  std::array<char, 65536> errors_chunk_{};
+  bool errors_ended_ = false;
+  std::string kept_errors_;
+};
+
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop)
+    : state_(std::make_unique<State>(words, limits, std::move(stop))) {}
+
+ChildProcess::~ChildProcess() = default;
+
+void ChildProcess::exchange(const std::string& text, std::size_t count,
+                            const std::function<void(std::string_view)>& on_line) {
+  state_->exchange(text, count, on_line);
+}
+
+void ChildProcess::finish(const std::string& text) { state_->finish(text); }
+
+std::string ChildProcess::standard_error() { return state_->standard_error(); }
+
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/json.hpp>
+#include <carom/subjects/protocol/exec.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/text.hpp>
+#include <carom/subjects/protocol/words.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+constexpr std::size_t longest_shown_request = 4000;  // bytes
+
+/// The program, and what was asked of it last.
+class Conversation {
+ public:
+  Conversation(const std::vector<std::string>& words, const ExecOptions& options)
+      : process_(words, options.limits, options.stop) {
+    request_ = start_request();
+    guarded("start", [&] {
+      process_.exchange(request_, 1, [&](std::string_view line) { introduction_ = introduction_from(line); });
+    });
+  }
+
+  [[nodiscard]] const Introduction& introduction() const { return introduction_; }
+
+  [[nodiscard]] std::vector<Answer> solve(std::span<const Collision> collisions) {
+    std::vector<Answer> answers;
+    answers.reserve(collisions.size());
+    std::string requests;
+    for (std::size_t i = 0; i < collisions.size(); ++i) {
+      requests += solve_request(next_id_ + i, collisions[i]);
+    }
+    try {
+      process_.exchange(requests, collisions.size(), [&](std::string_view line) {
+        answers.push_back(answer_from(line, next_id_ + answers.size(), introduction_.precision));
+      });
+    } catch (const std::exception& error) {
+      const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
+      request_ = solve_request(next_id_ + failed, collisions[failed]);
+      fail("solve " + std::to_string(next_id_ + failed), error);
+    }
+    next_id_ += collisions.size();
+    return answers;
+  }
+
+  void stop() {
+    request_ = stop_request();
+    guarded("stop", [&] { process_.finish(request_); });
+  }
+
+ private:
+  template <class F>
+  void guarded(const std::string& request, const F& f) {
+    try {
+      f();
+    } catch (const std::exception& error) {
+      fail(request, error);
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& request, const std::exception& error) {
+    std::string text = request + ": " + printable(error.what(), longest_shown_request);
+    text += "\nrequest: " + printable(request_.substr(0, request_.size() - 1), longest_shown_request);
+    if (const std::string errors = process_.standard_error(); !errors.empty()) {
+      text += "\nstandard error: " + printable(errors, errors.size());
+    }
+    throw std::runtime_error(text);
+  }
+
+  ChildProcess process_;
+  Introduction introduction_;
+  std::string request_;
+  std::uint64_t next_id_ = 1;
+};
+
+Session open_session(const std::vector<std::string>& words, const ExecOptions& options,
+                     const Introduction& introduction) {
+  const auto conversation = std::make_shared<Conversation>(words, options);
+  if (conversation->introduction() != introduction) {
+    throw std::runtime_error("start: it introduces itself in another way than the first time it was asked");
+  }
+  return {[conversation](std::span<const Collision> collisions) { return conversation->solve(collisions); },
+          [conversation] { conversation->stop(); }};
+}
+
+}  // namespace
+
+Subject exec_subject(const std::string& specification, const ExecOptions& options) {
+  Subject subject;
+  subject.name = specification;
+  subject.specification = specification;
+  try {
+    const std::vector<std::string> words = split_words(std::string_view(specification).substr(exec_prefix.size()));
+    if (words.empty()) {
+      throw std::invalid_argument("no program is named");
+    }
+    const Introduction introduction = Conversation(words, options).introduction();
+    subject.name = introduction.name;
+    subject.version = introduction.version;
+    subject.model = introduction.model;
+    subject.precision = introduction.precision;
+    subject.deviates = introduction.deviates;
+    subject.open = [words, options, introduction] { return open_session(words, options, introduction); };
+  } catch (const std::exception& error) {
+    subject.open = [reason = std::string(error.what())]() -> Session { throw std::runtime_error(reason); };
+  }
+  return subject;
+}
+
+}  // namespace carom::subjects::protocol

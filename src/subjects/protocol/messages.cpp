@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/text.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t longest_name = 100;   // bytes
+constexpr std::size_t longest_text = 2000;  // bytes
+
+template <class Json>
+const Json& required(const Json& object, const char* name) {
+  if (!object.is_object()) {
+    throw FormatError("expected an object");
+  }
+  const auto found = object.find(name);
+  if (found == object.end()) {
+    throw FormatError(std::string("/") + name, "is missing");
+  }
+  return *found;
+}
+
+template <class Json>
+std::string text_of(const Json& value, const std::string& place, std::size_t longest) {
+  if (!value.is_string()) {
+    throw FormatError(place, "expected a string");
+  }
+  return printable(value.template get<std::string>(), longest);
+}
+
+template <class Json>
+std::string required_text(const Json& object, const char* name, std::size_t longest) {
+  return text_of(required(object, name), std::string("/") + name, longest);
+}
+
+std::string in_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\t'; }, ' ');
+  return text;
+}
+
+Precision precision_named(const std::string& name) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    if (name_of(precision) == name) {
+      return precision;
+    }
+  }
+  throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
+}
+
+/// The law `rough` is part of the protocol; it is judged by what holds for every model.
+Model model_claimed(const std::string& name) {
+  if (name == "rough") {
+    return Model::any;
+  }
+  if (const std::optional<Model> model = model_named(name)) {
+    return *model;
+  }
+  throw FormatError("/model", "expected frictionless, reflection, rough or any, found " + name);
+}
+
+void require_version(const json& introduction) {
+  const json& protocol = required(introduction, "protocol");
+  if (protocol != version) {
+    throw FormatError("/protocol",
+                      fmt::format("expected {}, found {}", version, printable(protocol.dump(), longest_name)));
+  }
+}
+
+/// Few digits where these are this number and no other, also to a reader who reads long double.
+std::string in_digits(long double number) {
+  if (!std::isfinite(number)) {
+    return number_to_json(static_cast<double>(number)).dump();
+  }
+  const std::string few = fmt::format("{}", static_cast<double>(number));
+  return std::strtold(few.c_str(), nullptr) == number ? few : fmt::format("{:.21g}", number);
+}
+
+std::string vector_text(const Vector3<long double>& v) {
+  return fmt::format("[{},{},{}]", in_digits(v[0]), in_digits(v[1]), in_digits(v[2]));
+}
+
+std::string motion_text(const BodyVelocity<long double>& motion) {
+  return fmt::format(R"({{"velocity":{},"angular_velocity":{}}})", vector_text(motion.velocity),
+                     vector_text(motion.angular_velocity));
+}
+
+}  // namespace
+
+std::string start_request() { return json{{"cmd", "start"}, {"protocol", version}}.dump() + '\n'; }
+
+std::string solve_request(std::uint64_t id, const Collision& collision) {
+  return fmt::format("{{\"cmd\":\"solve\",\"id\":{},\"collision\":{}}}\n", id, collision_to_json(collision).dump());
+}
+
+std::string stop_request() { return json{{"cmd", "stop"}}.dump() + '\n'; }
+
+Introduction introduction_from(std::string_view line) {
+  const json reply = parse_json(line);
+  require_version(reply);
+  Introduction introduction;
+  introduction.name = in_one_line(required_text(reply, "name", longest_name));
+  if (introduction.name.empty()) {
+    throw FormatError("/name", "is empty");
+  }
+  if (reply.contains("version")) {
+    introduction.version = in_one_line(required_text(reply, "version", longest_name));
+  }
+  introduction.precision = precision_named(required_text(reply, "precision", longest_name));
+  introduction.model = model_claimed(required_text(reply, "model", longest_name));
+  if (reply.contains("deviates")) {
+    const json& deviates = reply.at("deviates");
+    if (!deviates.is_array()) {
+      throw FormatError("/deviates", "expected an array of names of invariants");
+    }
+    for (const json& name : deviates) {
+      introduction.deviates.push_back(text_of(name, "/deviates", longest_name));
+    }
+  }
+  return introduction;
+}
+
+Answer answer_from(std::string_view line, std::uint64_t id, Precision precision) {
+  const auto reply = parse_json<WideJson>(line);
+  const WideJson& reply_id = required(reply, "id");
+  if (!reply_id.is_number_integer() || reply_id != id) {
+    throw FormatError("/id", fmt::format("expected {}, found {}", id, printable(json(reply_id).dump(), longest_name)));
+  }
+  const bool is_outcome = reply.contains("a") || reply.contains("b");
+  const bool is_skipped = reply.contains("skipped");
+  const bool is_refused = reply.contains("error");
+  if ((is_outcome ? 1 : 0) + (is_skipped ? 1 : 0) + (is_refused ? 1 : 0) != 1) {
+    throw FormatError("expected either the outcome a and b, or skipped, or error");
+  }
+  if (is_skipped) {
+    return Skipped{required_text(reply, "skipped", longest_text)};
+  }
+  if (is_refused) {
+    return Refused{required_text(reply, "error", longest_text)};
+  }
+  ReportedOutcome outcome = outcome_from_json(reply);
+  if (precision != Precision::extended) {
+    outcome = map_outcome<long double>(
+        outcome, [](long double number) { return static_cast<long double>(static_cast<double>(number)); });
+  }
+  return outcome;
+}
+
+std::string introduction_reply(const Introduction& introduction) {
+  return json{{"protocol", version},
+              {"name", introduction.name},
+              {"version", introduction.version},
+              {"precision", name_of(introduction.precision)},
+              {"model", name_of(introduction.model)},
+              {"deviates", introduction.deviates}}
+             .dump() +
+         '\n';
+}
+
+std::string answer_reply(std::uint64_t id, const Answer& answer) {
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    return fmt::format("{{\"id\":{},\"a\":{},\"b\":{}}}\n", id, motion_text(outcome->a), motion_text(outcome->b));
+  }
+  if (const auto* skipped = std::get_if<Skipped>(&answer)) {
+    return json{{"id", id}, {"skipped", skipped->why}}.dump() + '\n';
+  }
+  return json{{"id", id}, {"error", std::get<Refused>(answer).why}}.dump() + '\n';
+}
+
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+
+/// The lines of the subject protocol, version 1. Each text ends in its line end.
+namespace carom::subjects::protocol {
+
+inline constexpr int version = 1;
+
+/// What a subject says of itself.
+struct Introduction {
+  std::string name;
+  std::string version;
+  Precision precision = Precision::binary64;
+  Model model = Model::any;
+  std::vector<std::string> deviates;
+
+  bool operator==(const Introduction&) const = default;
+};
+
+[[nodiscard]] std::string start_request();
+[[nodiscard]] std::string solve_request(std::uint64_t id, const Collision& collision);
+[[nodiscard]] std::string stop_request();
+
+/// The reply to `start`. Throws FormatError.
+[[nodiscard]] Introduction introduction_from(std::string_view line);
+
+/// The reply to the `solve` of that number. Where the subject computes in binary32 or binary64, its numbers are read as
+/// binary64. Throws FormatError.
+[[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision);
+
+[[nodiscard]] std::string introduction_reply(const Introduction& introduction);
+[[nodiscard]] std::string answer_reply(std::uint64_t id, const Answer& answer);
+
+}  // namespace carom::subjects::protocol

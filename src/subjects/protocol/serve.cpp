@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <iostream>
+#include <string>
+
+#include <carom/collision/json.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/serve.hpp>
+
+namespace carom::subjects::protocol {
+
+int serve(const Subject& subject, std::istream& input, std::ostream& output) {
+  Session session = subject.open();
+  for (std::string line; std::getline(input, line);) {
+    try {
+      const nlohmann::json request = parse_json(line);
+      const std::string command = request.value("cmd", "");
+      if (command == "start") {
+        output << introduction_reply(
+            {subject.name, subject.version, subject.precision, subject.model, subject.deviates});
+      } else if (command == "solve") {
+        const Collision collision = collision_from_json(request.at("collision"), "/collision");
+        output << answer_reply(request.at("id").get<std::uint64_t>(), session(std::span(&collision, 1)).at(0));
+      } else if (command == "stop") {
+        break;
+      } else {
+        throw FormatError("/cmd", "expected start, solve or stop");
+      }
+    } catch (const std::exception& error) {
+      std::cerr << subject.name << ": " << error.what() << '\n';
+      return 2;
+    }
+    if (input.rdbuf()->in_avail() <= 0) {
+      output.flush();  // before it has to wait
+    }
+  }
+  output.flush();
+  session.close();
+  return 0;
+}
+
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <istream>
+#include <ostream>
+
+#include <carom/collision/subject.hpp>
+
+namespace carom::subjects::protocol {
+
+/// The other end of the line: answers requests with the subject until `stop` or the end of the input. Returns the exit
+/// status for main: 0, or 2 after a request that could not be read, which is named on standard error.
+[[nodiscard]] int serve(const Subject& subject, std::istream& input, std::ostream& output);
+
+}  // namespace carom::subjects::protocol

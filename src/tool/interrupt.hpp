@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stop_token>
+
+namespace carom::tool {
+
+/// From now on Ctrl-C and SIGTERM request a stop in place of ending the program, once; a second one ends it. To be
+/// called before any other thread is started.
+[[nodiscard]] std::stop_token stop_on_interrupt();
+
+}  // namespace carom::tool

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include <carom/collision/subject.hpp>
+
+namespace carom::tool {
+
+/// What the command line means by a SUBJECT: a name, or "exec:PROGRAM ARG…". A program that cannot be run still gives a
+/// subject: opening it says why. Throws UsageError where there is no such name.
+[[nodiscard]] Subject subject_from_argument(const std::string& argument, double timeout_seconds,
+                                            const std::stop_token& stop);
+
+}  // namespace carom::tool

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/exec.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jobs) {
+  properties::GateOptions options;
+  options.cases = 60;
+  options.jobs = jobs;
+  options.relations_every = 1;
+  for (const properties::Family& family : properties::all_families()) {
+    options.families.push_back(&family);
+  }
+  return properties::run_gate(subjects, options);
+}
+
+/// A subject judged in this process and over the line gets the same verdicts: no bit is lost, no case, no refusal.
+TEST(Exec, ChangesNoVerdict) {
+  for (const char* name : {"frictionless-double", "reflection-float", "reflection-llt-long-double",
+                           "reflection-in-basis-double", "reflection-adjugate-float"}) {
+    const Subject here = *subject_named(name);
+    const Subject there = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + ' ' + name, {});
+    EXPECT_EQ(there.name, here.name);
+    EXPECT_EQ(there.model, here.model);
+    EXPECT_EQ(there.precision, here.precision);
+    Subject without_matrix = here;
+    without_matrix.collision_matrix = nullptr;  // the protocol has no place for it
+    const properties::GateReport report = gate_of({without_matrix, there}, 2);
+    ASSERT_EQ(report.results[1].error, "");
+    for (std::size_t f = 0; f < report.options.families.size(); ++f) {
+      const properties::FamilyResult& in_process = report.results[0].families[f];
+      const properties::FamilyResult& over_the_line = report.results[1].families[f];
+      EXPECT_EQ(in_process.cases, over_the_line.cases);
+      EXPECT_EQ(in_process.worst_backward_error, over_the_line.worst_backward_error);
+      ASSERT_EQ(in_process.counts.size(), over_the_line.counts.size());
+      for (const auto& [invariant, count] : in_process.counts) {
+        const properties::Count& other = over_the_line.counts.at(invariant);
+        EXPECT_EQ(count.holds, other.holds) << name << ' ' << invariant;
+        EXPECT_EQ(count.violated, other.violated) << name << ' ' << invariant;
+        EXPECT_EQ(count.skipped, other.skipped) << name << ' ' << invariant;
+      }
+    }
+    ASSERT_EQ(report.results[0].witnesses.size(), report.results[1].witnesses.size());
+  }
+}
+
+TEST(Exec, AnswersManyAtOnceAndNone) {
+  const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
+  Session session = subject.open();
+  EXPECT_TRUE(session({}).empty());
+  // More than the pipes hold at once, both ways.
+  const std::vector<Collision> many(5000);
+  EXPECT_EQ(session(many).size(), many.size());
+  EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);
+  session.close();
+}
+
+}  // namespace
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include "tool/program.hpp"
+
+/// What a gate makes of programs that do not keep to the protocol.
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+std::string misbehaving(const std::string& fault, const std::string& name = "faulty") {
+  return std::string("exec:") + CAROM_MISBEHAVING + ' ' + fault + ' ' + name;
+}
+
+/// The gate's report on these subjects, in families that all of them can solve.
+struct Gate {
+  RunResult run;
+  json report;
+
+  explicit Gate(std::vector<std::string> subjects) {
+    const TemporaryDirectory directory;
+    std::vector<std::string> arguments{"gate"};
+    arguments.insert(arguments.end(), subjects.begin(), subjects.end());
+    for (const char* argument :
+         {"--families", "generic,elastic", "--cases", "60", "--timeout", "0.7", "--jobs", "1", "--out"}) {
+      arguments.emplace_back(argument);
+    }
+    arguments.push_back(directory.path().string());
+    run = run_carom(arguments);
+    const std::string text = content_of(directory.path() / "report.json");
+    report = text.empty() ? json() : json::parse(text);
+  }
+
+  [[nodiscard]] const json& subject(std::size_t index) const { return report.at("subjects").at(index); }
+};
+
+struct Fault {
+  std::string fault;
+  std::vector<std::string> says;  // of the error
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.fault; }
+
+class Faults : public testing::TestWithParam<Fault> {};
+
+/// The faulty subject is in error, with its request and the reason; the sound one beside it is judged to the end.
+TEST_P(Faults, AreErrorsThatNameRequestAndReason) {
+  const Gate gate({misbehaving(GetParam().fault), "frictionless-double"});
+  EXPECT_EQ(gate.run.exit_status, 2) << gate.run.errors;
+  const json& faulty = gate.subject(0);
+  EXPECT_EQ(faulty.at("status"), "error");
+  const std::string error = faulty.at("error");
+  for (const std::string& part : GetParam().says) {
+    EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
+  }
+  EXPECT_NE(gate.run.output.find(GetParam().says.front()), std::string::npos) << gate.run.output;
+  EXPECT_EQ(gate.subject(1).at("status"), "sound");
+  EXPECT_EQ(gate.subject(1).at("cases"), 120);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Faults,
+    testing::Values(Fault{"exit-at-once", {"start", "ended with status 7", "nothing to do here", "\"cmd\":\"start\""}},
+                    Fault{"hang-at-start", {"start", "wrote no line within 0.7 s"}},
+                    Fault{"signal", {"solve 3", "signal 11", "\"id\":3"}},
+                    Fault{"hang", {"solve 3", "wrote no line within 0.7 s"}},
+                    Fault{"exit-in-the-middle", {"solve 3", "ended with status 0"}},
+                    Fault{"out-of-order", {"solve 3", "/id: expected 3, found 4"}},
+                    Fault{"twice", {"solve 4", "/id: expected 4, found 3"}},
+                    Fault{"unknown-id", {"solve 3", "/id: expected 3, found 1000000"}},
+                    Fault{"half-a-line", {"solve 3", "wrote no line within 0.7 s"}},
+                    Fault{"not-json", {"solve 3", "not JSON"}},
+                    Fault{"wrong-shape", {"solve 3", "/a: expected an object"}},
+                    Fault{"no-outcome", {"solve 3", "expected either"}},
+                    Fault{"missing-component", {"solve 3", "/a/velocity: expected an array of 3 numbers"}},
+                    Fault{"not-a-number", {"solve 3", "/b/velocity/1: expected a number, found \"fast\""}},
+                    Fault{"bare-nan", {"solve 3", "not JSON"}}, Fault{"deep", {"solve 3", "levels deep"}},
+                    Fault{"gigabyte", {"solve 3", "a line of more than 1048576 bytes"}},
+                    Fault{"close-output", {"solve 3", "closed its standard output"}},
+                    Fault{"grandchild", {"solve 3", "wrote no line within 0.7 s"}},
+                    Fault{"unknown-model", {"start", "/model: expected frictionless"}},
+                    Fault{"protocol-2", {"start", "/protocol: expected 1, found 2"}},
+                    Fault{"hang-after-stop", {"stop", "did not end within 0.7 s of being told to stop"}},
+                    Fault{"line-after-stop", {"stop", "more lines than it was asked for: goodbye"}},
+                    Fault{"status-3", {"stop", "ended with status 3"}}),
+    [](const auto& each) {
+      std::string name = each.param.fault;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+TEST(Faults, WithoutOneTheSameProgramIsSound) {
+  const Gate gate({misbehaving("none")});
+  EXPECT_EQ(gate.run.exit_status, 0) << gate.run.output;
+  EXPECT_EQ(gate.subject(0).at("status"), "sound");
+}
+
+/// Verdicts that were reached before a fault at the end are kept.
+TEST(Faults, LoseNoVerdict) {
+  const Gate gate({misbehaving("hang-after-stop")});
+  EXPECT_EQ(gate.subject(0).at("cases"), 120);
+  EXPECT_EQ(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("violated"), 0);
+  EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
+}
+
+/// The protocol has a way to say it, so that it is no fault of the line but a wrong outcome.
+TEST(Faults, NumbersThatAreNotFiniteAreAViolation) {
+  const Gate gate({misbehaving("nan-as-text")});
+  EXPECT_EQ(gate.run.exit_status, 1);
+  EXPECT_EQ(gate.subject(0).at("violations").at(0).at("invariant"), "finite");
+}
+
+TEST(Faults, AFloodOfErrorsIsCutAndDoesNoHarm) {
+  const Gate gate({misbehaving("flood-of-errors")});
+  EXPECT_EQ(gate.run.exit_status, 0) << gate.run.output.substr(0, 2000);
+}
+
+/// Largest resident set of any child so far [bytes].
+long largest_child() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return usage.ru_maxrss * 1024;
+}
+
+TEST(Faults, TakeNoMoreMemoryThanTheirBounds) {
+  const Gate sound({misbehaving("none")});
+  const long usual = largest_child();
+  for (const char* fault : {"gigabyte", "flood-of-errors", "deep"}) {
+    const Gate gate({misbehaving(fault)});
+  }
+  // A line, its copy, its parts as JSON, and the 64 KiB of standard error: tens of MiB, where what came was a GiB.
+  constexpr long most = 64L << 20U;
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_LE(largest_child(), usual + most);
+#else
+  (void)usual;
+#endif
+}
+
+TEST(Faults, AProgramThatCannotBeRunIsAnError) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("text", "no program");
+  for (const auto& [words, says] : std::vector<std::array<std::string, 2>>{
+           {"exec:/no/such/program", "cannot be run: No such file"},
+           {"exec:no-such-program-on-path", "was not found on PATH"},
+           {"exec:" + file, "cannot be run: Permission denied"},
+           {"exec:" + directory.path().string(), "cannot be run: Permission denied"},
+           {"exec:'unclosed", "a quotation is not closed"},
+           {"exec:", "no program is named"}}) {
+    const Gate gate({words, "frictionless-double"});
+    EXPECT_EQ(gate.run.exit_status, 2);
+    EXPECT_EQ(gate.subject(0).at("status"), "error");
+    EXPECT_NE(gate.subject(0).at("error").get<std::string>().find(says), std::string::npos) << gate.subject(0);
+    EXPECT_EQ(gate.subject(1).at("status"), "sound");
+  }
+}
+
+bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
+
+/// The processes whose command line holds this word, but for the program itself.
+std::vector<pid_t> processes_with(const std::string& word) {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) {
+      continue;
+    }
+    const std::string command = content_of(entry.path() / "cmdline");
+    if (command.starts_with(CAROM_MISBEHAVING) && command.find(word) != std::string::npos) {
+      found.push_back(std::stoi(name));
+    }
+  }
+  return found;
+}
+
+TEST(Faults, LeaveNoProcessBehind) {
+  for (const char* fault : {"none", "hang", "grandchild", "hang-after-stop", "half-a-line", "close-output"}) {
+    const std::string mark = "mark-of-" + std::to_string(getpid());
+    const Gate gate({misbehaving(fault, mark)});
+    EXPECT_TRUE(processes_with(mark).empty()) << fault;
+  }
+}
+
+class Interrupted : public testing::TestWithParam<int> {};
+
+/// Ctrl-C and SIGTERM end the gate with what was judged, and end what it had started.
+TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
+  const TemporaryDirectory directory;
+  const std::string mark = "mark-of-" + std::to_string(getpid());
+  const pid_t gate = start_carom({"gate", "frictionless-double", misbehaving("none", mark), "--cases", "1000000",
+                                  "--families", "generic", "--out", directory.path().string()});
+  for (int tries = 0; tries < 500 && processes_with(mark).size() < 2; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  ASSERT_FALSE(processes_with(mark).empty());
+  kill(gate, GetParam());
+  EXPECT_EQ(wait_for(gate), GetParam() == SIGKILL ? -1 : 2);
+  for (int tries = 0; tries < 100 && !processes_with(mark).empty(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(processes_with(mark).empty());
+  EXPECT_FALSE(is_there(gate));
+  if (GetParam() != SIGKILL) {
+    const json report = json::parse(content_of(directory.path() / "report.json"));
+    EXPECT_EQ(report.at("interrupted"), true);
+    EXPECT_EQ(report.at("exit_status"), 2);
+    for (const json& subject : report.at("subjects")) {
+      EXPECT_GT(subject.at("cases"), 0);
+      EXPECT_EQ(subject.at("error"), "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM, SIGKILL),
+                         [](const auto& each) { return "signal_" + std::to_string(each.param); });
+
+/// A file does not start programs by itself.
+TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
+  const TemporaryDirectory directory;
+  const RunResult run = run_carom({"gate", misbehaving("nan-as-text"), "--families", "generic", "--cases", "10",
+                                   "--out", directory.path().string()});
+  ASSERT_EQ(run.exit_status, 1);
+  const std::string witness = (directory.path() / "witnesses" / "faulty.finite.json").string();
+  const RunResult unasked = run_carom({"replay", witness});
+  EXPECT_EQ(unasked.exit_status, 0) << unasked.errors;
+  EXPECT_NE(unasked.output.find("the witness names a program"), std::string::npos) << unasked.output;
+  const RunResult asked = run_carom({"replay", witness, "--subject", misbehaving("none")});
+  EXPECT_EQ(asked.exit_status, 0) << asked.errors;
+  const RunResult failing = run_carom({"replay", witness, "--subject", misbehaving("exit-at-once")});
+  EXPECT_EQ(failing.exit_status, 2);
+  EXPECT_NE(failing.errors.find("ended with status 7"), std::string::npos) << failing.errors;
+}
+
+}  // namespace
+}  // namespace carom::tests

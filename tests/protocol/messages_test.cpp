@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/json.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/text.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+constexpr const char* sound =
+    R"({"protocol":1,"name":"rapier3d","version":"0.21.0","precision":"binary32","model":"frictionless"})";
+
+/// The text with the part replaced.
+std::string with(std::string text, const std::string& part, const std::string& replacement) {
+  return text.replace(text.find(part), part.size(), replacement);
+}
+
+template <class F>
+void expect_format_error(const F& f, const std::string& says) {
+  try {
+    (void)f();
+    ADD_FAILURE() << "nothing was thrown, for " << says;
+  } catch (const FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+  }
+}
+
+TEST(Introduction, IsReadAsTheProtocolHasIt) {
+  const Introduction read = introduction_from(sound);
+  EXPECT_EQ(read, (Introduction{"rapier3d", "0.21.0", Precision::binary32, Model::frictionless, {}}));
+  const Introduction deviating = introduction_from(with(sound, "}", R"(,"deviates":["push"],"more":1})"));
+  EXPECT_EQ(deviating.deviates, std::vector<std::string>{"push"});
+  EXPECT_EQ(introduction_from(introduction_reply(read)), read);
+}
+
+TEST(Introduction, MayClaimEveryModelOfTheProtocol) {
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).model, Model::reflection);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).model, Model::any);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "rough")).model, Model::any);
+}
+
+TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
+  for (const auto& [part, replacement, says] :
+       std::vector<std::array<std::string, 3>>{{"\"protocol\":1", "\"protocol\":2", "/protocol: expected 1, found 2"},
+                                               {"\"protocol\":1,", "", "/protocol: is missing"},
+                                               {"rapier3d", "", "/name"},
+                                               {"\"rapier3d\"", "7", "/name"},
+                                               {"binary32", "binary16", "/precision"},
+                                               {"frictionless", "sticky", "/model"},
+                                               {"}", R"(,"deviates":"push"})", "/deviates"},
+                                               {"}", R"(,"name":"twice"})", "twice"},
+                                               {"{", "", "not JSON"}}) {
+    expect_format_error([&] { return introduction_from(with(sound, part, replacement)); }, says);
+  }
+}
+
+const std::string reply = R"({"id":5,"a":{"velocity":[1,2.5,-3e-5],"angular_velocity":[0,0,0]},)"
+                          R"("b":{"velocity":["nan","inf","-inf"],"angular_velocity":[0.1,0,0]}})";
+
+TEST(Reply, IsReadAsTheProtocolHasIt) {
+  const auto outcome = std::get<ReportedOutcome>(answer_from(reply, 5, Precision::binary64));
+  EXPECT_EQ(outcome.a.velocity, (Vector3<long double>{1, 2.5, -3e-5}));
+  EXPECT_TRUE(std::isnan(outcome.b.velocity[0]));
+  EXPECT_EQ(outcome.b.velocity[1], std::numeric_limits<long double>::infinity());
+  EXPECT_EQ(outcome.b.velocity[2], -std::numeric_limits<long double>::infinity());
+  EXPECT_EQ(outcome.b.angular_velocity[0], 0.1);
+  EXPECT_EQ(std::get<Skipped>(answer_from(R"({"id":5,"skipped":"why"})", 5, Precision::binary64)).why, "why");
+  EXPECT_EQ(std::get<Refused>(answer_from(R"({"id":5,"error":"why"})", 5, Precision::binary64)).why, "why");
+}
+
+TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
+  const long double third = 1.0L / 3;
+  ReportedOutcome outcome;
+  outcome.a.velocity[0] = third;
+  const std::string text = answer_reply(5, outcome);
+  EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, Precision::extended)).a.velocity[0], third);
+  EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, Precision::binary64)).a.velocity[0],
+            static_cast<long double>(static_cast<double>(third)));
+  const auto large = answer_from(with(reply, "2.5", "1e999"), 5, Precision::binary64);
+  EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
+}
+
+/// A binary64 number is 0.1 to those who read binary64, and has more digits to those who read more.
+TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};
+  const auto read = std::get<ReportedOutcome>(answer_from(answer_reply(5, outcome), 5, Precision::extended));
+  EXPECT_EQ(read.a.velocity, outcome.a.velocity);
+}
+
+TEST(Reply, IsRefusedWithThePlaceWhereItIsWrong) {
+  for (const auto& [part, replacement, says] : std::vector<std::array<std::string, 3>>{
+           {"\"id\":5", "\"id\":6", "/id: expected 5, found 6"},
+           {"\"id\":5", "\"id\":\"5\"", "/id"},
+           {"\"id\":5,", "", "/id: is missing"},
+           {"\"angular_velocity\":[0,0,0]", "\"spin\":[0,0,0]", "/a/angular_velocity: is missing"},
+           {"[1,2.5,-3e-5]", "[1,2.5]", "/a/velocity: expected an array of 3 numbers, found [1,2.5]"},
+           {"2.5", "\"fast\"", "/a/velocity/1: expected a number, found \"fast\""},
+           {"2.5", "NaN", "not JSON"},
+           {"\"id\":5", "\"id\":5,\"error\":\"both\"", "expected either"},
+           {"\"a\":{\"velocity\":[1,2.5,-3e-5],\"angular_velocity\":[0,0,0]},", "", "/a: is missing"}}) {
+    expect_format_error([&] { return answer_from(with(reply, part, replacement), 5, Precision::binary64); }, says);
+  }
+  expect_format_error([] { return answer_from(R"({"id":5})", 5, Precision::binary64); }, "expected either");
+  expect_format_error([] { return answer_from("[]", 5, Precision::binary64); }, "expected an object");
+  expect_format_error([] { return answer_from(std::string(1000, '['), 5, Precision::binary64); }, "levels deep");
+}
+
+TEST(ForeignText, IsMadePrintable) {
+  EXPECT_EQ(printable("plain\tand\nlines", 100), "plain\tand\nlines");
+  EXPECT_EQ(printable("\x1b[31mred\r", 100), "?[31mred?");
+  EXPECT_EQ(printable("a\xff"
+                      "b",
+                      100),
+            "a\xef\xbf\xbd"
+            "b");
+  EXPECT_EQ(printable("abcdef", 3), "abc…");
+  EXPECT_EQ(printable("ü", 1), "\xef\xbf\xbd…");
+}
+
+}  // namespace
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sound subject but for the fault that the first argument names. Its name on the line is its process id, where that
+// is of use to a test.
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include <unistd.h>
+
+#include <carom/collision/json.hpp>
+#include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+
+namespace {
+
+using namespace carom;
+using nlohmann::json;
+
+constexpr std::uint64_t faulty_solve = 3;
+
+[[noreturn]] void hang() {
+  std::cout.flush();
+  for (;;) {
+    pause();
+  }
+}
+
+void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
+  const std::string block = std::string(999, 'x') + (with_line_ends ? '\n' : 'x');
+  for (int i = 0; i < 1000 * megabytes; ++i) {
+    stream << block;
+  }
+}
+
+void stop_quietly(int /*signal*/) { _exit(0); }
+
+/// What happens in place of the reply, or before it; the result is the reply to write.
+using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
+
+const std::map<std::string, Fault>& faults() {
+  static const std::map<std::string, Fault> all{
+      {"none", [](auto, auto reply) { return reply; }},
+      {"signal",
+       [](auto, auto) -> std::string {
+         std::signal(SIGSEGV, SIG_DFL);
+         std::raise(SIGSEGV);
+         return {};
+       }},
+      {"hang", [](auto, auto) -> std::string { hang(); }},
+      {"exit-in-the-middle", [](auto, auto) -> std::string { std::_Exit(0); }},
+      {"out-of-order",
+       [](auto id, auto reply) {
+         const std::string number = std::to_string(id);
+         return std::string(reply).replace(reply.find(number), number.size(), std::to_string(id + 1));
+       }},
+      {"twice", [](auto, auto reply) { return reply + reply; }},
+      {"unknown-id", [](auto, auto reply) { return reply.replace(reply.find("3"), 1, "1000000"); }},
+      {"half-a-line",
+       [](auto, auto reply) -> std::string {
+         std::cout << reply.substr(0, reply.size() / 2);
+         hang();
+       }},
+      {"not-json", [](auto, auto) { return std::string("velocity = 3\n"); }},
+      {"wrong-shape",
+       [](auto id, auto) {
+         return json{{"id", id}, {"a", 1}, {"b", 2}}.dump() + '\n';
+       }},
+      {"no-outcome",
+       [](auto id, auto) {
+         return json{{"id", id}}.dump() + '\n';
+       }},
+      {"missing-component",
+       [](auto, auto reply) {
+         json outcome = json::parse(reply);
+         outcome["a"]["velocity"].erase(2);
+         return outcome.dump() + '\n';
+       }},
+      {"not-a-number",
+       [](auto, auto reply) {
+         json outcome = json::parse(reply);
+         outcome["b"]["velocity"][1] = "fast";
+         return outcome.dump() + '\n';
+       }},
+      {"nan-as-text",
+       [](auto, auto reply) {
+         json outcome = json::parse(reply);
+         outcome["a"]["velocity"] = {"nan", "inf", "-inf"};
+         return outcome.dump() + '\n';
+       }},
+      {"bare-nan",
+       [](auto id, auto) {
+         return "{\"id\":" + std::to_string(id) + ",\"a\":{\"velocity\":[NaN,0,0],\"angular_velocity\":[0,0,0]}}\n";
+       }},
+      {"deep", [](auto, auto) { return std::string(500'000, '[') + '\n'; }},
+      {"gigabyte",
+       [](auto, auto) -> std::string {
+         write_megabytes(std::cout, 1000, false);
+         return "\n";
+       }},
+      {"flood-of-errors",
+       [](auto, auto reply) {
+         write_megabytes(std::cerr, 100, true);
+         return reply;
+       }},
+      {"close-output",
+       [](auto, auto) -> std::string {
+         std::cout.flush();
+         close(STDOUT_FILENO);
+         hang();
+       }},
+      {"grandchild",
+       [](auto, auto) -> std::string {
+         if (fork() == 0) {
+           hang();
+         }
+         hang();
+       }},
+  };
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string fault = argc > 1 ? argv[1] : "none";
+  if (fault == "exit-at-once") {
+    std::cerr << "nothing to do here\n";
+    return 7;
+  }
+  // What a stopped gate leaves behind must not depend on the goodwill of the subject.
+  std::signal(SIGTERM, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  subjects::protocol::Introduction introduction{
+      argc > 2 ? argv[2] : std::to_string(getpid()), "1", Precision::binary64, Model::frictionless, {}};
+  Session session = subjects::subject_named("frictionless-double")->open();
+  const auto known = faults().find(fault);
+  for (std::string line; std::getline(std::cin, line);) {
+    const json request = json::parse(line);
+    if (request.at("cmd") == "start") {
+      std::string reply = subjects::protocol::introduction_reply(introduction);
+      json changed = json::parse(reply);
+      if (fault == "unknown-model") {
+        changed["model"] = "sticky";
+      } else if (fault == "protocol-2") {
+        changed["protocol"] = 2;
+      } else if (fault == "hang-at-start") {
+        hang();
+      } else if (fault == "markup") {
+        changed["name"] = "<script>alert(1)</script>&\"'\x1b[31m";
+        std::cerr << "<img src=x onerror=alert(2)>\n";
+      }
+      std::cout << changed.dump() << std::endl;
+    } else if (request.at("cmd") == "solve") {
+      const auto id = request.at("id").get<std::uint64_t>();
+      const Collision collision = collision_from_json(request.at("collision"));
+      std::string reply = subjects::protocol::answer_reply(id, session(std::span(&collision, 1)).at(0));
+      if (fault == "markup" && id >= faulty_solve) {
+        reply = json{{"id", id}, {"error", "<b onclick=alert(3)>refused</b>"}}.dump() + '\n';
+      } else if (id == faulty_solve && known != faults().end()) {
+        reply = known->second(id, reply);
+      }
+      std::cout << reply << std::flush;
+    } else {
+      if (fault == "hang-after-stop") {
+        hang();
+      } else if (fault == "line-after-stop") {
+        std::cout << "goodbye" << std::endl;
+      }
+      return fault == "status-3" ? 3 : 0;
+    }
+  }
+  std::signal(SIGTERM, stop_quietly);
+  return 0;
+}
