@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [packages|build|gate|test|sanitize] [ARG…]
+# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [packages|build|gate|engines|test|sanitize] [ARG…]
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom
 #   gate      build, then `build/carom gate ARG…`
+#   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   test      build, then all tests
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 set -euo pipefail
@@ -14,6 +15,7 @@ packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libfmt-dev 
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 jobs=$(nproc 2>/dev/null || echo 2)
 
+# install_packages [PACKAGE…]: what is missing of these and of what every build needs
 install_packages() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "bootstrap: this system has no apt. Install what Debian calls ${packages[*]}," >&2
@@ -21,7 +23,7 @@ install_packages() {
     return
   fi
   local missing=() package
-  for package in "${packages[@]}" "${engines[@]}"; do
+  for package in "${packages[@]}" "${engines[@]}" "$@"; do
     dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return
@@ -55,10 +57,16 @@ command=${1:-build}
 [ $# -gt 0 ] && shift
 case "$command" in
 packages) install_packages ;;
-build) build carom_program ;;
+build) build carom_programs ;;
 gate)
-  build carom_program
+  build carom_programs
   exec build/carom gate "$@"
+  ;;
+engines)
+  command -v npm >/dev/null || install_packages nodejs npm
+  (cd src/subjects/engines/npm && npm ci --no-audit --no-fund >&2)
+  build carom_programs
+  exec build/carom gate --engines "$@"
   ;;
 test)
   build all
@@ -71,7 +79,7 @@ sanitize)
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
   ;;
 *)
-  sed -n '3,8p' src/bootstrap.sh >&2
+  sed -n '3,9p' src/bootstrap.sh >&2
   exit 2
   ;;
 esac

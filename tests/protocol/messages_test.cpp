@@ -76,7 +76,7 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   const long double third = 1.0L / 3;
   ReportedOutcome outcome;
   outcome.a.velocity[0] = third;
-  const std::string text = answer_reply(5, outcome);
+  const std::string text = answer_reply(5, outcome, Precision::extended);
   EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, Precision::extended)).a.velocity[0], third);
   EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, Precision::binary64)).a.velocity[0],
             static_cast<long double>(static_cast<double>(third)));
@@ -88,7 +88,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
 TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};
-  const auto read = std::get<ReportedOutcome>(answer_from(answer_reply(5, outcome), 5, Precision::extended));
+  const auto read =
+      std::get<ReportedOutcome>(answer_from(answer_reply(5, outcome, Precision::extended), 5, Precision::extended));
   EXPECT_EQ(read.a.velocity, outcome.a.velocity);
 }
 

@@ -156,7 +156,8 @@ int main(int argc, char** argv) {
     } else if (request.at("cmd") == "solve") {
       const auto id = request.at("id").get<std::uint64_t>();
       const Collision collision = collision_from_json(request.at("collision"));
-      std::string reply = subjects::protocol::answer_reply(id, session(std::span(&collision, 1)).at(0));
+      std::string reply =
+          subjects::protocol::answer_reply(id, session(std::span(&collision, 1)).at(0), introduction.precision);
       if (fault == "markup" && id >= faulty_solve) {
         reply = json{{"id", id}, {"error", "<b onclick=alert(3)>refused</b>"}}.dump() + '\n';
       } else if (id == faulty_solve && known != faults().end()) {

@@ -34,6 +34,14 @@ struct Counts {
   int violated = 0;
 };
 
+/// What is printed of a violation is rounded from enclosures where these decide. They are known to 2^-100 of the terms,
+/// and a violation is above 2^-59 of them, 32 ulps of extended: they agree to 2^-40 of the residual, and to an ulp.
+void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
+  if (filtered != exact) {
+    EXPECT_NEAR(filtered, exact, 0x1p-40 * residual + 0x1p-52 * std::abs(exact)) << name;
+  }
+}
+
 /// One law with the filter and without it.
 template <class Law>
 void expect_same_verdict(const std::string& name, const Law& law, Relation relation, const ExactCase& exact_case,
@@ -43,10 +51,13 @@ void expect_same_verdict(const std::string& name, const Law& law, Relation relat
   yardstick.filtered = false;
   const Comparison exact = compare(law, relation, exact_case, outcome, yardstick);
   ASSERT_EQ(filtered.holds, exact.holds) << name;
-  EXPECT_EQ(filtered.residual, exact.residual) << name;
   EXPECT_EQ(filtered.allowed, exact.allowed) << name;
-  EXPECT_EQ(filtered.left, exact.left) << name;
-  EXPECT_EQ(filtered.right, exact.right) << name;
+  expect_printed_alike(filtered.residual, exact.residual, exact.residual, name);
+  ASSERT_EQ(filtered.left.size(), exact.left.size()) << name;
+  for (std::size_t i = 0; i < exact.left.size(); ++i) {
+    expect_printed_alike(filtered.left[i], exact.left[i], exact.residual, name);
+    expect_printed_alike(filtered.right[i], exact.right[i], exact.residual, name);
+  }
   ++(exact.holds ? counts[name].holds : counts[name].violated);
 }
 

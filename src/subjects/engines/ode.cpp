@@ -87,6 +87,9 @@ Answer solve(const Collision& collision, bool configured) {
 
 std::vector<Subject> ode_subjects() {
   std::vector<Subject> subjects = ode_claims();
+  for (Subject& subject : subjects) {
+    subject.version = dODE_VERSION;
+  }
   for (const bool configured : {true, false}) {
     subjects[configured ? 0 : 1].open = [configured] {
       return session_of([configured](const Collision& collision) { return solve(collision, configured); });

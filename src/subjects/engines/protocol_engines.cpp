@@ -63,8 +63,9 @@ std::vector<Subject> bullet_float() {
   std::vector<Subject> claims =
       engine_claims("bullet-float", "Bullet's float build: restitution threshold 0, no gyroscopic torque",
                     "Bullet's float build: the engine's defaults, step 1/60 s");
-  const fs::path program = first_existing(
-      {program_directory() / "carom-bullet-float", program_directory() / "../libexec/carom/carom-bullet-float"});
+  const fs::path program = first_existing({program_directory() / "carom-bullet-float"});
+  // A contact is dropped where both inverse masses pass fuzzyZero: for bodies of more than about 1.5e7 kg.
+  claims[0].expected_to_pass = false;
   const char* settings = "configured";
   for (Subject& claim : claims) {
     claim.precision = Precision::binary32;

@@ -78,22 +78,24 @@ void require_version(const json& introduction) {
   }
 }
 
-/// Few digits where these are this number and no other, also to a reader who reads long double.
-std::string in_digits(long double number) {
+/// The shortest text that is this number and no other, to a reader of that precision.
+std::string in_digits(long double number, Precision precision) {
+  const auto rounded = static_cast<double>(number);
   if (!std::isfinite(number)) {
-    return number_to_json(static_cast<double>(number)).dump();
+    return number_to_json(rounded).dump();
   }
-  const std::string few = fmt::format("{}", static_cast<double>(number));
-  return std::strtold(few.c_str(), nullptr) == number ? few : fmt::format("{:.21g}", number);
+  const std::string text = fmt::format("{}", rounded);
+  const bool is_exact = precision != Precision::extended || std::strtold(text.c_str(), nullptr) == number;
+  return is_exact ? text : fmt::format("{:.21g}", number);
 }
 
-std::string vector_text(const Vector3<long double>& v) {
-  return fmt::format("[{},{},{}]", in_digits(v[0]), in_digits(v[1]), in_digits(v[2]));
+std::string vector_text(const Vector3<long double>& v, Precision precision) {
+  return fmt::format("[{},{},{}]", in_digits(v[0], precision), in_digits(v[1], precision), in_digits(v[2], precision));
 }
 
-std::string motion_text(const BodyVelocity<long double>& motion) {
-  return fmt::format(R"({{"velocity":{},"angular_velocity":{}}})", vector_text(motion.velocity),
-                     vector_text(motion.angular_velocity));
+std::string motion_text(const BodyVelocity<long double>& motion, Precision precision) {
+  return fmt::format(R"({{"velocity":{},"angular_velocity":{}}})", vector_text(motion.velocity, precision),
+                     vector_text(motion.angular_velocity, precision));
 }
 
 }  // namespace
@@ -168,9 +170,10 @@ std::string introduction_reply(const Introduction& introduction) {
          '\n';
 }
 
-std::string answer_reply(std::uint64_t id, const Answer& answer) {
+std::string answer_reply(std::uint64_t id, const Answer& answer, Precision precision) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-    return fmt::format("{{\"id\":{},\"a\":{},\"b\":{}}}\n", id, motion_text(outcome->a), motion_text(outcome->b));
+    return fmt::format("{{\"id\":{},\"a\":{},\"b\":{}}}\n", id, motion_text(outcome->a, precision),
+                       motion_text(outcome->b, precision));
   }
   if (const auto* skipped = std::get_if<Skipped>(&answer)) {
     return json{{"id", id}, {"skipped", skipped->why}}.dump() + '\n';

@@ -36,6 +36,7 @@ struct Introduction {
 [[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision);
 
 [[nodiscard]] std::string introduction_reply(const Introduction& introduction);
-[[nodiscard]] std::string answer_reply(std::uint64_t id, const Answer& answer);
+/// A subject that computes in extended is written with all its digits.
+[[nodiscard]] std::string answer_reply(std::uint64_t id, const Answer& answer, Precision precision);
 
 }  // namespace carom::subjects::protocol

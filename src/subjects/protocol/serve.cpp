@@ -19,7 +19,8 @@ int serve(const Subject& subject, std::istream& input, std::ostream& output) {
             {subject.name, subject.version, subject.precision, subject.model, subject.deviates});
       } else if (command == "solve") {
         const Collision collision = collision_from_json(request.at("collision"), "/collision");
-        output << answer_reply(request.at("id").get<std::uint64_t>(), session(std::span(&collision, 1)).at(0));
+        output << answer_reply(request.at("id").get<std::uint64_t>(), session(std::span(&collision, 1)).at(0),
+                               subject.precision);
       } else if (command == "stop") {
         break;
       } else {

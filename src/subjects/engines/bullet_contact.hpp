@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <carom/subjects/engines/unit.hpp>
+#include <carom/subjects/session.hpp>
+
+/// Poses a collision to Bullet, in the precision that BT_USE_DOUBLE_PRECISION gives btScalar. The two builds of Bullet
+/// have the same names: one program can hold one of them.
+namespace carom::subjects::bullet {
+
+inline btVector3 to_bullet(const Vector3<double>& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+inline Vector3<long double> from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// As shipped.
+struct Settings {
+  btContactSolverInfo solver;  // step 1/60 s
+  bool gyroscopic = true;
+};
+
+/// ERP, split impulse and warm start need no change: a new contact of depth 0 leaves them nothing to act on.
+inline Settings configured() {
+  Settings settings;
+  settings.solver.m_restitutionVelocityThreshold = 0;
+  settings.gyroscopic = false;
+  return settings;
+}
+
+/// An immovable body is a kinematic one: unlike a static body it may have a velocity, which enters the contact.
+inline btRigidBody make_body(const Body& body, const Settings& settings) {
+  const auto mass = static_cast<btScalar>(body.immovable ? 0 : body.mass);
+  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, nullptr);
+  info.m_startWorldTransform.setOrigin(to_bullet(body.position));
+  if (!body.immovable) {
+    info.m_localInertia = to_bullet(body.principal_inertia);
+    const Quaternion<double> q = unit(body.orientation);
+    const auto scalar = [&](int i) { return static_cast<btScalar>(q[i]); };
+    info.m_startWorldTransform.setRotation({scalar(1), scalar(2), scalar(3), scalar(0)});
+  }
+  btRigidBody made(info);
+  if (body.immovable) {
+    made.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  }
+  if (!settings.gyroscopic) {
+    made.setFlags(0);
+  }
+  made.setLinearVelocity(to_bullet(body.velocity));
+  made.setAngularVelocity(to_bullet(body.angular_velocity));
+  return made;
+}
+
+/// Depth 0, for the protocol has none. Friction 0, for the model has none.
+inline btManifoldPoint make_contact(const Collision& collision) {
+  const btVector3 local(0, 0, 0);  // the point in the frame of a body, which the solver does not read
+  btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
+  contact.m_positionWorldOnA = contact.m_positionWorldOnB = to_bullet(collision.point);
+  contact.m_combinedRestitution = static_cast<btScalar>(collision.restitution);
+  return contact;
+}
+
+inline BodyVelocity<long double> velocity_of(const btRigidBody& body) {
+  return {from_bullet(body.getLinearVelocity()), from_bullet(body.getAngularVelocity())};
+}
+
+inline Answer solve(const Collision& collision, const Settings& settings, btSequentialImpulseConstraintSolver& solver) {
+  btRigidBody a = make_body(collision.a, settings);
+  btRigidBody b = make_body(collision.b, settings);
+  a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE tells kinematic bodies apart by it
+  b.setWorldArrayIndex(1);
+  btPersistentManifold manifold(&a, &b, 0, 0, 0);
+  manifold.addManifoldPoint(make_contact(collision));
+  btCollisionObject* bodies[] = {&a, &b};
+  btPersistentManifold* manifolds[] = {&manifold};
+  solver.solveGroup(bodies, 2, manifolds, 1, nullptr, 0, settings.solver, nullptr, nullptr);
+  return ReportedOutcome{velocity_of(a), velocity_of(b)};
+}
+
+inline Session session_with(const Settings& settings) {
+  return session_of([settings, solver = std::make_shared<btSequentialImpulseConstraintSolver>()](
+                        const Collision& collision) { return solve(collision, settings, *solver); });
+}
+
+}  // namespace carom::subjects::bullet
