@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSL-1.0
+import { createRequire } from 'node:module';
+
+import initialize from 'jolt-physics';
+
+import { serve, wants_configured } from './line_protocol.mjs';
+import { spheres, unit } from './posing.mjs';
+
+const Jolt = await initialize();
+const configured = wants_configured();
+const overlap = 1e-5;
+const step = 1 / 60;  // [s]; configured, its length enters nothing
+
+function make_world() {
+  const layer_pairs = new Jolt.ObjectLayerPairFilterTable(1);
+  layer_pairs.EnableCollision(0, 0);
+  const broad_phase_layers = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+  broad_phase_layers.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
+  const settings = new Jolt.JoltSettings();
+  settings.mMaxBodies = settings.mMaxBodyPairs = settings.mMaxContactConstraints = 16;
+  settings.mObjectLayerPairFilter = layer_pairs;
+  settings.mBroadPhaseLayerInterface = broad_phase_layers;
+  const layer_filter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(broad_phase_layers, 1, layer_pairs, 1);
+  settings.mObjectVsBroadPhaseLayerFilter = layer_filter;
+  const world = new Jolt.JoltInterface(settings);
+  world.GetPhysicsSystem().SetGravity(new Jolt.Vec3(0, 0, 0));
+  if (configured) {
+    world.GetPhysicsSystem().GetPhysicsSettings().mMinVelocityForRestitution = 0;  // [m/s]
+  }
+  return world;
+}
+
+const world = make_world();
+const bodies = world.GetPhysicsSystem().GetBodyInterface();
+// In the engine's memory, where nothing is collected; so these are filled again and again.
+const vector = new Jolt.Vec3();
+const position = new Jolt.RVec3();
+const rotation = new Jolt.Quat();
+
+function filled(target, numbers) {
+  target.Set(...numbers);
+  return target;
+}
+
+function set_mass(properties, { mass, principal_inertia, orientation }) {
+  const [w, x, y, z] = unit(orientation);
+  properties.SetInverseMass(1 / mass);
+  properties.SetInverseInertia(filled(vector, principal_inertia.map((j) => 1 / j)), filled(rotation, [x, y, z, w]));
+}
+
+// The body's axes are those of the world: its principal axes are turned instead, so that its sphere is not rounded.
+function make_body(body, sphere, restitution) {
+  const shape = new Jolt.OffsetCenterOfMassShape(
+    new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
+  const settings = new Jolt.BodyCreationSettings(
+    shape, filled(position, sphere.centre), filled(rotation, [0, 0, 0, 1]),
+    body.immovable ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic, 0);
+  settings.mLinearVelocity = filled(vector, body.velocity);
+  settings.mAngularVelocity = filled(vector, body.angular_velocity);
+  settings.mFriction = 0;
+  settings.mRestitution = restitution;
+  if (configured) {
+    settings.mLinearDamping = settings.mAngularDamping = 0;
+    settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = 1e18;
+  }
+  const made = bodies.CreateBody(settings);
+  Jolt.destroy(settings);  // and with the body the shapes, which are counted
+  if (!body.immovable) {
+    set_mass(made.GetMotionProperties(), body);
+  }
+  bodies.AddBody(made.GetID(), Jolt.EActivation_Activate);
+  return made;
+}
+
+function velocity_of(body) {
+  const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+  return { velocity: numbers(body.GetLinearVelocity()), angular_velocity: numbers(body.GetAngularVelocity()) };
+}
+
+function solve(collision) {
+  const posed = spheres(collision, overlap);
+  const a = make_body(collision.a, posed.a, collision.restitution);
+  const b = make_body(collision.b, posed.b, collision.restitution);
+  world.Step(step, 1);
+  const outcome = { a: velocity_of(a), b: velocity_of(b) };
+  for (const body of [b, a]) {  // the last free number is the next used: so A has the lower one again, and comes first
+    bodies.RemoveBody(body.GetID());
+    bodies.DestroyBody(body.GetID());
+  }
+  return outcome;
+}
+
+const claims = {
+  name: configured ? 'jolt' : 'jolt-as-shipped',
+  version: createRequire(import.meta.url)('jolt-physics/package.json').version,
+  precision: 'binary32',
+  model: 'frictionless',
+};
+await serve(claims, solve);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSL-1.0
+import { once } from 'node:events';
+
+const notNumbers = new Map([['nan', NaN], ['inf', Infinity], ['-inf', -Infinity]]);
+
+function number(json) {
+  return typeof json === 'number' ? json : notNumbers.get(json);
+}
+
+// What is wrong with the shape of a record becomes NaN, so that validate() names it with the rest.
+function numbers(json, count) {
+  return Array.isArray(json) && json.length === count ? json.map(number) : new Array(count).fill(NaN);
+}
+
+function read_body(json) {
+  const body = {
+    immovable: json.immovable === true,
+    position: numbers(json.position, 3),
+    velocity: numbers(json.velocity, 3),
+    angular_velocity: numbers(json.angular_velocity, 3),
+  };
+  if (!body.immovable) {
+    body.mass = number(json.mass);
+    body.principal_inertia = numbers(json.principal_inertia, 3);
+    body.orientation = numbers(json.orientation ?? [1, 0, 0, 0], 4);  // w, x, y, z
+  }
+  return body;
+}
+
+function read_collision(json) {
+  return {
+    a: read_body(json.a ?? {}),
+    b: read_body(json.b ?? {}),
+    point: numbers(json.point, 3),
+    normal: numbers(json.normal, 3),
+    restitution: number(json.restitution),
+    friction: number(json.friction ?? 0),
+    tangential_restitution: number(json.tangential_restitution ?? 0),
+  };
+}
+
+/** Every defect of a collision as text; empty where it is valid. */
+export function validate(collision) {
+  const defects = [];
+  const expect = (holds, field, expected) => {
+    if (!holds) {
+      defects.push(`${field}: expected ${expected}`);
+    }
+  };
+  const finite = (vector, field) => expect(vector.every(Number.isFinite), field, `${vector.length} finite numbers`);
+  const nonzero = (vector, field) => expect(vector.some((x) => x !== 0), field, 'a nonzero length');
+  const positive = (x, field) => expect(Number.isFinite(x) && x > 0, field, 'a finite number greater than 0');
+  const between = (x, low, high, field) =>
+    expect(Number.isFinite(x) && x >= low && x <= high, field, `a finite number from ${low} to ${high}`);
+  for (const name of ['a', 'b']) {
+    const body = collision[name];
+    for (const field of ['position', 'velocity', 'angular_velocity']) {
+      finite(body[field], `${name}.${field}`);
+    }
+    if (!body.immovable) {
+      positive(body.mass, `${name}.mass`);
+      body.principal_inertia.forEach((moment, i) => positive(moment, `${name}.principal_inertia[${i}]`));
+      finite(body.orientation, `${name}.orientation`);
+      nonzero(body.orientation, `${name}.orientation`);
+    }
+  }
+  finite(collision.point, 'point');
+  finite(collision.normal, 'normal');
+  nonzero(collision.normal, 'normal');
+  between(collision.restitution, 0, 1, 'restitution');
+  between(collision.friction, 0, Infinity, 'friction');
+  between(collision.tangential_restitution, -1, 1, 'tangential_restitution');
+  return defects;
+}
+
+function text_of(x) {
+  if (Number.isFinite(x)) {
+    return Object.is(x, -0) ? '-0.0' : String(x);
+  }
+  return Number.isNaN(x) ? '"nan"' : x > 0 ? '"inf"' : '"-inf"';
+}
+
+function text_of_body({ velocity, angular_velocity }) {
+  return `{"velocity":[${velocity.map(text_of)}],"angular_velocity":[${angular_velocity.map(text_of)}]}`;
+}
+
+function reply_to_solve({ id, collision: json }, solve) {
+  try {
+    const collision = read_collision(json);
+    const defects = validate(collision);
+    if (defects.length > 0) {
+      return JSON.stringify({ id, error: defects.join('; ') });
+    }
+    const { a, b } = solve(collision);
+    return `{"id":${JSON.stringify(id)},"a":${text_of_body(a)},"b":${text_of_body(b)}}`;
+  } catch (error) {
+    return JSON.stringify({ id, error: String(error) });
+  }
+}
+
+function reply(request, claims, solve) {
+  switch (request.cmd) {
+    case 'start':
+      return JSON.stringify({ protocol: 1, ...claims });
+    case 'solve':
+      return reply_to_solve(request, solve);
+    default:
+      throw new Error(`expected the request 'start', 'solve' or 'stop', found '${request.cmd}'`);
+  }
+}
+
+/**
+ * Answers the requests on standard input until `stop` or its end. `claims` are the name, version, precision and model
+ * of the protocol; `solve` takes a valid collision and returns the velocities {a, b}.
+ */
+export async function serve(claims, solve) {
+  let rest = '';
+  process.stdin.setEncoding('utf8');
+  for await (const chunk of process.stdin) {
+    const lines = (rest + chunk).split('\n');
+    rest = lines.pop();
+    const requests = lines.map((line) => JSON.parse(line));
+    const stop = requests.findIndex(({ cmd }) => cmd === 'stop');
+    const answered = stop < 0 ? requests : requests.slice(0, stop);
+    const replies = answered.map((request) => reply(request, claims, solve) + '\n');
+    if (!process.stdout.write(replies.join(''))) {
+      await once(process.stdout, 'drain');
+    }
+    if (stop >= 0) {
+      return;
+    }
+  }
+}
+
+/** Whether the command line asks for the setting `configured`, the default, in place of `as-shipped`. */
+export function wants_configured() {
+  const setting = process.argv[2] ?? 'configured';
+  if (setting !== 'configured' && setting !== 'as-shipped') {
+    throw new Error(`expected 'configured' or 'as-shipped', found '${setting}'`);
+  }
+  return setting === 'configured';
+}

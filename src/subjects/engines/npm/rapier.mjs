@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSL-1.0
+import RAPIER from '@dimforge/rapier3d-compat';
+
+import { serve, wants_configured } from './line_protocol.mjs';
+import { spheres, unit, xyz } from './posing.mjs';
+
+const configured = wants_configured();
+const overlap = 1e-5;
+await RAPIER.init();
+
+function configure(world) {
+  // Gyroscopic torque and the limit on the angular velocity, a quarter of π each step, have no switch here. Both vanish
+  // with the step.
+  world.timestep = 1e-16;  // [s]
+  world.numSolverIterations = 1;
+  world.integrationParameters.contact_natural_frequency = 0;  // no velocity from the overlap
+  world.lengthUnit = 1e15;  // a speed limit of 400 of these a second
+}
+
+// The body's origin is at the centre of its sphere, and its axes are those of the world: its principal axes are turned
+// instead. So only the centre of mass is rounded.
+function make_body(world, body, sphere, restitution) {
+  const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();
+  description.setTranslation(...sphere.centre).setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
+  const made = world.createRigidBody(description);
+  const mass = body.immovable ? 1 : body.mass;  // a kinematic body has a centre of mass, but acts as infinitely heavy
+  const moments = body.immovable ? [1, 1, 1] : body.principal_inertia;
+  const [w, x, y, z] = body.immovable ? [1, 0, 0, 0] : unit(body.orientation);
+  const collider = RAPIER.ColliderDesc.ball(sphere.radius)
+    .setMassProperties(mass, xyz(sphere.centre_of_mass_from_centre), xyz(moments), { w, x, y, z })
+    .setFriction(0)
+    .setRestitution(restitution);
+  world.createCollider(collider, made);
+  return made;
+}
+
+function velocity_of(body) {
+  const v = body.linvel();
+  const w = body.angvel();
+  return { velocity: [v.x, v.y, v.z], angular_velocity: [w.x, w.y, w.z] };
+}
+
+function solve(collision) {
+  const posed = spheres(collision, overlap);
+  const world = new RAPIER.World(xyz([0, 0, 0]));
+  try {
+    if (configured) {
+      configure(world);
+    }
+    const a = make_body(world, collision.a, posed.a, collision.restitution);
+    const b = make_body(world, collision.b, posed.b, collision.restitution);
+    world.step();
+    return { a: velocity_of(a), b: velocity_of(b) };
+  } finally {
+    world.free();
+  }
+}
+
+const claims = {
+  name: configured ? 'rapier' : 'rapier-as-shipped',
+  version: RAPIER.version(),
+  precision: 'binary32',
+  model: 'frictionless',
+};
+await serve(claims, solve);

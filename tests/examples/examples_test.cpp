@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tool/program.hpp"
+
+/// The examples of docs/plug-in.md are sound, and are found out where a defect is planted in them.
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::filesystem::path documents = std::filesystem::path(CAROM_SOURCE_DIR) / "docs";
+
+/// The gate's report on one subject; none where the gate wrote none.
+json report_on(const std::string& subject, const std::string& cases) {
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", subject, "--cases", cases, "--out", out.path().string()});
+  const std::string text = content_of(out.path() / "report.json");
+  return text.empty() ? json{{"errors", run.errors}} : json::parse(text).at("subjects").at(0);
+}
+
+bool is_installed(const std::string& program) {
+  return std::system((program + " --version >/dev/null 2>&1").c_str()) == 0;
+}
+
+TEST(Examples, StandWordForWordInTheGuide) {
+  const std::string guide = content_of(documents / "plug-in.md");
+  for (const char* name : {"solver.py", "solver.mjs", "solver.cpp"}) {
+    const std::string text = content_of(documents / "examples" / name);
+    ASSERT_FALSE(text.empty()) << name;
+    EXPECT_NE(guide.find(text), std::string::npos) << name << " differs from what docs/plug-in.md shows";
+  }
+}
+
+TEST(Examples, InCppIsSound) {
+  const json report = report_on(std::string("exec:") + CAROM_EXAMPLE_SOLVER, "200");
+  EXPECT_EQ(report.at("status"), "sound") << report;
+  EXPECT_EQ(report.at("name"), "example-cpp");
+}
+
+TEST(Examples, InPythonIsSound) {
+  if (!is_installed("python3")) {
+    GTEST_SKIP() << "python3 is not installed";
+  }
+  const json report = report_on("exec:python3 " + (documents / "examples" / "solver.py").string(), "200");
+  EXPECT_EQ(report.at("status"), "sound") << report;
+}
+
+TEST(Examples, InJavaScriptIsSound) {
+  if (!is_installed("node")) {
+    GTEST_SKIP() << "node is not installed";
+  }
+  const json report = report_on("exec:node " + (documents / "examples" / "solver.mjs").string(), "200");
+  EXPECT_EQ(report.at("status"), "sound") << report;
+}
+
+/// A line of the Python example, what stands there in its place, and the invariant that points to it.
+struct Defect {
+  std::string name;
+  std::string line;
+  std::string planted;
+  std::string invariant;
+};
+
+std::ostream& operator<<(std::ostream& out, const Defect& defect) { return out << defect.name; }
+
+class Defects : public testing::TestWithParam<Defect> {};
+
+TEST_P(Defects, AreFoundInTheExample) {
+  if (!is_installed("python3")) {
+    GTEST_SKIP() << "python3 is not installed";
+  }
+  std::string text = content_of(documents / "examples" / "solver.py");
+  const std::size_t at = text.find(GetParam().line);
+  ASSERT_NE(at, std::string::npos) << GetParam().line;
+  text.replace(at, GetParam().line.size(), GetParam().planted);
+  const TemporaryDirectory directory;
+  const json report = report_on("exec:python3 " + directory.write("solver.py", text), "60");
+  EXPECT_EQ(report.at("status"), "violated") << report.dump(1);
+  std::vector<std::string> violated;
+  for (const json& violation : report.at("violations")) {
+    violated.push_back(violation.at("invariant"));
+  }
+  EXPECT_NE(std::find(violated.begin(), violated.end(), GetParam().invariant), violated.end())
+      << GetParam().invariant << " is not among " << json(violated);
+}
+
+const std::string impulse_line = "impulse = -(1 + record[\"restitution\"]) * approach / denominator";
+const std::string velocity_line =
+    "body.velocity = [v + sign * impulse / body.mass * n for v, n in zip(body.velocity, normal)]";
+const std::string spin_line = "body.spin = [w + sign * impulse * r for w, r in zip(body.spin, response[body])]";
+const std::string at_contact_line = "zip(self.velocity, cross(self.spin, self.lever_arm))]";
+const std::string denominator_term = "1 / body.mass + dot(cross(body.lever_arm, normal), response[body])";
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Defects,
+    testing::Values(
+        Defect{"separating_contact_pulled", "if approach < 0 and movable:", "if movable:", "separating_untouched"},
+        Defect{"normal_of_any_length_trusted", "normal = unit(vector(record[\"normal\"]))",
+               "normal = vector(record[\"normal\"])", "restitution"},
+        Defect{"quaternion_trusted", "w, x, y, z = unit(quaternion)", "w, x, y, z = quaternion", "angular_momentum"},
+        Defect{"angular_term_twice", denominator_term,
+               "1 / body.mass + 2 * dot(cross(body.lever_arm, normal), response[body])", "restitution"},
+        Defect{"wrong_mass_in_the_reaction", velocity_line,
+               "body.velocity = [v + sign * impulse / movable[0][0].mass * n for v, n in zip(body.velocity, normal)]",
+               "linear_momentum"},
+        Defect{"reaction_with_the_wrong_sign", velocity_line,
+               "body.velocity = [v + impulse / body.mass * n for v, n in zip(body.velocity, normal)]",
+               "linear_momentum"},
+        Defect{"a_velocity_left_out", "zip(a.velocity_at_contact(), b.velocity_at_contact())",
+               "zip(a.velocity_at_contact(), b.velocity)", "restitution"},
+        Defect{"restitution_times_speed_twice", impulse_line,
+               "impulse = -(1 + record[\"restitution\"] * abs(approach)) * approach / denominator", "homogeneous"},
+        Defect{"no_rebound_below_a_threshold", impulse_line,
+               "impulse = -(1 + (record[\"restitution\"] if approach < -1e-3 else 0)) * approach / denominator",
+               "restitution"},
+        Defect{"restitution_above_one_accepted", "if not 0 <= float(record[\"restitution\"]) <= 1:",
+               "if not math.isfinite(float(record[\"restitution\"])):", "invalid_refused"},
+        Defect{"inertia_in_the_body_frame", "axes = rotation(self.orientation)",
+               "axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "angular_momentum"},
+        Defect{"spin_crossed_the_wrong_way", at_contact_line, "zip(self.velocity, cross(self.lever_arm, self.spin))]",
+               "restitution"},
+        Defect{"spin_left_alone", spin_line, "pass", "angular_momentum"},
+        Defect{"spheres_made_to_spin", spin_line,
+               "body.spin = [w + sign * impulse * (r + 1e-9 / body.mass) for w, r in zip(body.spin, response[body])]",
+               "collinear_spin"},
+        Defect{"heavy_bodies_taken_as_fixed",
+               "movable = [(body, sign) for body, sign in ((a, 1), (b, -1)) if not body.immovable]",
+               "movable = [(body, sign) for body, sign in ((a, 1), (b, -1)) if not body.immovable and body.mass < 1e9]",
+               "restitution"},
+        Defect{"immovable_bodies_stopped", "return {\"velocity\": body.velocity,",
+               "return {\"velocity\": [0.0, 0.0, 0.0] if body.immovable else body.velocity,", "immovable_untouched"},
+        Defect{"outcome_in_single_precision", "return {\"velocity\": body.velocity, \"angular_velocity\": body.spin}",
+               "import struct; single = lambda v: [struct.unpack('f', struct.pack('f', max(-3e38, min(3e38, x))))[0] "
+               "for x in v]\n"
+               "    return {\"velocity\": single(body.velocity), \"angular_velocity\": single(body.spin)}",
+               "backward_error"},
+        Defect{"nothing_done", "if approach < 0 and movable:", "if False:", "non_penetration"}),
+    [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace carom::tests
