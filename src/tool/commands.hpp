@@ -46,6 +46,8 @@ struct ReplayArguments {
 
 [[nodiscard]] int gate(const GateArguments& arguments);
 [[nodiscard]] int replay(const ReplayArguments& arguments);
+/// Prints the subjects of a report.json as a Markdown table.
+[[nodiscard]] int table(const std::string& file);
 [[nodiscard]] int list_subjects(const std::string& format);
 [[nodiscard]] int list_invariants(const std::string& format);
 [[nodiscard]] int list_families(const std::string& format, std::uint64_t seed);

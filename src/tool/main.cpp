@@ -120,6 +120,11 @@ int main(int argc, char** argv) {
   add_format(*families_command, families_format, {"text", "json"});
   families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
 
+  std::string report_file;
+  CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
+  table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();
+  table_command->callback([&] { run = [&] { return carom::tool::table(report_file); }; });
+
   ReplayArguments replay;
   CLI::App* replay_command =
       app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
