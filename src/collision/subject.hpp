@@ -34,10 +34,10 @@ class Session {
 
   Session() = default;
   /// `close` ends what the session holds on to; empty where that is nothing.
-  template <class F>
-  requires std::is_invocable_r_v<std::vector<Answer>, F&, std::span<const Collision>> Session(
-      F solve, std::function<void()> close = {})
-      : solve_(std::move(solve)), close_(std::move(close)) {}
+  template <class F,
+            class = std::enable_if_t<std::is_invocable_r_v<std::vector<Answer>, F&, std::span<const Collision>>>>
+  // NOLINTNEXTLINE(google-explicit-constructor): a callable is a session
+  Session(F solve, std::function<void()> close = {}) : solve_(std::move(solve)), close_(std::move(close)) {}
 
   [[nodiscard]] std::vector<Answer> operator()(std::span<const Collision> collisions) { return solve_(collisions); }
 

@@ -58,6 +58,14 @@ std::string indented(const std::string& text, const std::string& by) {
   return result;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
 std::string subject_line(const SubjectResult& result, const GateReport& report) {
   const auto worst = result.worst_backward_error(report.options);
   const std::size_t violated = result.violated_invariants().size();
@@ -72,10 +80,10 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   if (!result.error.empty()) {
     line += indented("    error: " + result.error, "      ") + '\n';
   }
-  std::string names;
-  for (const std::string& name : result.violated_invariants()) {
-    names += (names.empty() ? "" : ", ") + name;
+  if (!result.subject.deviates.empty()) {
+    line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
   }
+  const std::string names = listed(result.violated_invariants());
   return names.empty() ? line : line + "    violated: " + names + "\n    in: " + families_text(result, report) + '\n';
 }
 

@@ -49,6 +49,42 @@ TEST(Exec, ChangesNoVerdict) {
   }
 }
 
+/// Of programs, the invariants that relate collisions are judged on every eighth case, and all others on every one.
+TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryEighthCase) {
+  const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
+  properties::GateOptions options;
+  options.cases = 80;
+  options.families = {properties::family_named("generic")};
+  const properties::GateReport report = properties::run_gate({subject, *subject_named("frictionless-double")}, options);
+  EXPECT_EQ(report.results[0].count("swap").holds, 10U);
+  EXPECT_EQ(report.results[0].count("backward_error").holds, 80U);
+  EXPECT_EQ(report.results[1].count("swap").holds, 80U);
+}
+
+/// A law that reads no friction need not refuse a friction that makes no sense; every other defect it must refuse.
+TEST(Exec, NeedNotRefuseWhatItsModelDoesNotRead) {
+  Subject careless = *subject_named("frictionless-double");
+  careless.open = [] {
+    return Session(
+        [inner = subject_named("frictionless-double")->open()](std::span<const Collision> collisions) mutable {
+          std::vector<Collision> without(collisions.begin(), collisions.end());
+          for (Collision& collision : without) {
+            collision.friction = 0;
+            collision.tangential_restitution = 0;
+          }
+          return inner(without);
+        });
+  };
+  properties::GateOptions options;
+  options.cases = 500;
+  options.families = {properties::family_named("invalid")};
+  const properties::GateReport report = properties::run_gate({careless}, options);
+  EXPECT_TRUE(report.results[0].is_sound());
+  EXPECT_GT(report.results[0].count("invalid_refused").skipped, 10U);
+  EXPECT_EQ(report.results[0].count("invalid_refused").holds + report.results[0].count("invalid_refused").skipped,
+            500U);
+}
+
 TEST(Exec, AnswersManyAtOnceAndNone) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   Session session = subject.open();
