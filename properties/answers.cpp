@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+#include <string>
+
+#include <carom/properties/answers.hpp>
+
+namespace carom::properties {
+
+std::vector<Answer> answers_of(Session& session, std::span<const Collision> collisions) {
+  std::vector<Answer> answers = session(collisions);
+  if (answers.size() != collisions.size()) {
+    throw std::runtime_error("the session gave " + std::to_string(answers.size()) + " answers to " +
+                             std::to_string(collisions.size()) + " collisions");
+  }
+  return answers;
+}
+
+std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
+  std::vector<ExactAnswer> result;
+  result.reserve(answers.size());
+  for (const Answer& answer : answers) {
+    result.push_back(lift(answer));
+  }
+  return result;
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <carom/properties/tally.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::Approach;
+
+bool is_isotropic(const Body& body) {
+  return body.immovable || (body.principal_inertia[0] == body.principal_inertia[1] &&
+                            body.principal_inertia[1] == body.principal_inertia[2]);
+}
+
+void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
+  const auto [known, is_new] = result.worst.emplace(invariant, violation);
+  const double severity = violation.verdict.severity();
+  const double known_severity = known->second.verdict.severity();
+  const bool is_worse =
+      severity > known_severity || (severity == known_severity && violation.index < known->second.index);
+  if (!is_new && is_worse) {
+    known->second = violation;
+  }
+}
+
+}  // namespace
+
+Coverage coverage_of(const JudgedCase& judged_case) {
+  Coverage coverage;
+  coverage.cases = 1;
+  if (!judged_case.is_valid()) {
+    coverage.invalid = 1;
+    return coverage;
+  }
+  const Collision& c = judged_case.generated().collision;
+  const Approach approach = judged_case.exact().approach();
+  coverage.colliding = approach == Approach::colliding ? 1 : 0;
+  coverage.resting = approach == Approach::resting ? 1 : 0;
+  coverage.separating = approach == Approach::separating ? 1 : 0;
+  coverage.inert = approach == Approach::inert ? 1 : 0;
+  coverage.one_immovable = c.a.immovable != c.b.immovable ? 1 : 0;
+  coverage.spheres =
+      approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1
+                                                                                                                  : 0;
+  coverage.head_on = approach == Approach::colliding && judged_case.exact().is_head_on() ? 1 : 0;
+  coverage.inelastic = c.restitution == 0 ? 1 : 0;
+  coverage.elastic = c.restitution == 1 ? 1 : 0;
+  return coverage;
+}
+
+void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
+                const Judgement& judgement, const Claim& claim) {
+  FamilyResult& result = families[family];
+  ++result.cases;
+  result.skipped += judgement.skipped ? 1 : 0;
+  if (judgement.accuracy && judgement.accuracy->is_decided) {
+    result.worst_backward_error =
+        std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+    if (judged_case.exact().approach() == Approach::colliding) {
+      digits.push_back(static_cast<float>(judgement.accuracy->digits()));
+    }
+  }
+  bool any_violated = false;
+  for (const NamedVerdict& named : judgement.verdicts) {
+    any_violated = any_violated || named.verdict.status == Status::violated;
+    const std::string name(named.invariant->name);
+    Count& count = result.counts[name];
+    switch (named.verdict.status) {
+      case Status::holds:
+        ++count.holds;
+        break;
+      case Status::skipped:
+        ++count.skipped;
+        break;
+      case Status::violated:
+        ++count.violated;
+        keep_worst(result, name, {index, judged_case.generated(), named.verdict, answer});
+    }
+  }
+  result.violated += any_violated ? 1 : 0;
+}
+
+Tally& Tally::operator+=(const Tally& other) {
+  if (error.empty()) {
+    error = other.error;
+  }
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    FamilyResult& into = families[f];
+    const FamilyResult& from = other.families[f];
+    into.cases += from.cases;
+    into.skipped += from.skipped;
+    into.violated += from.violated;
+    into.worst_backward_error = std::max(into.worst_backward_error, from.worst_backward_error);
+    for (const auto& [name, count] : from.counts) {
+      into.counts[name].holds += count.holds;
+      into.counts[name].violated += count.violated;
+      into.counts[name].skipped += count.skipped;
+    }
+    for (const auto& [name, violation] : from.worst) {
+      keep_worst(into, name, violation);
+    }
+  }
+  digits.insert(digits.end(), other.digits.begin(), other.digits.end());
+  nanoseconds_per_solve.insert(nanoseconds_per_solve.end(), other.nanoseconds_per_solve.begin(),
+                               other.nanoseconds_per_solve.end());
+  return *this;
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <carom/properties/gate.hpp>
+
+namespace carom::properties {
+
+/// What the case adds to what its family turned out to hold.
+[[nodiscard]] Coverage coverage_of(const JudgedCase& judged_case);
+
+/// What one thread found of one subject.
+struct Tally {
+  std::string error;  // why the subject was judged no further; empty where it was
+  std::vector<FamilyResult> families;
+  std::vector<float> digits;
+  std::vector<double> nanoseconds_per_solve;  // of each task
+
+  /// Adds what was found on one case of a family.
+  void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
+           const Judgement& judgement, const Claim& claim);
+
+  Tally& operator+=(const Tally& other);
+};
+
+}  // namespace carom::properties

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <carom/properties/answers.hpp>
+#include <carom/properties/shrink.hpp>
+#include <carom/properties/witness.hpp>
+
+namespace carom::properties {
+namespace {
+
+/// Shrinking calls the subject and the judge this often at most for one witness.
+constexpr std::size_t most_shrink_calls = 4000;
+
+AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
+  const JudgedCase judged_case(one);
+  const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
+  const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
+  const std::vector<ExactAnswer> replies =
+      trial.questions().empty() ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
+  return {answer, trial.judge(replies)};
+}
+
+/// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
+Verdict single_verdict(const Judgement& judgement) {
+  return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
+}
+
+/// The family in which the invariant is violated most often shows it best.
+std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
+  std::size_t best = 0;
+  std::uint64_t most = 0;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const auto found = result.families[f].counts.find(invariant);
+    const std::uint64_t violated = found == result.families[f].counts.end() ? 0 : found->second.violated;
+    if (violated > most) {
+      most = violated;
+      best = f;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Witness found_witness(const SubjectResult& result, const GateOptions& options, const std::string& invariant) {
+  const std::size_t family = family_of_witness(result, invariant);
+  const WorstViolation& worst = result.families[family].worst.at(invariant);
+  return {invariant,      std::string(options.families[family]->name),
+          worst.index,    worst.original,
+          worst.original, worst.verdict,
+          worst.answer};
+}
+
+Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness) {
+  Claim only = claim;
+  only.invariants = {invariant_named(witness.invariant)};
+  Session session = subject.open();
+  // A violation that shrinks to one just beyond the limit convinces nobody.
+  const double severity_kept = std::max(1.0, witness.verdict.severity() / 16);
+  const auto fails = [&](const Collision& collision) {
+    const AnswerAndJudgement shrunk =
+        judge_in_session(subject, only, session, {collision, witness.original.convex_uniform});
+    return single_verdict(shrunk.judgement).severity() >= severity_kept;
+  };
+  Case simplest = witness.original;
+  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
+  if (JudgedCase(witness.original).is_valid() && witness.invariant != "well_conditioned") {
+    simplest.collision = shrink(witness.original.collision, fails, most_shrink_calls);
+  }
+  only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
+  const AnswerAndJudgement shrunk = judge_in_session(subject, only, session, simplest);
+  session.close();
+  if (single_verdict(shrunk.judgement).status == Status::violated) {
+    witness.shrunk = simplest;
+    witness.verdict = single_verdict(shrunk.judgement);
+    witness.answer = shrunk.answer;
+  }
+  return witness;
+}
+
+AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
+  Session session = subject.open();
+  AnswerAndJudgement judged = judge_in_session(subject, claim, session, one);
+  session.close();
+  return judged;
+}
+
+}  // namespace carom::properties
