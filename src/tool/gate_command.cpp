@@ -14,6 +14,8 @@
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands.hpp"
+#include "environment.hpp"
+#include "html_report.hpp"
 #include "interrupt.hpp"
 #include "junit.hpp"
 #include "records.hpp"
@@ -159,6 +161,7 @@ void write_reports(const GateRun& run, const std::string& out) {
   write_file(fs::path(out) / "report.json",
              report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
   write_file(fs::path(out) / "junit.xml", junit_xml(run));
+  write_file(fs::path(out) / "report.html", html_report(run, out));
 }
 
 }  // namespace
@@ -179,7 +182,8 @@ int gate(const GateArguments& arguments) {
   if (!arguments.out.empty()) {
     make_directory(arguments.out);
   }
-  const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent};
+  const Environment environment = this_environment();
+  const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};
   if (!arguments.out.empty()) {
     write_reports(run, arguments.out);
   }

@@ -6,36 +6,29 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "markup.hpp"
 #include "words.hpp"
 
 namespace carom::tool {
 namespace {
 
-/// XML 1.0 has no place for most control characters, escaped or not.
-std::string printable(std::string text) {
-  for (char& letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (code < 0x20 && letter != '\t' && letter != '\n') {
-      letter = '?';
-    }
-  }
-  return text;
+std::string failure_text(const properties::Witness& witness) {
+  return std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +
+         in_words(witness.shrunk.collision, "  ") + in_words(witness.verdict);
 }
 
-std::string failure_text(const properties::Witness& witness) {
-  return printable(std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +
-                   in_words(witness.shrunk.collision, "  ") + in_words(witness.verdict));
+pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::string_view name) {
+  // The gate takes no time by invariant; what reads the file wants a number.
+  return add(suite, "testcase", {{"classname", subject}, {"name", name}, {"time", "0"}});
 }
 
 void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,
               bool counts) {
-  pugi::xml_node test = suite.append_child("testcase");
-  test.append_attribute("classname") = printable(result.subject.name).c_str();
-  test.append_attribute("name") = invariant.c_str();
+  const pugi::xml_node test = add_test(suite, result.subject.name, invariant);
   const properties::Count count = result.count(invariant);
   if (count.violated == 0) {
     if (count.holds == 0) {
-      test.append_child("skipped").append_attribute("message") = "no case in its domain";
+      add(test, "skipped", {{"message", "no case in its domain"}});
     }
     return;
   }
@@ -43,62 +36,99 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
     if (witness.invariant == invariant) {
       const std::string message = fmt::format("{} of {} cases violate it{}", count.violated,
                                               count.violated + count.holds, counts ? "" : "; expected to fail");
-      pugi::xml_node node = test.append_child(counts ? "failure" : "skipped");
-      node.append_attribute("message") = message.c_str();
-      node.append_child(pugi::node_pcdata).set_value(failure_text(witness).c_str());
+      if (counts) {
+        add(test, "failure", {{"message", message}, {"type", "violated"}}, failure_text(witness));
+      } else {
+        add(test, "skipped", {{"message", message}}, failure_text(witness));
+      }
+      add(test, "system-out", {}, "witness: " + witness_path({}, result.subject, witness).string());
     }
   }
 }
 
-void set_totals(pugi::xml_node suite) {
+struct Totals {
   int tests = 0;
   int failures = 0;
   int errors = 0;
   int skipped = 0;
-  for (const pugi::xml_node test : suite.children("testcase")) {
-    ++tests;
-    failures += test.child("failure") ? 1 : 0;
-    errors += test.child("error") ? 1 : 0;
-    skipped += test.child("skipped") ? 1 : 0;
+  double seconds = 0;  // that the subject took to answer
+
+  Totals& operator+=(const Totals& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    skipped += other.skipped;
+    seconds += other.seconds;
+    return *this;
   }
-  suite.append_attribute("tests") = tests;
-  suite.append_attribute("failures") = failures;
-  suite.append_attribute("errors") = errors;
-  suite.append_attribute("skipped") = skipped;
+};
+
+void set_totals(pugi::xml_node node, const Totals& totals) {
+  node.append_attribute("tests") = totals.tests;
+  node.append_attribute("failures") = totals.failures;
+  node.append_attribute("errors") = totals.errors;
+  node.append_attribute("skipped") = totals.skipped;
+  node.append_attribute("time") = fmt::format("{:.6f}", totals.seconds).c_str();
+}
+
+Totals totals_of(pugi::xml_node suite, double seconds) {
+  Totals totals;
+  totals.seconds = seconds;
+  for (const pugi::xml_node test : suite.children("testcase")) {
+    ++totals.tests;
+    totals.failures += test.child("failure") ? 1 : 0;
+    totals.errors += test.child("error") ? 1 : 0;
+    totals.skipped += test.child("skipped") ? 1 : 0;
+  }
+  return totals;
+}
+
+double seconds_of(const properties::SubjectResult& result) {
+  constexpr double nanosecond = 1e-9;
+  return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
+}
+
+Totals add_judged(pugi::xml_node root, const GateRun& run, std::size_t subject) {
+  const properties::SubjectResult& result = run.report.results[subject];
+  const bool counts = run.counts[subject];
+  const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
+  for (const properties::Invariant* invariant :
+       properties::claim_of(result.subject, run.report.options.yardstick).invariants) {
+    add_case(suite, result, std::string(invariant->name), counts);
+  }
+  const pugi::xml_node session = add_test(suite, result.subject.name, "session");
+  if (!result.error.empty() && counts) {
+    add(session, "error", {{"message", "could not be judged to the end"}, {"type", "session"}}, result.error);
+  } else if (!result.error.empty()) {
+    add(session, "skipped", {{"message", "could not be judged to the end"}}, result.error);
+  }
+  return totals_of(suite, seconds_of(result));
+}
+
+Totals add_absent(pugi::xml_node root, const Subject& subject) {
+  const pugi::xml_node suite = add(root, "testsuite", {{"name", subject.name}});
+  add(add_test(suite, subject.name, "session"), "skipped", {{"message", "absent: " + subject.absent}});
+  return totals_of(suite, 0);
 }
 
 }  // namespace
 
 std::string junit_xml(const GateRun& run) {
   pugi::xml_document document;
-  pugi::xml_node root = document.append_child("testsuites");
-  root.append_attribute("name") = "carom";
+  const pugi::xml_node root = add(document, "testsuites", {{"name", "carom"}});
+  Totals all;
+  const auto close = [&](const Totals& totals) {
+    set_totals(root.last_child(), totals);
+    root.last_child().append_attribute("timestamp") = run.environment.date.c_str();
+    all += totals;
+  };
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
-    const properties::SubjectResult& result = run.report.results[s];
-    pugi::xml_node suite = root.append_child("testsuite");
-    suite.append_attribute("name") = printable(result.subject.name).c_str();
-    for (const properties::Invariant* invariant :
-         properties::claim_of(result.subject, run.report.options.yardstick).invariants) {
-      add_case(suite, result, std::string(invariant->name), run.counts[s]);
-    }
-    if (!result.error.empty()) {
-      pugi::xml_node test = suite.append_child("testcase");
-      test.append_attribute("classname") = printable(result.subject.name).c_str();
-      test.append_attribute("name") = "session";
-      test.append_child(run.counts[s] ? "error" : "skipped").append_attribute("message") =
-          printable(result.error).c_str();
-    }
-    set_totals(suite);
+    close(add_judged(root, run, s));
   }
   for (const Subject& subject : run.absent) {
-    pugi::xml_node suite = root.append_child("testsuite");
-    suite.append_attribute("name") = printable(subject.name).c_str();
-    pugi::xml_node test = suite.append_child("testcase");
-    test.append_attribute("classname") = printable(subject.name).c_str();
-    test.append_attribute("name") = "session";
-    test.append_child("skipped").append_attribute("message") = printable("absent: " + subject.absent).c_str();
-    set_totals(suite);
+    close(add_absent(root, subject));
   }
+  set_totals(root, all);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

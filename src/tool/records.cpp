@@ -231,6 +231,7 @@ int GateRun::exit_status() const {
 json report_record(const GateRun& run) {
   const properties::GateOptions& options = run.report.options;
   json record{{"carom", CAROM_VERSION},
+              {"environment", environment_record(run.environment)},
               {"seed", options.seed},
               {"cases_of_each_family", options.cases},
               {"yardstick", yardstick_record(options.yardstick)},

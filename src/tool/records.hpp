@@ -9,6 +9,8 @@
 
 #include <carom/properties/gate.hpp>
 
+#include "environment.hpp"
+
 /// The JSON records that the program writes.
 namespace carom::tool {
 
@@ -39,6 +41,7 @@ struct GateRun {
   properties::GateReport report;
   std::vector<bool> counts;
   std::vector<Subject> absent;  // asked for, or part of the default, and not installed
+  Environment environment;
   /// 2 something that counts could not be judged to the end, or nothing was; else 1 something violated, 0 all hold.
   [[nodiscard]] int exit_status() const;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace carom::tool {
@@ -20,11 +22,12 @@ std::string body_in_words(const Body& body) {
 
 }  // namespace
 
-std::string in_words(double number) { return fmt::format("{}", number); }
+std::string in_words(double number) { return std::isnan(number) ? "nan" : fmt::format("{}", number); }
 
 std::string in_words(long double number) {
   const auto rounded = static_cast<double>(number);
-  return static_cast<long double>(rounded) == number ? in_words(rounded) : fmt::format("{:.21g}", number);
+  const bool is_binary64 = static_cast<long double>(rounded) == number || std::isnan(number);
+  return is_binary64 ? in_words(rounded) : fmt::format("{:.21g}", number);
 }
 
 std::string in_words(const std::vector<double>& numbers) {

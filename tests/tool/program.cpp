@@ -13,12 +13,14 @@
 
 namespace carom::tests {
 
-RunResult run_carom(const std::vector<std::string>& arguments) {
+RunResult run_carom(const std::vector<std::string>& arguments) { return run_program(CAROM_PROGRAM, arguments); }
+
+RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
   namespace bp = boost::process;
   boost::asio::io_context context;
   std::future<std::string> output;
   std::future<std::string> errors;
-  bp::child child(bp::exe = CAROM_PROGRAM, bp::args = arguments, bp::std_in<bp::null, bp::std_out> output,
+  bp::child child(bp::exe = program, bp::args = arguments, bp::std_in<bp::null, bp::std_out> output,
                   bp::std_err > errors, context);
   context.run();
   child.wait();

@@ -7,7 +7,7 @@
 
 #include <sys/types.h>
 
-/// Runs the program as a user would.
+/// Runs programs as a user would.
 namespace carom::tests {
 
 struct RunResult {
@@ -19,7 +19,10 @@ struct RunResult {
 /// `carom ARG…`, without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
-/// Starts it and goes on, its output dropped.
+/// Any other program, by its path.
+[[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
+
+/// Starts `carom ARG…` and goes on, its output dropped.
 [[nodiscard]] pid_t start_carom(const std::vector<std::string>& arguments);
 
 /// Waits for a started one: its exit status, or -1 where a signal ended it.

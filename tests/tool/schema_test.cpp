@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* python = "/usr/bin/python3";
+const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/report.schema.json";
+
+bool has_validator() { return run_program(python, {"-c", "import jsonschema"}).exit_status == 0; }
+
+RunResult validate(const std::string& report) {
+  return run_program(python, {"-W", "ignore", "-m", "jsonschema", "-i", report, schema});
+}
+
+/// A subject that is not installed here, if there is one.
+std::vector<std::string> absent_subject() {
+  for (const json& subject : json::parse(run_carom({"subjects", "--format", "json"}).output)) {
+    if (!subject.at("absent").get<std::string>().empty()) {
+      return {subject.at("name")};
+    }
+  }
+  return {};
+}
+
+/// A report of a subject of each kind.
+json varied_report() {
+  std::vector<std::string> arguments{"gate",
+                                     "frictionless-double",
+                                     "reflection-in-basis-double",
+                                     "exec:/no/such",
+                                     "--families",
+                                     "head_on,invalid",
+                                     "--cases",
+                                     "30",
+                                     "--format",
+                                     "json"};
+  const std::vector<std::string> absent = absent_subject();
+  arguments.insert(arguments.begin() + 1, absent.begin(), absent.end());
+  json report = json::parse(run_carom(arguments).output);
+  EXPECT_EQ(report.at("subjects").size(), 3 + absent.size());
+  return report;
+}
+
+TEST(ReportSchema, DescribesARealReport) {
+  if (!has_validator()) {
+    GTEST_SKIP() << "python3-jsonschema is not installed";
+  }
+  const TemporaryDirectory directory;
+  const json report = varied_report();
+  std::vector<std::string> seen;
+  for (const json& subject : report.at("subjects")) {
+    seen.push_back(subject.at("status"));
+  }
+  seen.resize(3);
+  EXPECT_EQ(seen, (std::vector<std::string>{"sound", "violated", "error"}));
+  EXPECT_FALSE(report.at("interrupted").get<bool>());
+  EXPECT_FALSE(report.at("environment").at("compiler").get<std::string>().empty());
+  const RunResult result = validate(directory.write("report.json", report.dump()));
+  EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+}
+
+TEST(ReportSchema, RejectsWhatDiffers) {
+  if (!has_validator()) {
+    GTEST_SKIP() << "python3-jsonschema is not installed";
+  }
+  const TemporaryDirectory directory;
+  const json report = varied_report();
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes{
+      {"no environment", [](json& r) { r.erase("environment"); }},
+      {"no date", [](json& r) { r.at("environment").erase("date"); }},
+      {"an unknown field", [](json& r) { r["mood"] = "good"; }},
+      {"an unknown field of a subject", [](json& r) { r.at("subjects").at(0)["mood"] = "good"; }},
+      {"an unknown status", [](json& r) { r.at("subjects").at(0)["status"] = "fine"; }},
+      {"an error without a reason", [](json& r) { r.at("subjects").at(2)["error"] = ""; }},
+      {"violated by nothing", [](json& r) { r.at("subjects").at(1)["violations"] = json::array(); }},
+      {"a number as text", [](json& r) { r["seed"] = "1"; }},
+      {"a negative count", [](json& r) { r.at("families").at(0).at("coverage")["cases"] = -1; }},
+      {"an exit status that there is not", [](json& r) { r["exit_status"] = 3; }},
+  };
+  for (const auto& [name, change] : changes) {
+    json changed = report;
+    change(changed);
+    EXPECT_EQ(validate(directory.write("report.json", changed.dump())).exit_status, 1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace carom::tests
