@@ -63,7 +63,6 @@ thead th { vertical-align: bottom; }
 .coverage th[scope=row], .coverage thead th:first-child {
   position: sticky; left: 0; background: var(--paper); z-index: 1; min-width: 9rem; max-width: 18rem;
   border-right: 1px solid var(--rule); overflow-wrap: break-word; }
-@media (max-width: 40rem) { .subjects th[scope=row], .matrix th[scope=row] { min-width: 7rem; max-width: 8rem; } }
 .subjects thead th { max-width: 8rem; }
 .coverage thead th:nth-child(n+2), .subjects thead th:nth-child(3),
 .subjects thead th:nth-child(n+5):nth-child(-n+10) { text-align: right; }
@@ -106,6 +105,10 @@ article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
 .pictures { flex: 1 1 18rem; min-width: 0; }
 .numbers td { font-family: ui-monospace, monospace; font-size: 0.8125rem; }
 .numbers th[scope=row] { font-weight: 400; white-space: nowrap; color: var(--faint); }
+@media (max-width: 40rem) {
+  .numbers th[scope=row] { white-space: normal; }
+  .subjects th[scope=row], .matrix th[scope=row] { min-width: 7rem; max-width: 8rem; }
+}
 .drawings { display: flex; flex-wrap: wrap; gap: 0.5rem 1.5rem; }
 .drawings .legend { flex: 1 0 100%; }
 figure { margin: 0; flex: 0 1 17rem; max-width: 17rem; }
