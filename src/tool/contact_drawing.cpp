@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -178,8 +179,11 @@ std::string draw_relative_velocity(pugi::xml_node parent, const ContactPicture& 
   drawing.label({0, normal_in_pixels}, "N");
   drawing.label({0, 0}, "0");
   drawing.finish();
+  const auto is_zero = [](const std::optional<Place>& place) { return place && length(*place) == 0; };
   return "Velocity of the contact point, V = V_A − V_B, from 0." +
-         sentence(is_shortened, "The computed one is drawn shortened.");
+         sentence(is_shortened, "The computed one is drawn shortened.") +
+         sentence(is_zero(velocities.computed), "The computed one is zero.") +
+         sentence(is_zero(velocities.exact), "The exact one is zero.");
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <carom/oracles/kinematics.hpp>
 

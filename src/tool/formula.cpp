@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <string>

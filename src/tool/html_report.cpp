@@ -2,6 +2,7 @@
 #include "html_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -150,13 +151,14 @@ std::string summary_of(const GateRun& run) {
                        violated, violated == 1 ? "violates" : "violate");
     text += others == 0 ? "." : fmt::format(", and {} could not be judged to the end.", others);
   }
-  return run.report.interrupted ? "Interrupted: " + text : text;
+  return run.report.interrupted ? "Interrupted. Until then: " + text : text;
 }
 
 std::string html_report(const GateRun& run, const std::filesystem::path& out_directory) {
   pugi::xml_document document;
   document.append_child(pugi::node_doctype).set_value("html");
-  const pugi::xml_node html = add(document, "html", {{"lang", "en"}});
+  pugi::xml_node html = document.append_child("html");
+  html.append_attribute("lang") = "en";
   add_head(html, "Carom: " + summary_of(run));
   const pugi::xml_node body = add(html, "body");
   add(body, "a", {{"class", "skip"}, {"href", "#main"}}, "Skip to the report");

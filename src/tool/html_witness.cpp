@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "html_witness.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include <carom/oracles/kinematics.hpp>

@@ -53,7 +53,8 @@ dd { flex: 1 1 14rem; margin: 0; }
 .scroll { overflow-x: auto; margin: 0.75rem 0; position: relative; }
 table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: 0.25rem 0; }
-caption span { display: inline-block; position: sticky; left: 0; max-width: calc(100vw - 2.5rem); }
+caption span { display: inline-block; position: sticky; left: 0; width: max-content;
+  max-width: min(34rem, calc(100vw - 4.5rem)); }
 th, td { padding: 0.2rem 0.55rem; border-bottom: 1px solid var(--rule); text-align: left; vertical-align: top;
   unicode-bidi: isolate; }
 th { font-weight: 600; }
@@ -62,7 +63,6 @@ thead th { vertical-align: bottom; }
 .coverage th[scope=row], .coverage thead th:first-child {
   position: sticky; left: 0; background: var(--paper); z-index: 1; min-width: 9rem; max-width: 18rem;
   border-right: 1px solid var(--rule); overflow-wrap: break-word; }
-@media (max-width: 40rem) { .subjects th[scope=row], .matrix th[scope=row] { min-width: 7rem; max-width: 8rem; } }
 .subjects thead th { max-width: 8rem; }
 .coverage thead th:nth-child(n+2), .subjects thead th:nth-child(3),
 .subjects thead th:nth-child(n+5):nth-child(-n+10) { text-align: right; }
@@ -98,13 +98,20 @@ article { border: 1px solid var(--rule); border-radius: 0.4rem; padding: 0.8rem;
 article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
 .formula { overflow-x: auto; overflow-y: hidden; padding: 0.3rem 0; font-size: 1.1rem; }
 .columns { display: flex; flex-wrap: wrap; gap: 0 2rem; align-items: flex-start; }
-.witness-numbers { flex: 1 1 36rem; min-width: 0; max-width: 100%; }
+.witness-numbers { flex: 1 1 36rem; min-width: 0; max-width: 100%; display: flex; flex-wrap: wrap; gap: 0 2rem;
+  align-content: flex-start; }
+.witness-numbers .scroll { max-width: 100%; }
+.witness-numbers p, .witness-numbers pre { flex: 1 0 100%; }
 .pictures { flex: 1 1 18rem; min-width: 0; }
 .numbers td { font-family: ui-monospace, monospace; font-size: 0.8125rem; }
 .numbers th[scope=row] { font-weight: 400; white-space: nowrap; color: var(--faint); }
+@media (max-width: 40rem) {
+  .numbers th[scope=row] { white-space: normal; }
+  .subjects th[scope=row], .matrix th[scope=row] { min-width: 7rem; max-width: 8rem; }
+}
 .drawings { display: flex; flex-wrap: wrap; gap: 0.5rem 1.5rem; }
 .drawings .legend { flex: 1 0 100%; }
-figure { margin: 0; max-width: 20rem; }
+figure { margin: 0; flex: 0 1 17rem; max-width: 17rem; }
 figure svg { display: block; max-width: 100%; height: auto; background: var(--raised); border-radius: 0.3rem; }
 figcaption { font-size: 0.8125rem; color: var(--faint); }
 svg path, svg ellipse { fill: none; stroke: var(--ink); stroke-width: 1.5; }
@@ -123,19 +130,22 @@ svg .computed { stroke: var(--computed); stroke-width: 4.5; stroke-opacity: 0.75
 svg .computed.head { fill: var(--computed); stroke: var(--computed); stroke-width: 2; }
 svg .exact { stroke: var(--exact); stroke-width: 2; }
 svg .exact.head { fill: var(--exact); stroke: none; }
+@page { size: A4 landscape; margin: 12mm; }
 @media print {
   :root { color-scheme: light; }
   body { font-size: 10pt; }
   nav, .skip { display: none; }
   .scroll { overflow: visible; }
   table { font-size: 7pt; }
-  .matrix td { padding: 0.1rem; } .matrix, .subjects, .coverage { font-size: 5.5pt; }
+  .matrix td { padding: 0.1rem; } .matrix, .subjects, .coverage { font-size: 6.5pt; }
   th, td { padding: 0.1rem 0.2rem; }
   tr, figure, h2, h3, h4, .formula { break-inside: avoid; }
   h2, h3, h4 { break-after: avoid; }
   article { border: none; border-top: 1px solid var(--rule); border-radius: 0; padding: 0.5rem 0; }
   pre { max-height: none; }
-  .numbers td { white-space: normal; overflow-wrap: anywhere; }
+  th, td { overflow-wrap: break-word; }
+  .columns { flex-wrap: nowrap; } .pictures { flex: 0 0 16rem; }
+  figure svg { max-height: 11rem; width: auto; }
   td, .swatch, .result, svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
