@@ -6,17 +6,18 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/kinematics.hpp>
+#include <carom/properties/words.hpp>
 
 #include "contact_drawing.hpp"
 #include "formula.hpp"
 #include "html_tables.hpp"
 #include "markup.hpp"
-#include "words.hpp"
 
 namespace carom::tool {
 namespace {
 
 using oracles::Rational;
+using properties::in_words;
 using properties::Witness;
 
 /// A table whose rows begin with their header.

@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include <carom/properties/words.hpp>
+
 #include "markup.hpp"
-#include "words.hpp"
 
 namespace carom::tool {
 namespace {
+
+using properties::in_words;
 
 std::string failure_text(const properties::Witness& witness) {
   return std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +

@@ -4,15 +4,16 @@
 #include <carom/collision/json.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariant.hpp>
+#include <carom/properties/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "commands.hpp"
-#include "words.hpp"
 
 namespace carom::tool {
 namespace {
 
 using nlohmann::json;
+using properties::in_words;
 
 std::string joined(const std::vector<Model>& models) {
   std::string text;

@@ -5,12 +5,12 @@
 
 #include <carom/collision/json.hpp>
 #include <carom/properties/gate.hpp>
+#include <carom/properties/words.hpp>
 
 #include "commands.hpp"
 #include "input_file.hpp"
 #include "records.hpp"
 #include "subject_argument.hpp"
-#include "words.hpp"
 
 namespace carom::tool {
 namespace {
@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 using oracles::Approach;
 using oracles::Rational;
+using properties::in_words;
 
 const char* name_of(Approach approach) {
   switch (approach) {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "words.hpp"
+#include <carom/properties/words.hpp>
 
 namespace carom::tool {
 namespace {
@@ -107,13 +107,7 @@ std::string witness_text(const SubjectResult& result, const Witness& witness, co
       fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name, witness.invariant,
                   witness.family, result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
                   result.count(witness.invariant).violated, invariant.statement);
-  text += in_words(witness.shrunk.collision, "    ");
-  if (const auto* outcome = std::get_if<ReportedOutcome>(&witness.answer)) {
-    text += "  answered\n" + in_words(*outcome, "    ");
-  } else if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
-    text += "  refused: " + refused->why + '\n';
-  }
-  text += "  " + in_words(witness.verdict) + '\n';
+  text += properties::violation_in_words(witness.shrunk.collision, witness.answer, witness.verdict);
   if (!out_directory.empty()) {
     const auto file = witness_path(out_directory, result.subject, witness);
     text += "  " + replay_command(file, result.subject, report.options.yardstick) + '\n';

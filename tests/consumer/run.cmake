@@ -1,18 +1,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DBUILD=… -DWORK=… -DCONSUMER=… -P run.cmake: installs into WORK, builds the consumer against that, runs it.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
+# cmake -DBUILD=… -DWORK=… -DCONSUMER=… -P run.cmake: installs into WORK, builds the consumers against that, runs them.
+
+# Runs a command that has to end in `expected`; what it printed is then in `output`.
+function(run_expecting expected)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
+  if(NOT result EQUAL expected)
     string(JOIN " " command ${ARGN})
-    message(FATAL_ERROR "${command}\nended in ${result}\n${output}")
+    message(FATAL_ERROR "${command}\nended in ${result}\n${printed}")
   endif()
+  set(output "${printed}" PARENT_SCOPE)
+endfunction()
+
+macro(run)
+  run_expecting(0 ${ARGN})
+endmacro()
+
+# Fails where the last output does not hold one of these texts.
+function(expect_output)
+  foreach(text IN LISTS ARGN)
+    string(FIND "${output}" "${text}" place)
+    if(place EQUAL -1)
+      message(FATAL_ERROR "expected in the output: ${text}\n${output}")
+    endif()
+  endforeach()
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+
+# The solvers and the gate ask for neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
-    -DCMAKE_BUILD_TYPE=Debug)
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/solve)
 run(${WORK}/build/judge)
 run(${WORK}/installed/bin/carom subjects)
+
+run(${CMAKE_COMMAND} -S ${CONSUMER}/conformance -B ${WORK}/conformance -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
+    -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${WORK}/conformance)
+run(${CMAKE_COMMAND} -E env CAROM_CASES=10 ${WORK}/conformance/sound_test)
+expect_output("[       OK ] Textbook/Conformance.Holds/restitution_in_near_head_on")
+run_expecting(1 ${WORK}/conformance/mutant_test)
+expect_output("mutant violates restitution in generic" "The normal velocity is reversed and multiplied by ε."
+              "B: immovable, at (0, 0, 0)" "  answered" "N·V⁺ and −ε N·V⁻: 2 and 1, apart by 1, allowed" "RC_PARAMS="
+              "[       OK ] Mutant/Conformance.Holds/restitution_in_inelastic")

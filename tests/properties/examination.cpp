@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "examination.hpp"
 
-#include "rapidcheck_support.hpp"
+#include <carom/properties/conformance/rapidcheck.hpp>
 
 namespace carom::properties {
 namespace {

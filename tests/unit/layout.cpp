@@ -33,10 +33,12 @@ const std::vector<Rule>& rules() {
        true,
        {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/", "signal.h"}},
       {"oracles/", "", true, {"carom/collision/", "carom/oracles/", "CGAL/", "Eigen/"}},
-      {"properties/",
+      {"properties/conformance/",
        "",
        true,
-       {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/", "rapidcheck", "rapidcheck/"}},
+       {"carom/collision/", "carom/impulse/contact.hpp", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/",
+        "gtest/", "rapidcheck"}},
+      {"properties/", "", true, {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/"}},
       {"", "", false, {"carom/tool/"}},
   };
   return all;

@@ -52,6 +52,12 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"properties/gate.cpp", "carom/impulse/reflection.hpp"},
            {"properties/families/bodies.cpp", "nlohmann/json.hpp"},
            {"properties/gate.cpp", "carom/tool/table.hpp"},
+           {"properties/gate.cpp", "carom/impulse/contact.hpp"},
+           {"properties/gate.cpp", "gtest/gtest.h"},
+           {"properties/gate.cpp", "rapidcheck.h"},
+           {"properties/conformance/suite.hpp", "carom/impulse/frictionless.hpp"},
+           {"properties/conformance/suite.hpp", "carom/subjects/session.hpp"},
+           {"properties/conformance/suite.hpp", "carom/tool/table.hpp"},
            {"tests/unit/some_test.cpp", "carom/tool/table.hpp"},
            {"oracles/truth.hpp", "carom/oracles/../impulse/contact.hpp"},
        }) {
@@ -80,6 +86,9 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
   EXPECT_EQ(offence_of("oracles/rational.hpp", "#include <CGAL/Gmpq.h>"), "");
   EXPECT_EQ(offence_of("properties/gate.cpp", "#include <carom/oracles/judge.hpp>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/subject.hpp", "#include <carom/impulse/contact.hpp>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/suite.hpp", "#include <gtest/gtest.h>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/finding.hpp", "#include <rapidcheck.h>"), "");
   EXPECT_EQ(offence_of("src/tool/main.cpp", "#include <carom/properties/gate.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "// #include <CGAL/Gmpq.h>"), "");
 }

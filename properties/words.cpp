@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "words.hpp"
+#include <utility>
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace carom::tool {
+#include <carom/properties/words.hpp>
+
+namespace carom::properties {
 namespace {
 
 std::string body_in_words(const Body& body) {
@@ -64,7 +66,7 @@ std::string in_words(const ReportedOutcome& outcome, const std::string& indent) 
   return text;
 }
 
-std::string in_words(const properties::Verdict& violated) {
+std::string in_words(const Verdict& violated) {
   if (violated.left.empty()) {
     return violated.detail;
   }
@@ -72,4 +74,14 @@ std::string in_words(const properties::Verdict& violated) {
                      in_words(violated.right), violated.residual, violated.allowed);
 }
 
-}  // namespace carom::tool
+std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated) {
+  std::string text = in_words(collision, "    ");
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    text += "  answered\n" + in_words(*outcome, "    ");
+  } else if (const auto* refused = std::get_if<Refused>(&answer)) {
+    text += "  refused: " + refused->why + '\n';
+  }
+  return text + "  " + in_words(violated) + '\n';
+}
+
+}  // namespace carom::properties

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <carom/collision/outcome.hpp>
+#include <carom/collision/subject.hpp>
 #include <carom/oracles/rational.hpp>
 #include <carom/properties/invariant.hpp>
 
 /// Numbers and collisions as a person reads them.
-namespace carom::tool {
+namespace carom::properties {
 
 /// The shortest decimal that is this number and no other.
 [[nodiscard]] std::string in_words(double number);
@@ -32,6 +32,9 @@ template <class S>
 [[nodiscard]] std::string in_words(const ReportedOutcome& outcome, const std::string& indent);
 
 /// What was compared, both sides, and by how much they miss each other; no line end.
-[[nodiscard]] std::string in_words(const properties::Verdict& violated);
+[[nodiscard]] std::string in_words(const Verdict& violated);
 
-}  // namespace carom::tool
+/// The collision, the answer to it and the violated verdict on both, each on lines of its own.
+[[nodiscard]] std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated);
+
+}  // namespace carom::properties

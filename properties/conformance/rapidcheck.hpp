@@ -14,16 +14,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <carom/collision/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/shrink.hpp>
+#include <carom/properties/words.hpp>
 
 /// RapidCheck with the families as generators, and with a fixed seed inside GoogleTest.
 namespace carom::properties {
 
 /// How RapidCheck prints a case.
-inline void showValue(const Case& one, std::ostream& out) { out << collision_to_json(one.collision).dump(); }
+inline void showValue(const Case& one, std::ostream& out) { out << in_words(one.collision, ""); }
 
 /// The cases of a family. RapidCheck supplies one integer, which with the family's name starts the stream, so that
 /// families differ under one seed. A case shrinks as the gate's witnesses do, to small dyadic numbers; an invalid one

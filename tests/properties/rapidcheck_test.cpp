@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rapidcheck_support.hpp"
-
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include <carom/properties/conformance/rapidcheck.hpp>
 
 /// The tools that the property tests rest on.
 namespace carom::properties {
@@ -16,25 +17,25 @@ TEST(CasesOfAFamily, ShrinkToSmallDyadicNumbers) {
   });
   ASSERT_TRUE(found);
   // All that is left is what the property asks for: the shortest number from 3 on, and zeros and ones elsewhere.
-  EXPECT_NE(found->find(R"("mass":4.0,"orientation":[1.0,0.0,0.0,0.0])"), std::string::npos) << *found;
-  EXPECT_NE(found->find(R"("position":[0.0,0.0,0.0],"principal_inertia":[1.0,1.0,1.0],"velocity":[0.0,0.0,0.0])"),
+  EXPECT_NE(found->find("A: mass 4, principal inertia (1, 1, 1), orientation (1, 0, 0, 0), at (0, 0, 0), "
+                        "velocity (0, 0, 0), angular velocity (0, 0, 0)"),
             std::string::npos)
       << *found;
 }
 
 TEST(CasesOfAFamily, AreTheSameForTheSameSeed) {
   const auto drawn = [] {
-    std::string text;
+    std::vector<std::string> texts;
     check(10, [&] {
       std::ostringstream one;
       showValue(*cases_of(*family_named("generic")), one);
-      text += one.str() + '\n';
+      texts.push_back(one.str());
     });
-    return text;
+    return texts;
   };
-  const std::string first = drawn();
+  const std::vector<std::string> first = drawn();
   EXPECT_EQ(first, drawn());
-  EXPECT_NE(first.substr(0, first.find('\n')), first.substr(first.find('\n') + 1, first.find('\n')));
+  EXPECT_NE(first.at(0), first.at(1));
 }
 
 TEST(CasesOfAFamily, OfInvalidCollisionsAreNotShrunk) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/properties/conformance/subject.hpp>
+#include <carom/properties/conformance/suite.hpp>
+
+/// Instantiates the suite NAME/Conformance of a subject: one test Holds/INVARIANT_in_FAMILY for each invariant that is
+/// claimed for its model and each family, in GoogleTest, with cases that RapidCheck draws.
+///
+///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Model::frictionless, my_callable));
+///
+/// A further argument gives carom::conformance::Options. A test is skipped where no case was in the domain of its
+/// invariant. Not judged are, of callables, `invalid_refused`, because the kit refuses invalid collisions for them, and
+/// `definite` and `well_conditioned` unless Subject::collision_matrix is set.
+#define CAROM_CONFORMANCE(NAME, ...)                                                                \
+  using ::carom::conformance::Conformance;                                                          \
+  INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                       \
+                           ::testing::ValuesIn(::carom::conformance::placed(                        \
+                               __FILE__, __LINE__, ::carom::conformance::statements(__VA_ARGS__))), \
+                           ::carom::conformance::test_name)

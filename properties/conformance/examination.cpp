@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <exception>
+#include <span>
+
+#include <carom/collision/json.hpp>
+#include <carom/properties/conformance/examination.hpp>
+#include <carom/properties/shrink.hpp>
+#include <carom/properties/words.hpp>
+
+namespace carom::conformance {
+namespace {
+
+using properties::Case;
+using properties::JudgedCase;
+using properties::Judgement;
+using properties::Status;
+using properties::Verdict;
+
+/// Shrinking calls the subject and the judge this often at most; many tests may fail at once.
+constexpr std::size_t most_shrink_calls = 1000;
+
+Verdict single_verdict(const Judgement& judgement) {
+  if (judgement.skipped) {
+    return {Status::skipped, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
+  }
+  if (judgement.verdicts.empty()) {
+    return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};
+  }
+  return judgement.verdicts.front().verdict;
+}
+
+}  // namespace
+
+Examination::Examination(const Statement& statement)
+    : statement_(&statement), claim_(statement.claim()), session_(statement.subject->open()) {}
+
+Verdict Examination::judge(const Case& one) {
+  Verdict verdict = verdict_on(one);
+  ++judged_;
+  was_in_domain_ = was_in_domain_ || verdict.status != Status::skipped;
+  if (verdict.status == Status::skipped && why_skipped_.empty()) {
+    why_skipped_ = verdict.detail;
+  }
+  return verdict;
+}
+
+Verdict Examination::verdict_on(const Case& one) {
+  answer_ = Skipped{"the subject threw"};
+  bool is_first = true;
+  const auto solve = [&](const Collision& collision) {
+    const Answer answer = session_(std::span(&collision, 1)).at(0);
+    if (is_first) {
+      answer_ = answer;
+      is_first = false;
+    }
+    return properties::lift(answer);
+  };
+  const JudgedCase judged_case(one);
+  try {
+    return single_verdict(properties::try_case(judged_case, claim_, solve,
+                                               properties::shown_collision_matrix(*statement_->subject, judged_case)));
+  } catch (const std::exception& exception) {
+    return {Status::violated, std::string("the subject threw: ") + exception.what(), 0, 0, {}, {}};
+  }
+}
+
+std::string Examination::violation(const Case& one, const Verdict& found) {
+  const Answer found_answer = answer_;
+  // A violation that shrinks to one just beyond the limit convinces nobody.
+  const double severity_kept = std::max(1.0, found.severity() / 16);
+  Case simplest = one;
+  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
+  const bool is_valid = JudgedCase(one).is_valid();
+  if (is_valid && statement_->invariant->name != "well_conditioned") {
+    const auto still_fails = [&](const Collision& collision) {
+      return verdict_on({collision, one.convex_uniform}).severity() >= severity_kept;
+    };
+    simplest.collision = properties::shrink(one.collision, still_fails, most_shrink_calls);
+  }
+  claim_.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic
+  const Verdict verdict = verdict_on(simplest);
+  claim_.yardstick.filtered = true;
+  std::string text;
+  if (verdict.status == Status::violated) {
+    text = properties::violation_in_words(simplest.collision, answer_, verdict);
+  } else {
+    simplest = one;
+    text = properties::violation_in_words(one.collision, found_answer, found) +
+           "  asked again, the subject answers otherwise: it remembers earlier collisions\n";
+  }
+  if (is_valid) {
+    text += "  for `carom replay FILE`: " + collision_to_json(simplest.collision).dump() + '\n';
+  }
+  return text;
+}
+
+}  // namespace carom::conformance

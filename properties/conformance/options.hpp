@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <carom/oracles/yardstick.hpp>
+
+namespace carom::conformance {
+
+/// What a suite may choose.
+struct Options {
+  int cases = 100;                                  // of each test, from 1; the environment's CAROM_CASES comes first
+  double limit_ulps = oracles::default_limit_ulps;  // of the subject's precision
+  std::vector<std::string> families = {};           // their names; empty for all
+  std::vector<std::string> deviates = {};           // invariants to leave out, besides those of Subject::deviates
+};
+
+}  // namespace carom::conformance

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include <carom/properties/conformance/statement.hpp>
+
+namespace carom::conformance {
+namespace {
+
+using properties::Family;
+using properties::Invariant;
+
+int cases_of_each(const Options& options) {
+  const char* const given = std::getenv("CAROM_CASES");
+  int cases = options.cases;
+  if (given != nullptr) {
+    const std::string_view text(given);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cases);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      cases = 0;
+    }
+  }
+  if (cases < 1) {
+    throw std::invalid_argument(given == nullptr
+                                    ? "Options::cases: expected a number from 1"
+                                    : "CAROM_CASES: expected a number from 1, found " + std::string(given));
+  }
+  return cases;
+}
+
+std::vector<const Family*> families_of(const Options& options) {
+  std::vector<const Family*> families;
+  for (const std::string& name : options.families) {
+    families.push_back(properties::family_named(name));
+    if (families.back() == nullptr) {
+      throw std::invalid_argument("Options::families: there is no family " + name);
+    }
+  }
+  if (options.families.empty()) {
+    for (const Family& family : properties::all_families()) {
+      families.push_back(&family);
+    }
+  }
+  return families;
+}
+
+/// What is not judged of this subject.
+std::set<std::string_view> left_out(const Subject& subject, const Options& options) {
+  for (const std::string& name : options.deviates) {
+    if (properties::invariant_named(name) == nullptr) {
+      throw std::invalid_argument("Options::deviates: there is no invariant " + name);
+    }
+  }
+  std::set<std::string_view> names(options.deviates.begin(), options.deviates.end());
+  if (!subject.collision_matrix) {
+    // They would then speak of the exact matrix alone, and not of the subject.
+    names.insert({"definite", "well_conditioned"});
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<Statement> statements(const Subject& subject, const Options& options) {
+  const auto shared = std::make_shared<const Subject>(subject);
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = options.limit_ulps;
+  properties::Claim claim = properties::claim_of(subject, yardstick);
+  const std::set<std::string_view> unwanted = left_out(subject, options);
+  std::erase_if(claim.invariants, [&](const Invariant* invariant) { return unwanted.contains(invariant->name); });
+  std::vector<const Family*> families = families_of(options);
+  if (std::none_of(claim.invariants.begin(), claim.invariants.end(),
+                   [](const Invariant* invariant) { return invariant->name == "invalid_refused"; })) {
+    std::erase(families, properties::family_named("invalid"));
+  }
+  const int cases = cases_of_each(options);
+  std::vector<Statement> all;
+  for (const Invariant* invariant : claim.invariants) {
+    for (const Family* family : families) {
+      all.push_back({shared, invariant, family, claim.yardstick, cases});
+    }
+  }
+  return all;
+}
+
+std::vector<Statement> placed(const char* file, int line, std::vector<Statement> all) {
+  for (Statement& statement : all) {
+    statement.file = file;
+    statement.line = line;
+  }
+  return all;
+}
+
+std::string name_of(const Statement& statement) {
+  return std::string(statement.invariant->name) + "_in_" + std::string(statement.family->name);
+}
+
+void PrintTo(const Statement& statement, std::ostream* out) {
+  *out << statement.invariant->name << " of " << statement.subject->name << " in " << statement.family->name;
+}
+
+}  // namespace carom::conformance

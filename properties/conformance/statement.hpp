@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <carom/properties/conformance/options.hpp>
+#include <carom/properties/trial.hpp>
+
+namespace carom::conformance {
+
+/// What one test tests: that an invariant holds of a subject in the cases of a family.
+struct Statement {
+  std::shared_ptr<const Subject> subject;
+  const properties::Invariant* invariant;
+  const properties::Family* family;
+  oracles::Yardstick yardstick;
+  int cases;              // to be drawn
+  const char* file = "";  // where the suite stands
+  int line = 0;
+
+  /// The claim of the one invariant.
+  [[nodiscard]] properties::Claim claim() const { return {subject->model, yardstick, {invariant}}; }
+};
+
+/// Every statement of a suite: the invariants that are claimed, by all families. Left out are the invariants about the
+/// collision matrix where the subject shows none, and the family of invalid collisions where `invalid_refused` is not
+/// claimed. Throws std::invalid_argument where an option or CAROM_CASES is no number from 1 or names what there is not.
+[[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
+
+/// The same, of a suite that stands there.
+[[nodiscard]] std::vector<Statement> placed(const char* file, int line, std::vector<Statement> all);
+
+/// "restitution_in_near_head_on".
+[[nodiscard]] std::string name_of(const Statement& statement);
+
+/// How GoogleTest prints it.
+void PrintTo(const Statement& statement, std::ostream* out);
+
+}  // namespace carom::conformance

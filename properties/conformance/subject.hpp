@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+#include <carom/collision/validate.hpp>
+#include <carom/impulse/contact.hpp>
+
+/// Callables as subjects.
+namespace carom::conformance {
+
+/// Contact<S> → Outcome<S>.
+template <class Solver, class S>
+concept SolvesContacts = std::is_invocable_r_v<Outcome<S>, Solver&, const impulse::Contact<S>&>;
+
+namespace detail {
+
+template <class S>
+S scalar_of(const Outcome<S>&);
+
+/// S of a callable Collision → Outcome<S>.
+template <class Solver>
+using ScalarOfOutcome = decltype(scalar_of(std::declval<std::invoke_result_t<Solver&, const Collision&>>()));
+
+/// S of what the solver is made for, where it is not given.
+template <class Solver>
+[[nodiscard]] constexpr auto deduced_scalar() {
+  constexpr int contacts = int{SolvesContacts<Solver, float>} + int{SolvesContacts<Solver, double>} +
+                           int{SolvesContacts<Solver, long double>};
+  static_assert(contacts <= 1, "the callable solves contacts of any scalar type: choose one, subject<double>(…)");
+  if constexpr (SolvesContacts<Solver, float>) {
+    return float{};
+  } else if constexpr (SolvesContacts<Solver, double>) {
+    return double{};
+  } else if constexpr (SolvesContacts<Solver, long double>) {
+    return static_cast<long double>(0);
+  } else {
+    static_assert(std::is_invocable_v<Solver&, const Collision&>,
+                  "a subject is a callable const impulse::Contact<S>& → Outcome<S>, or const Collision& → Outcome<S>");
+    return ScalarOfOutcome<Solver>{};
+  }
+}
+
+template <class S, class Solver>
+[[nodiscard]] Answer answer(Solver& solver, const Collision& collision) {
+  const std::vector<Defect> defects = validate(collision);
+  if (!defects.empty()) {
+    return Refused{describe(defects)};
+  }
+  const auto reported = [](S number) { return static_cast<long double>(number); };
+  if constexpr (SolvesContacts<Solver, S>) {
+    return map_outcome<long double>(Outcome<S>(solver(impulse::make_contact<S>(collision))), reported);
+  } else {
+    return map_outcome<long double>(Outcome<S>(solver(collision)), reported);
+  }
+}
+
+}  // namespace detail
+
+/// A callable as a subject. It solves contacts or collisions, const impulse::Contact<S>& → Outcome<S> or
+/// const Collision& → Outcome<S> with S one of float, double and long double; S is to be given where it takes contacts
+/// of any. Every session has a copy of it. It is judged in the precision of S unless another is given.
+///
+/// The callable sees valid collisions alone. That invalid ones are refused is then not its own doing, and so
+/// `invalid_refused` is not claimed.
+template <class S = void, class Solver>
+[[nodiscard]] Subject subject(std::string name, Model model, Solver solver,
+                              std::optional<Precision> precision = std::nullopt) {
+  if constexpr (std::is_void_v<S>) {
+    return subject<decltype(detail::deduced_scalar<Solver>())>(std::move(name), model, std::move(solver), precision);
+  } else {
+    static_assert(std::is_same_v<S, float> || std::is_same_v<S, double> || std::is_same_v<S, long double>);
+    Subject made;
+    made.name = std::move(name);
+    made.model = model;
+    made.precision = precision.value_or(precision_of<S>);
+    made.deviates = {"invalid_refused"};
+    made.open = [solver = std::move(solver)]() -> Session {
+      return [own = solver](std::span<const Collision> collisions) mutable {
+        std::vector<Answer> answers;
+        for (const Collision& collision : collisions) {
+          answers.push_back(detail::answer<S>(own, collision));
+        }
+        return answers;
+      };
+    };
+    return made;
+  }
+}
+
+}  // namespace carom::conformance

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include <carom/conformance.hpp>
+
+namespace carom::conformance {
+namespace {
+
+Subject idle_callable(Model model) {
+  return subject("idle", model, [](const Collision& collision) { return unchanged(collision); });
+}
+
+Subject idle_subject(Model model) {
+  Subject made = idle_callable(model);
+  made.deviates.clear();
+  made.collision_matrix = [](const Collision&) -> Matrix3<long double> { return Matrix3<long double>::Identity(); };
+  return made;
+}
+
+std::set<std::string_view> invariants_of(const std::vector<Statement>& all) {
+  std::set<std::string_view> names;
+  for (const Statement& statement : all) {
+    names.insert(statement.invariant->name);
+  }
+  return names;
+}
+
+std::set<std::string_view> families_of(const std::vector<Statement>& all) {
+  std::set<std::string_view> names;
+  for (const Statement& statement : all) {
+    names.insert(statement.family->name);
+  }
+  return names;
+}
+
+/// The environment's CAROM_CASES for as long as this lives.
+class GivenCases {
+ public:
+  explicit GivenCases(const char* text) { setenv("CAROM_CASES", text, 1); }
+  ~GivenCases() { unsetenv("CAROM_CASES"); }
+  GivenCases(const GivenCases&) = delete;
+  GivenCases& operator=(const GivenCases&) = delete;
+};
+
+TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
+  for (const Model model : all_models) {
+    std::set<std::string_view> claimed;
+    for (const properties::Invariant& invariant : properties::all_invariants()) {
+      if (invariant.claimed_for(model)) {
+        claimed.insert(invariant.name);
+      }
+    }
+    const std::vector<Statement> all = statements(idle_subject(model));
+    EXPECT_EQ(invariants_of(all), claimed);
+    EXPECT_EQ(families_of(all).size(), properties::all_families().size());
+    EXPECT_EQ(all.size(), claimed.size() * properties::all_families().size());
+    std::set<std::string> names;
+    for (const Statement& statement : all) {
+      EXPECT_TRUE(names.insert(name_of(statement)).second) << name_of(statement);
+    }
+  }
+}
+
+TEST(Statements, OfACallableLeaveOutWhatItHasNoPartIn) {
+  std::set<std::string_view> rest = invariants_of(statements(idle_subject(Model::frictionless)));
+  for (const char* name : {"invalid_refused", "definite", "well_conditioned"}) {
+    EXPECT_EQ(rest.erase(name), 1U) << name;
+  }
+  const std::vector<Statement> all = statements(idle_callable(Model::frictionless));
+  EXPECT_EQ(invariants_of(all), rest);
+  EXPECT_FALSE(families_of(all).contains("invalid"));
+  EXPECT_EQ(families_of(all).size(), properties::all_families().size() - 1);
+}
+
+TEST(Statements, FollowTheOptions) {
+  const std::vector<Statement> all =
+      statements(idle_callable(Model::frictionless),
+                 {.cases = 7, .limit_ulps = 64, .families = {"resting", "generic"}, .deviates = {"energy"}});
+  EXPECT_EQ(families_of(all), (std::set<std::string_view>{"generic", "resting"}));
+  EXPECT_FALSE(invariants_of(all).contains("energy"));
+  EXPECT_TRUE(invariants_of(all).contains("restitution"));
+  for (const Statement& statement : all) {
+    EXPECT_EQ(statement.cases, 7);
+    EXPECT_EQ(statement.yardstick.limit_ulps, 64);
+    EXPECT_EQ(statement.yardstick.unit_roundoff, unit_roundoff(Precision::binary64));
+  }
+}
+
+TEST(Statements, TakeTheirCasesFromTheEnvironment) {
+  const GivenCases given("3");
+  EXPECT_EQ(statements(idle_callable(Model::any)).at(0).cases, 3);
+}
+
+TEST(Statements, RefuseWhatWouldTestNothing) {
+  const Subject idle = idle_callable(Model::any);
+  EXPECT_THROW((void)statements(idle, {.cases = 0}), std::invalid_argument);
+  EXPECT_THROW((void)statements(idle, {.families = {"generics"}}), std::invalid_argument);
+  EXPECT_THROW((void)statements(idle, {.deviates = {"energies"}}), std::invalid_argument);
+  for (const char* text : {"0", "-1", "many", "", "10x"}) {
+    const GivenCases given(text);
+    EXPECT_THROW((void)statements(idle), std::invalid_argument) << text;
+  }
+}
+
+}  // namespace
+}  // namespace carom::conformance

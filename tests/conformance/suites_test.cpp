@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/conformance.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+
+/// Suites as a user instantiates them, more than one in a program.
+namespace carom::conformance {
+namespace {
+
+const Options few{.cases = 5, .families = {"generic", "near_head_on", "resting"}};
+
+CAROM_CONFORMANCE(Frictionless, subject("frictionless", Model::frictionless, impulse::frictionless<double>), few);
+
+CAROM_CONFORMANCE(ReflectionInFloat,
+                  subject<float>("reflection", Model::reflection,
+                                 [](const auto& contact) { return impulse::reflection<impulse::Ldlt>(contact); }),
+                  few);
+
+/// The tests that GoogleTest knows of a suite.
+std::set<std::string> tests_of(const std::string& suite_name) {
+  std::set<std::string> names;
+  const testing::UnitTest& program = *testing::UnitTest::GetInstance();
+  for (int s = 0; s < program.total_test_suite_count(); ++s) {
+    const testing::TestSuite& suite = *program.GetTestSuite(s);
+    for (int t = 0; suite.name() == suite_name && t < suite.total_test_count(); ++t) {
+      names.insert(suite.GetTestInfo(t)->name());
+    }
+  }
+  return names;
+}
+
+TEST(Suites, NameATestForEachInvariantAndFamily) {
+  const std::set<std::string> tests = tests_of("Frictionless/Conformance");
+  EXPECT_TRUE(tests.contains("Holds/restitution_in_near_head_on"));
+  EXPECT_TRUE(tests.contains("Holds/frictionless_direction_in_generic"));
+  EXPECT_FALSE(tests.contains("Holds/reflection_plane_in_generic"));
+  EXPECT_EQ(tests.size(), statements(subject("", Model::frictionless, impulse::frictionless<double>), few).size());
+}
+
+TEST(Suites, StandBesideEachOther) {
+  const std::set<std::string> tests = tests_of("ReflectionInFloat/Conformance");
+  EXPECT_TRUE(tests.contains("Holds/reflection_plane_in_generic"));
+  EXPECT_FALSE(tests.contains("Holds/frictionless_direction_in_generic"));
+}
+
+}  // namespace
+}  // namespace carom::conformance

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/conformance.hpp>
+
+#include "textbook.hpp"
+
+/// The textbook's solver, with the restitution added twice.
+struct Mutant {
+  carom::Outcome<double> operator()(carom::impulse::Contact<double> contact) const {
+    contact.restitution += contact.restitution;
+    return textbook(contact);
+  }
+};
+
+CAROM_CONFORMANCE(Mutant, carom::conformance::subject("mutant", carom::Model::frictionless, Mutant{}),
+                  carom::conformance::Options{.cases = 20, .families = {"generic", "inelastic"}});
