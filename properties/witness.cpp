@@ -55,18 +55,11 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   Claim only = claim;
   only.invariants = {invariant_named(witness.invariant)};
   Session session = subject.open();
-  // A violation that shrinks to one just beyond the limit convinces nobody.
-  const double severity_kept = std::max(1.0, witness.verdict.severity() / 16);
-  const auto fails = [&](const Collision& collision) {
-    const AnswerAndJudgement shrunk =
-        judge_in_session(subject, only, session, {collision, witness.original.convex_uniform});
-    return single_verdict(shrunk.judgement).severity() >= severity_kept;
+  const auto verdict_on = [&](const Case& one) {
+    return single_verdict(judge_in_session(subject, only, session, one).judgement);
   };
-  Case simplest = witness.original;
-  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
-  if (JudgedCase(witness.original).is_valid() && witness.invariant != "well_conditioned") {
-    simplest.collision = shrink(witness.original.collision, fails, most_shrink_calls);
-  }
+  const Case simplest =
+      simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
   only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
   const AnswerAndJudgement shrunk = judge_in_session(subject, only, session, simplest);
   session.close();
@@ -76,6 +69,20 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
     witness.answer = shrunk.answer;
   }
   return witness;
+}
+
+Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
+                        const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
+  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
+  if (!JudgedCase(one).is_valid() || invariant.name == "well_conditioned") {
+    return one;
+  }
+  // A violation that shrinks to one just beyond the limit convinces nobody.
+  const double severity_kept = std::max(1.0, found.severity() / 16);
+  const auto still_fails = [&](const Collision& collision) {
+    return verdict_on({collision, one.convex_uniform}).severity() >= severity_kept;
+  };
+  return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
 }
 
 AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {

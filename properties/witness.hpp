@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 
 #include <carom/properties/gate.hpp>
@@ -15,5 +17,9 @@ namespace carom::properties {
 /// The same on the simplest collision that can be found, worked out in exact arithmetic, the truth certified. Throws
 /// what the subject's session throws.
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness);
+
+/// The simplest case that can be found that violates the invariant about as badly as `found`, the verdict on `one`.
+[[nodiscard]] Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
+                                      const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls);
 
 }  // namespace carom::properties

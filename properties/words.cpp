@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <utility>
-
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 

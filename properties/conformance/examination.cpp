@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <exception>
 #include <span>
 
 #include <carom/collision/json.hpp>
 #include <carom/properties/conformance/examination.hpp>
-#include <carom/properties/shrink.hpp>
+#include <carom/properties/witness.hpp>
 #include <carom/properties/words.hpp>
 
 namespace carom::conformance {
@@ -67,17 +66,8 @@ Verdict Examination::verdict_on(const Case& one) {
 
 std::string Examination::violation(const Case& one, const Verdict& found) {
   const Answer found_answer = answer_;
-  // A violation that shrinks to one just beyond the limit convinces nobody.
-  const double severity_kept = std::max(1.0, found.severity() / 16);
-  Case simplest = one;
-  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
-  const bool is_valid = JudgedCase(one).is_valid();
-  if (is_valid && statement_->invariant->name != "well_conditioned") {
-    const auto still_fails = [&](const Collision& collision) {
-      return verdict_on({collision, one.convex_uniform}).severity() >= severity_kept;
-    };
-    simplest.collision = properties::shrink(one.collision, still_fails, most_shrink_calls);
-  }
+  Case simplest = properties::simplest_violation(
+      one, *statement_->invariant, found, [this](const Case& tried) { return verdict_on(tried); }, most_shrink_calls);
   claim_.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic
   const Verdict verdict = verdict_on(simplest);
   claim_.yardstick.filtered = true;
@@ -89,7 +79,7 @@ std::string Examination::violation(const Case& one, const Verdict& found) {
     text = properties::violation_in_words(one.collision, found_answer, found) +
            "  asked again, the subject answers otherwise: it remembers earlier collisions\n";
   }
-  if (is_valid) {
+  if (JudgedCase(one).is_valid()) {
     text += "  for `carom replay FILE`: " + collision_to_json(simplest.collision).dump() + '\n';
   }
   return text;

@@ -57,7 +57,7 @@ template <class Exact>
 }
 
 /// Both must hold: the worse of two verdicts, a violation before a pass before a skip.
-[[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
+[[nodiscard]] inline Verdict both(const Verdict& first, const Verdict& second) {
   const auto rank = [](const Verdict& verdict) {
     return verdict.status == Status::violated ? 2 : (verdict.status == Status::holds ? 1 : 0);
   };

@@ -80,7 +80,7 @@ std::vector<std::string> licences_of(const std::string& path) {
   if (path == "src/CMakeLists.txt") {
     return {"BSL-1.0", "GPL-3.0-or-later"};
   }
-  for (const char* folder : {"src/collision/", "src/impulse/", "src/subjects/"}) {
+  for (const char* folder : {"src/collision/", "src/impulse/", "src/subjects/", "docs/examples/"}) {
     if (begins_with(path, folder)) {
       return {"BSL-1.0"};
     }
