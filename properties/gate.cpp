@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -17,7 +18,22 @@ namespace {
 /// Cases that are put to a subject at once.
 constexpr std::uint64_t cases_in_task = 50;
 
-/// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise.
+/// What a session made of a batch: fewer answers than collisions where it failed.
+struct Batch {
+  std::vector<Answer> answers;
+  std::exception_ptr failure;
+};
+
+Batch batch_of(Session& session, std::span<const Collision> collisions) {
+  try {
+    return {answers_of(session, collisions), nullptr};
+  } catch (const SessionFailure& failure) {
+    return {failure.answered(), std::current_exception()};
+  }
+}
+
+/// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise. Where the
+/// session fails, what it had answered is judged, the invariants that ask further questions left out.
 void judge_task(const Subject& subject, const Claim& claim, Session& session, std::size_t family, std::uint64_t first,
                 std::uint64_t relations_every, const std::deque<JudgedCase>& cases, Tally& tally) {
   std::vector<Collision> collisions;
@@ -26,25 +42,39 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
     collisions.push_back(one.generated().collision);
   }
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Answer> answers = answers_of(session, collisions);
+  const Batch batch = batch_of(session, collisions);
   const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
-  tally.nanoseconds_per_solve.push_back(elapsed.count() / static_cast<double>(collisions.size()));
 
-  std::vector<Trial> trials;
-  trials.reserve(cases.size());
+  const auto trials_of = [&](bool with_relations) {
+    std::vector<Trial> trials;
+    for (std::size_t i = 0; i < batch.answers.size(); ++i) {
+      trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
+                          with_relations && (first + i) % relations_every == 0);
+    }
+    return trials;
+  };
+  std::vector<Trial> trials = trials_of(!batch.failure);
   std::vector<Collision> questions;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    trials.emplace_back(cases[i], claim, lift(answers[i]), shown_collision_matrix(subject, cases[i]),
-                        (first + i) % relations_every == 0);
-    questions.insert(questions.end(), trials.back().questions().begin(), trials.back().questions().end());
+  for (const Trial& trial : trials) {
+    questions.insert(questions.end(), trial.questions().begin(), trial.questions().end());
   }
-  const std::vector<ExactAnswer> replies = lifted(answers_of(session, questions));
+  const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
+  if (related.failure) {
+    trials = trials_of(false);
+  }
+  const std::vector<ExactAnswer> replies = lifted(related.failure ? std::vector<Answer>{} : related.answers);
   std::span<const ExactAnswer> rest(replies);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
+  for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::size_t count = trials[i].questions().size();
-    tally.add(family, first + i, cases[i], answers[i], trials[i].judge(rest.first(count)), claim);
+    tally.add(family, first + i, cases[i], batch.answers[i], trials[i].judge(rest.first(count)), claim);
     rest = rest.subspan(count);
   }
+  for (const std::exception_ptr& failure : {batch.failure, related.failure}) {
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
+  tally.nanoseconds_per_solve.push_back(elapsed.count() / static_cast<double>(collisions.size()));
 }
 
 /// The work of one thread: takes tasks until there are none left.

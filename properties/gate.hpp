@@ -93,7 +93,7 @@ struct SubjectResult {
   [[nodiscard]] std::uint64_t skipped() const;
   [[nodiscard]] Count count(const std::string& invariant) const;
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
-  /// Judged to the end on at least one case, and nothing violated.
+  /// Judged to the end, something held, and nothing was violated.
   [[nodiscard]] bool is_sound() const;
   /// The digits that `share` of the cases have at least; 0.5, 0.99, 1.
   [[nodiscard]] std::optional<double> digits_at_least(double share) const;

@@ -60,7 +60,13 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
   return names;
 }
 
-bool SubjectResult::is_sound() const { return error.empty() && cases() > skipped() && violated_invariants().empty(); }
+bool SubjectResult::is_sound() const {
+  const auto holds_anywhere = [](const FamilyResult& family) {
+    return std::any_of(family.counts.begin(), family.counts.end(), [](const auto& x) { return x.second.holds > 0; });
+  };
+  return error.empty() && std::any_of(families.begin(), families.end(), holds_anywhere) &&
+         violated_invariants().empty();
+}
 
 std::optional<double> SubjectResult::digits_at_least(double share) const {
   if (digits.empty()) {

@@ -60,11 +60,15 @@ Verdict Examination::verdict_on(const Case& one) {
     return single_verdict(properties::try_case(judged_case, claim_, solve,
                                                properties::shown_collision_matrix(*statement_->subject, judged_case)));
   } catch (const std::exception& exception) {
+    has_thrown_ = true;
     return {Status::violated, std::string("the subject threw: ") + exception.what(), 0, 0, {}, {}};
   }
 }
 
 std::string Examination::violation(const Case& one, const Verdict& found) {
+  if (has_thrown_) {
+    return properties::in_words(one.collision, "    ") + "  " + found.detail + '\n';
+  }
   const Answer found_answer = answer_;
   Case simplest = properties::simplest_violation(
       one, *statement_->invariant, found, [this](const Case& tried) { return verdict_on(tried); }, most_shrink_calls);

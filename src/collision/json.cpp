@@ -53,6 +53,59 @@ Number read_number(const Json& value, const std::string& place) {
   throw FormatError(place, "expected a number" + found(value));
 }
 
+/// Throws FormatError where a text has what JSON leaves open. Errors of the text itself are left to the parser.
+template <class Json>
+class StructureCheck : public nlohmann::json_sax<Json> {
+ public:
+  using typename nlohmann::json_sax<Json>::binary_t;
+  using typename nlohmann::json_sax<Json>::number_float_t;
+  using typename nlohmann::json_sax<Json>::number_integer_t;
+  using typename nlohmann::json_sax<Json>::number_unsigned_t;
+  using typename nlohmann::json_sax<Json>::string_t;
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*size*/) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool start_array(std::size_t /*size*/) override { return enter(); }
+  bool end_array() override { return leave(); }
+
+  bool key(string_t& name) override {
+    if (!fields_.back().insert(name).second) {
+      throw FormatError("the field " + shortened(json(name)) + " stands twice in one object");
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
+  }
+
+ private:
+  bool enter() {
+    // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
+    constexpr std::size_t deepest = 64;
+    fields_.emplace_back();
+    if (fields_.size() > deepest) {
+      throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
+    }
+    return true;
+  }
+
+  bool leave() {
+    fields_.pop_back();
+    return true;
+  }
+
+  std::vector<std::set<std::string>> fields_;  // seen so far, of each level that is open
+};
+
 /// Reads the fields of one JSON object, and knows which were asked for.
 template <class Json>
 class ObjectReader {
@@ -160,24 +213,13 @@ Body body_from_json(const json& value, const std::string& place) {
 
 template <class Json>
 Json parse_json(std::string_view text) {
-  std::vector<std::set<std::string>> fields;
-  // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
-  constexpr int deepest = 64;
-  const auto watch = [&](int depth, typename Json::parse_event_t event, Json& value) {
-    if (depth > deepest) {
-      throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
-    }
-    if (event == Json::parse_event_t::object_start) {
-      fields.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      fields.pop_back();
-    } else if (event == Json::parse_event_t::key && !fields.back().insert(value.template get<std::string>()).second) {
-      throw FormatError("the field " + shortened(value) + " stands twice in one object");
-    }
-    return true;
-  };
+  if (text.find('\0') != std::string_view::npos) {
+    throw FormatError("not JSON: holds a zero byte");
+  }
   try {
-    return Json::parse(text, watch);
+    StructureCheck<Json> check;
+    (void)Json::sax_parse(text, &check);
+    return Json::parse(text);
   } catch (const nlohmann::detail::exception& error) {
     // The library's text ends in what was expected; its own prefix says nothing to a reader.
     const std::string what = error.what();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,6 +28,18 @@ struct Refused {
 };
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused>;
+
+/// A session that can go on no more, and the answers that it had until then.
+class SessionFailure : public std::runtime_error {
+ public:
+  SessionFailure(const std::string& why, std::vector<Answer> answered)
+      : std::runtime_error(why), answered_(std::make_shared<const std::vector<Answer>>(std::move(answered))) {}
+
+  [[nodiscard]] const std::vector<Answer>& answered() const { return *answered_; }
+
+ private:
+  std::shared_ptr<const std::vector<Answer>> answered_;  // exceptions are copied without throwing
+};
 
 /// Answers collisions in order, one answer each. Used by the thread that opened it alone.
 class Session {

@@ -67,12 +67,28 @@ struct Selection {
   std::vector<Subject> absent;
 };
 
-/// Two programs may call themselves the same: the later ones are numbered.
+/// Whether the program is one that Carom brings with it.
+bool is_engine(const Subject& subject) {
+  const std::vector<Subject> known = subjects::known_subjects();
+  return std::any_of(known.begin(), known.end(), [&](const Subject& engine) {
+    return engine.name == subject.name && engine.specification == subject.specification;
+  });
+}
+
+/// A program may call itself what it likes: where that is taken, or would be taken for another's file, it is numbered.
 void make_names_unique(std::vector<Subject>& subjects) {
-  std::map<std::string, int> seen;
+  std::set<std::string> taken;
+  for (const Subject& known : subjects::known_subjects()) {
+    taken.insert(file_name_of(known.name));
+  }
   for (Subject& subject : subjects) {
-    const int count = ++seen[subject.name];
-    subject.name += count > 1 ? fmt::format(" #{}", count) : "";
+    if (subject.specification.empty() || is_engine(subject)) {
+      continue;
+    }
+    const std::string wanted = subject.name;
+    for (int count = 2; !taken.insert(file_name_of(subject.name)).second; ++count) {
+      subject.name = fmt::format("{} #{}", wanted, count);
+    }
   }
 }
 
@@ -117,7 +133,8 @@ std::function<void(std::uint64_t, std::uint64_t)> progress_line() {
     const std::uint64_t percent = 100 * done / all;
     if (percent != shown) {
       shown = percent;
-      fmt::print(stderr, "\r{} of {} cases judged, {} %{}", done, all, percent, done == all ? "\n" : "");
+      std::fputs(fmt::format("\r{} of {} cases judged, {} %{}", done, all, percent, done == all ? "\n" : "").c_str(),
+                 stderr);
       std::fflush(stderr);
     }
   };
@@ -184,13 +201,14 @@ int gate(const GateArguments& arguments) {
   }
   const Environment environment = this_environment();
   const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};
-  if (!arguments.out.empty()) {
-    write_reports(run, arguments.out);
-  }
   if (arguments.format == "json") {
     fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     fmt::print("{}", report_text(run, arguments.out));
+  }
+  if (!arguments.out.empty()) {
+    std::fflush(stdout);  // what was found is not lost where the files cannot be written
+    write_reports(run, arguments.out);
   }
   return run.exit_status();
 }

@@ -10,10 +10,16 @@ namespace carom::tool {
 
 std::stop_token stop_on_interrupt() {
   static std::stop_source source;
+  static bool is_waiting = false;
+  if (is_waiting) {
+    return source.get_token();
+  }
+  is_waiting = true;
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
   // Blocked in every thread that is started from here on, and waited for in one: no code runs in a signal handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {

@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : carom::tool::exit_usage;
   }
   if (!run) {
-    fmt::print(stderr, "carom: a command is needed\n{}", app.help());
+    std::fputs(fmt::format("carom: a command is needed\n{}", app.help()).c_str(), stderr);
     return carom::tool::exit_usage;
   }
   try {
@@ -151,7 +151,8 @@ int main(int argc, char** argv) {
     }
     return status;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "carom: {}\n", error.what());
+    std::fputs(fmt::format("carom: {}\n", error.what()).c_str(),
+               stderr);  // and where that cannot be written, the status says it
     return carom::tool::exit_usage;
   }
 }

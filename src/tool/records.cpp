@@ -257,14 +257,17 @@ json report_record(const GateRun& run) {
   return record;
 }
 
-std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
-                                   const properties::Witness& witness) {
-  std::string name = subject.name + '.' + witness.invariant;
+std::string file_name_of(std::string name) {
   for (char& letter : name) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
     letter = is_plain ? letter : '_';
   }
-  return directory / "witnesses" / (name + ".json");
+  return name;
+}
+
+std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                   const properties::Witness& witness) {
+  return directory / "witnesses" / (file_name_of(subject.name) + '.' + witness.invariant + ".json");
 }
 
 std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,

@@ -48,6 +48,9 @@ struct GateRun {
 
 [[nodiscard]] nlohmann::json report_record(const GateRun& run);
 
+/// A subject's name as part of a file's.
+[[nodiscard]] std::string file_name_of(std::string name);
+
 /// Where a witness is written: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
 [[nodiscard]] std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
                                                  const properties::Witness& witness);

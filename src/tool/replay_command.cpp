@@ -6,9 +6,12 @@
 #include <carom/collision/json.hpp>
 #include <carom/properties/gate.hpp>
 #include <carom/properties/words.hpp>
+#include <carom/subjects/protocol/text.hpp>
+#include <carom/subjects/protocol/words.hpp>
 
 #include "commands.hpp"
 #include "input_file.hpp"
+#include "interrupt.hpp"
 #include "records.hpp"
 #include "subject_argument.hpp"
 
@@ -101,7 +104,7 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
 }
 
 Subject required_subject(const ReplayArguments& arguments, const std::string& name) {
-  Subject subject = subject_from_argument(name, arguments.timeout, {});
+  Subject subject = subject_from_argument(name, arguments.timeout, stop_on_interrupt());
   if (!subject.absent.empty()) {
     throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
   }
@@ -179,7 +182,7 @@ int replay(const ReplayArguments& arguments) {
     }
     if (read.witness && read.witness->is_program && arguments.subject.empty()) {
       text += fmt::format("  judged on no subject: the witness names a program; to run it, give --subject {}\n",
-                          read.witness->subject);
+                          subjects::protocol::printable_line(subjects::protocol::quoted(read.witness->subject), 4000));
     }
     if (arguments.format == "json") {
       fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));

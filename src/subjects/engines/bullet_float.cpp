@@ -10,21 +10,20 @@
 static_assert(std::is_same_v<btScalar, float>, "needs the float build of Bullet, bullet");
 
 int main(int argc, char** argv) {
-  using namespace carom;
   const std::string_view settings = argc > 1 ? argv[1] : "configured";
   if (argc > 2 || (settings != "configured" && settings != "as-shipped")) {
     std::cerr << "carom-bullet-float [configured|as-shipped]\n";
     return 2;
   }
   std::ios::sync_with_stdio(false);
-  Subject subject;
+  carom::Subject subject;
   subject.name = "bullet-float";
   subject.version = std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
-  subject.model = Model::frictionless;
-  subject.precision = Precision::binary32;
+  subject.model = carom::Model::frictionless;
+  subject.precision = carom::Precision::binary32;
   subject.open = [is_configured = settings == "configured"] {
-    return subjects::bullet::session_with(is_configured ? subjects::bullet::configured()
-                                                        : subjects::bullet::Settings{});
+    namespace bullet = carom::subjects::bullet;
+    return bullet::session_with(is_configured ? bullet::configured() : bullet::Settings{});
   };
-  return subjects::protocol::serve(subject, std::cin, std::cout);
+  return carom::subjects::protocol::serve(subject, std::cin, std::cout);
 }

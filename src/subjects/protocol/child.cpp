@@ -41,7 +41,7 @@ struct AsProgramsExpect : process::extend::handler {
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
       std::signal(signal, SIG_DFL);
     }
 #ifdef __linux__
@@ -72,7 +72,7 @@ std::string program_path(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string candidate = (folder.empty() ? "." : folder) + '/' + name;
+    std::string candidate = (folder.empty() ? "." : folder) + '/' + name;
     if (access(candidate.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(candidate)) {
       return candidate;
     }
@@ -105,14 +105,14 @@ class ChildProcess::State {
       : limits_(limits), stop_(std::move(stop)) {
     const std::lock_guard lock(start_mutex());
     ignore_broken_pipes();
-    for (process::async_pipe* pipe : {&input_, &output_, &errors_}) {
-      *pipe = process::async_pipe(context_);
-      keep_to_this_process(*pipe);
+    for (std::optional<process::async_pipe>* pipe : {&input_, &output_, &errors_}) {
+      pipe->emplace(context_);
+      keep_to_this_process(**pipe);
     }
     std::error_code failure;
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     child_ = process::child(process::exe = program_path(words[0]), process::args = arguments,
-                            process::std_in<input_, process::std_out> output_, process::std_err > errors_, group_,
+                            process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_, group_,
                             AsProgramsExpect(), failure);
     if (failure) {
       throw ChildError("'" + words[0] + "' cannot be run: " + failure.message());
@@ -135,8 +135,8 @@ class ChildProcess::State {
     while (count > 0) {
       if (const std::optional<std::string> line = next_line()) {
         --count;
-        deadline_ = Clock::now() + limits_.timeout;
         on_line(*line);
+        deadline_ = Clock::now() + limits_.timeout;  // what on_line takes is not the process's time
       } else if (output_ended_) {
         throw ChildError(how_it_ended());
       } else {
@@ -155,7 +155,7 @@ class ChildProcess::State {
     while (is_writing_) {
       wait("did not read its standard input within ");
     }
-    input_.close();
+    input_->close();
     while (!output_ended_) {
       if (!unread_.empty()) {
         throw ChildError("wrote more lines than it was asked for: " + beginning(unread_));
@@ -193,7 +193,7 @@ class ChildProcess::State {
   void write(const std::string& text) {
     text_ = text;
     is_writing_ = true;
-    asio::async_write(input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
+    asio::async_write(*input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
       // A process that does not read on is known by the replies that it does not write.
       is_writing_ = false;
     });
@@ -204,7 +204,7 @@ class ChildProcess::State {
       return;
     }
     is_reading_ = true;
-    output_.async_read_some(asio::buffer(chunk_), [this](const boost::system::error_code& failure, std::size_t size) {
+    output_->async_read_some(asio::buffer(chunk_), [this](const boost::system::error_code& failure, std::size_t size) {
       is_reading_ = false;
       output_ended_ = static_cast<bool>(failure);
       unread_.append(chunk_.data(), size);
@@ -212,17 +212,17 @@ class ChildProcess::State {
   }
 
   void read_errors() {
-    errors_.async_read_some(asio::buffer(errors_chunk_),
-                            [this](const boost::system::error_code& failure, std::size_t size) {
-                              kept_errors_.append(errors_chunk_.data(), size);
-                              if (kept_errors_.size() > limits_.standard_error) {
-                                kept_errors_.erase(0, kept_errors_.size() - limits_.standard_error);
-                              }
-                              errors_ended_ = static_cast<bool>(failure);
-                              if (!errors_ended_) {
-                                read_errors();
-                              }
-                            });
+    errors_->async_read_some(asio::buffer(errors_chunk_),
+                             [this](const boost::system::error_code& failure, std::size_t size) {
+                               kept_errors_.append(errors_chunk_.data(), size);
+                               if (kept_errors_.size() > limits_.standard_error) {
+                                 kept_errors_.erase(0, kept_errors_.size() - limits_.standard_error);
+                               }
+                               errors_ended_ = static_cast<bool>(failure);
+                               if (!errors_ended_) {
+                                 read_errors();
+                               }
+                             });
   }
 
   /// The next whole line of what was read.
@@ -249,12 +249,19 @@ class ChildProcess::State {
     return line;
   }
 
-  /// Lets one thing happen. Throws past the deadline.
+  /// Lets one thing happen. Throws past the deadline, where nothing has happened meanwhile.
   void wait(const char* too_late, const char* after = "") {
     if (stop_.stop_requested()) {
       throw ChildError("was stopped by the user");
     }
+    context_.restart();
+    if (context_.poll_one() > 0) {
+      return;
+    }
     if (Clock::now() >= deadline_) {
+      if (!is_running()) {
+        throw ChildError(end_of(child_.native_exit_code()) + ", and another process holds its output open");
+      }
       const std::chrono::duration<double> seconds = limits_.timeout;
       std::string text = std::to_string(seconds.count());
       text.erase(text.find_last_not_of('0') + 1);
@@ -287,18 +294,19 @@ class ChildProcess::State {
     return is_running() ? std::string("closed its standard output") : end_of(child_.native_exit_code());
   }
 
-  /// The whole group: also what the process has started itself.
+  /// The whole group, with what the process has started itself; and the process, which may have left its group.
   void kill() {
     std::error_code ignored;
     group_.terminate(ignored);
+    child_.terminate(ignored);
   }
 
   ChildLimits limits_;
   std::stop_token stop_;
   asio::io_context context_;
-  process::async_pipe input_{context_};
-  process::async_pipe output_{context_};
-  process::async_pipe errors_{context_};
+  std::optional<process::async_pipe> input_;
+  std::optional<process::async_pipe> output_;
+  std::optional<process::async_pipe> errors_;
   process::group group_;
   process::child child_;
   Clock::time_point deadline_;

@@ -42,7 +42,7 @@ class Conversation {
     } catch (const std::exception& error) {
       const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
       request_ = solve_request(next_id_ + failed, collisions[failed]);
-      fail("solve " + std::to_string(next_id_ + failed), error);
+      throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers);
     }
     next_id_ += collisions.size();
     return answers;
@@ -59,17 +59,17 @@ class Conversation {
     try {
       f();
     } catch (const std::exception& error) {
-      fail(request, error);
+      throw std::runtime_error(description(request, error));
     }
   }
 
-  [[noreturn]] void fail(const std::string& request, const std::exception& error) {
+  std::string description(const std::string& request, const std::exception& error) {
     std::string text = request + ": " + printable(error.what(), longest_shown_request);
     text += "\nrequest: " + printable(request_.substr(0, request_.size() - 1), longest_shown_request);
     if (const std::string errors = process_.standard_error(); !errors.empty()) {
       text += "\nstandard error: " + printable(errors, errors.size());
     }
-    throw std::runtime_error(text);
+    return text;
   }
 
   ChildProcess process_;

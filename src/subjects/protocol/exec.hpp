@@ -32,7 +32,7 @@ inline constexpr std::string_view exec_prefix = "exec:";
 /// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…": the words are split and unquoted as
 /// a POSIX shell would, and no shell is run. The program is started once to ask what it is, and once for each session.
 /// Where that goes wrong the subject still stands for it, under its specification as a name, and `open` throws the
-/// reason. A session throws std::runtime_error that names the request and the reason; it is then of no further use.
+/// reason. A session throws SessionFailure that names the request and the reason; it is then of no further use.
 /// Precondition: the specification begins with exec_prefix.
 [[nodiscard]] Subject exec_subject(const std::string& specification, const ExecOptions& options);
 

@@ -36,18 +36,12 @@ std::string text_of(const Json& value, const std::string& place, std::size_t lon
   if (!value.is_string()) {
     throw FormatError(place, "expected a string");
   }
-  return printable(value.template get<std::string>(), longest);
+  return printable_line(value.template get<std::string>(), longest);
 }
 
 template <class Json>
 std::string required_text(const Json& object, const char* name, std::size_t longest) {
   return text_of(required(object, name), std::string("/") + name, longest);
-}
-
-std::string in_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\t'; }, ' ');
-  return text;
 }
 
 Precision precision_named(const std::string& name) {
@@ -112,12 +106,12 @@ Introduction introduction_from(std::string_view line) {
   const json reply = parse_json(line);
   require_version(reply);
   Introduction introduction;
-  introduction.name = in_one_line(required_text(reply, "name", longest_name));
+  introduction.name = required_text(reply, "name", longest_name);
   if (introduction.name.empty()) {
     throw FormatError("/name", "is empty");
   }
   if (reply.contains("version")) {
-    introduction.version = in_one_line(required_text(reply, "version", longest_name));
+    introduction.version = required_text(reply, "version", longest_name);
   }
   introduction.precision = precision_named(required_text(reply, "precision", longest_name));
   introduction.model = model_claimed(required_text(reply, "model", longest_name));
