@@ -85,6 +85,18 @@ TEST(Exec, NeedNotRefuseWhatItsModelDoesNotRead) {
             500U);
 }
 
+/// Who claims nothing has passed nothing.
+TEST(Exec, IsNotSoundWhereItClaimsNothing) {
+  Subject subject = *subject_named("frictionless-double");
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    subject.deviates.emplace_back(invariant.name);
+  }
+  properties::GateOptions options;
+  options.cases = 10;
+  options.families = {properties::family_named("generic")};
+  EXPECT_FALSE(properties::run_gate({subject}, options).results[0].is_sound());
+}
+
 TEST(Exec, AnswersManyAtOnceAndNone) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   Session session = subject.open();

@@ -72,29 +72,29 @@ TEST_P(Faults, AreErrorsThatNameRequestAndReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, Faults,
-    testing::Values(Fault{"exit-at-once", {"start", "ended with status 7", "nothing to do here", "\"cmd\":\"start\""}},
-                    Fault{"hang-at-start", {"start", "wrote no line within 0.7 s"}},
-                    Fault{"signal", {"solve 3", "signal 11", "\"id\":3"}},
-                    Fault{"hang", {"solve 3", "wrote no line within 0.7 s"}},
-                    Fault{"exit-in-the-middle", {"solve 3", "ended with status 0"}},
-                    Fault{"out-of-order", {"solve 3", "/id: expected 3, found 4"}},
-                    Fault{"twice", {"solve 4", "/id: expected 4, found 3"}},
-                    Fault{"unknown-id", {"solve 3", "/id: expected 3, found 1000000"}},
-                    Fault{"half-a-line", {"solve 3", "wrote no line within 0.7 s"}},
-                    Fault{"not-json", {"solve 3", "not JSON"}},
-                    Fault{"wrong-shape", {"solve 3", "/a: expected an object"}},
-                    Fault{"no-outcome", {"solve 3", "expected either"}},
-                    Fault{"missing-component", {"solve 3", "/a/velocity: expected an array of 3 numbers"}},
-                    Fault{"not-a-number", {"solve 3", "/b/velocity/1: expected a number, found \"fast\""}},
-                    Fault{"bare-nan", {"solve 3", "not JSON"}}, Fault{"deep", {"solve 3", "levels deep"}},
-                    Fault{"gigabyte", {"solve 3", "a line of more than 1048576 bytes"}},
-                    Fault{"close-output", {"solve 3", "closed its standard output"}},
-                    Fault{"grandchild", {"solve 3", "wrote no line within 0.7 s"}},
-                    Fault{"unknown-model", {"start", "/model: expected frictionless"}},
-                    Fault{"protocol-2", {"start", "/protocol: expected 1, found 2"}},
-                    Fault{"hang-after-stop", {"stop", "did not end within 0.7 s of being told to stop"}},
-                    Fault{"line-after-stop", {"stop", "more lines than it was asked for: goodbye"}},
-                    Fault{"status-3", {"stop", "ended with status 3"}}),
+    testing::Values(
+        Fault{"exit-at-once", {"start", "ended with status 7", "nothing to do here", "\"cmd\":\"start\""}},
+        Fault{"hang-at-start", {"start", "wrote no line within 0.7 s"}},
+        Fault{"signal", {"solve 3", "signal 11", "\"id\":3"}}, Fault{"hang", {"solve 3", "wrote no line within 0.7 s"}},
+        Fault{"exit-in-the-middle", {"solve 3", "ended with status 0"}},
+        Fault{"out-of-order", {"solve 3", "/id: expected 3, found 4"}},
+        Fault{"twice", {"solve 4", "/id: expected 4, found 3"}},
+        Fault{"unknown-id", {"solve 3", "/id: expected 3, found 1000000"}},
+        Fault{"half-a-line", {"solve 3", "wrote no line within 0.7 s"}}, Fault{"not-json", {"solve 3", "not JSON"}},
+        Fault{"wrong-shape", {"solve 3", "/a: expected an object"}},
+        Fault{"no-outcome", {"solve 3", "expected either"}},
+        Fault{"missing-component", {"solve 3", "/a/velocity: expected an array of 3 numbers"}},
+        Fault{"not-a-number", {"solve 3", "/b/velocity/1: expected a number, found \"fast\""}},
+        Fault{"leave-group", {"solve 3", "wrote no line within 0.7 s"}},
+        Fault{"wide", {"solve 3", "/skipped: expected a string"}}, Fault{"bare-nan", {"solve 3", "not JSON"}},
+        Fault{"deep", {"solve 3", "levels deep"}}, Fault{"gigabyte", {"solve 3", "a line of more than 1048576 bytes"}},
+        Fault{"close-output", {"solve 3", "closed its standard output"}},
+        Fault{"grandchild", {"solve 3", "wrote no line within 0.7 s"}},
+        Fault{"unknown-model", {"start", "/model: expected frictionless"}},
+        Fault{"protocol-2", {"start", "/protocol: expected 1, found 2"}},
+        Fault{"hang-after-stop", {"stop", "did not end within 0.7 s of being told to stop"}},
+        Fault{"line-after-stop", {"stop", "more lines than it was asked for: goodbye"}},
+        Fault{"status-3", {"stop", "ended with status 3"}}),
     [](const auto& each) {
       std::string name = each.param.fault;
       std::replace(name.begin(), name.end(), '-', '_');
@@ -113,6 +113,35 @@ TEST(Faults, LoseNoVerdict) {
   EXPECT_EQ(gate.subject(0).at("cases"), 120);
   EXPECT_EQ(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("violated"), 0);
   EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
+}
+
+/// Also those of a batch that was not answered to its end.
+TEST(Faults, LoseNoVerdictOfTheSameBatch) {
+  const Gate gate({misbehaving("signal")});
+  EXPECT_EQ(gate.subject(0).at("status"), "error");
+  EXPECT_EQ(gate.subject(0).at("cases"), 2);
+  EXPECT_EQ(gate.subject(0).at("families").at(0).at("invariants").at("finite").at("holds"), 2);
+}
+
+/// A program that takes the name of another subject takes nothing else.
+TEST(Faults, AStolenNameIsNumbered) {
+  const TemporaryDirectory out;
+  const RunResult run =
+      run_carom({"gate", misbehaving("none", "reflection-adjugate-float"), "reflection-adjugate-float", "--families",
+                 "mass_scale", "--cases", "100", "--out", out.path().string()});
+  EXPECT_EQ(run.exit_status, 1) << "the built-in was named, and fails";
+  const json report = json::parse(content_of(out.path() / "report.json"));
+  EXPECT_EQ(report.at("subjects").at(0).at("name"), "reflection-adjugate-float #2");
+  EXPECT_EQ(report.at("subjects").at(1).at("name"), "reflection-adjugate-float");
+}
+
+TEST(Faults, NamesThatShareAFileNameAreToldApart) {
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", misbehaving("nan-as-text", "'x y'"), misbehaving("nan-as-text", "x_y"),
+                                   "--families", "generic", "--cases", "10", "--out", out.path().string()});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(std::filesystem::exists(out.path() / "witnesses" / "x_y.finite.json"));
+  EXPECT_TRUE(std::filesystem::exists(out.path() / "witnesses" / "x_y__2.finite.json"));
 }
 
 /// The protocol has a way to say it, so that it is no fault of the line but a wrong outcome.

@@ -107,6 +107,8 @@ TEST(Reply, IsRefusedWithThePlaceWhereItIsWrong) {
     expect_format_error([&] { return answer_from(with(reply, part, replacement), 5, Precision::binary64); }, says);
   }
   expect_format_error([] { return answer_from(R"({"id":5})", 5, Precision::binary64); }, "expected either");
+  expect_format_error([] { return answer_from(reply + std::string(1, '\0') + "more", 5, Precision::binary64); },
+                      "zero byte");
   expect_format_error([] { return answer_from("[]", 5, Precision::binary64); }, "expected an object");
   expect_format_error([] { return answer_from(std::string(1000, '['), 5, Precision::binary64); }, "levels deep");
 }
@@ -120,6 +122,15 @@ TEST(ForeignText, IsMadePrintable) {
             "a\xef\xbf\xbd"
             "b");
   EXPECT_EQ(printable("abcdef", 3), "abc…");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m",
+                      100),
+            "?31m");  // C1: drives terminals as ESC [ does
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b",
+                      100),
+            "a?b");  // turns the writing
+  EXPECT_EQ(printable_line("a\nb\tc", 100), "a b c");
   EXPECT_EQ(printable("ü", 1), "\xef\xbf\xbd…");
 }
 

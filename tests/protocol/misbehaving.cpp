@@ -94,6 +94,19 @@ const std::map<std::string, Fault>& faults() {
        [](auto id, auto) {
          return "{\"id\":" + std::to_string(id) + ",\"a\":{\"velocity\":[NaN,0,0],\"angular_velocity\":[0,0,0]}}\n";
        }},
+      {"leave-group",
+       [](auto, auto) -> std::string {
+         setpgid(0, getpgid(getppid()));
+         hang();
+       }},
+      {"wide",
+       [](auto id, auto) {
+         std::string objects = "{}";
+         for (int i = 0; i < 300'000; ++i) {
+           objects += ",{}";
+         }
+         return "{\"id\":" + std::to_string(id) + ",\"skipped\":[" + objects + "]}\n";
+       }},
       {"deep", [](auto, auto) { return std::string(500'000, '[') + '\n'; }},
       {"gigabyte",
        [](auto, auto) -> std::string {

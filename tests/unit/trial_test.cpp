@@ -45,6 +45,32 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
+/// A contact that rests, and an answer that pulls by less than rounding of the inputs would push: no violation. What
+/// pulls harder is one.
+TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
+  Case resting;
+  Collision& c = resting.collision;
+  c.a.mass = 2;
+  c.a.position = {1, 1, 0};
+  c.a.velocity = {1, -1, 0};
+  c.b.position = {-1, -1, 0};
+  c.normal = {1, 1, 0};
+  const auto push_of = [&](double pull) {
+    const Subject subject = subjects::subject_named("frictionless-double").value();
+    Claim claim = claim_of(subject, {});
+    claim.invariants = {invariant_named("push")};
+    const auto pulled = [&](const Collision& collision) -> ExactAnswer {
+      auto outcome =
+          map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); });
+      outcome.b.velocity += Vector3<long double>{pull, pull, 0};
+      return oracles::LiftedOutcome(outcome);
+    };
+    return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
+  };
+  EXPECT_EQ(push_of(1e-18), Status::holds);
+  EXPECT_EQ(push_of(1e-12), Status::violated);
+}
+
 /// In a process of its own: CGAL ends it where an infinite double becomes a rational.
 TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
   for (const int most : {50, 100, 200, 400, 900}) {
