@@ -59,14 +59,16 @@ Verdict Examination::verdict_on(const Case& one) {
   try {
     return single_verdict(properties::try_case(judged_case, claim_, solve,
                                                properties::shown_collision_matrix(*statement_->subject, judged_case)));
+  } catch (const SessionFailure& failure) {
+    has_failed_ = true;
+    return {Status::violated, std::string("the subject failed: ") + failure.what(), 0, 0, {}, {}};
   } catch (const std::exception& exception) {
-    has_thrown_ = true;
     return {Status::violated, std::string("the subject threw: ") + exception.what(), 0, 0, {}, {}};
   }
 }
 
 std::string Examination::violation(const Case& one, const Verdict& found) {
-  if (has_thrown_) {
+  if (has_failed_) {
     return properties::in_words(one.collision, "    ") + "  " + found.detail + '\n';
   }
   const Answer found_answer = answer_;

@@ -33,7 +33,7 @@ class Examination {
   properties::Claim claim_;
   Session session_;
   Answer answer_;            // to the last case
-  bool has_thrown_ = false;  // the session is then of no further use
+  bool has_failed_ = false;  // the session is then of no further use
   int judged_ = 0;
   bool was_in_domain_ = false;
   std::string why_skipped_;

@@ -35,8 +35,9 @@ json numbers_to_json(const Vector& vector) {
   return array;
 }
 
-template <class Number, class Json>
-Number read_number(const Json& value, const std::string& place) {
+/// `place` is called where the number is none.
+template <class Number, class Json, class Place>
+Number read_number(const Json& value, const Place& place) {
   using Limits = std::numeric_limits<Number>;
   if (value.is_number()) {
     return value.template get<Number>();
@@ -50,7 +51,7 @@ Number read_number(const Json& value, const std::string& place) {
   if (value == "-inf") {
     return -Limits::infinity();
   }
-  throw FormatError(place, "expected a number" + found(value));
+  throw FormatError(place(), "expected a number" + found(value));
 }
 
 /// Throws FormatError where a text has what JSON leaves open. Errors of the text itself are left to the parser.
@@ -132,7 +133,9 @@ class ObjectReader {
 
   [[nodiscard]] std::string at(std::string_view name) const { return place_ + '/' + std::string(name); }
 
-  void number(const char* name, double& into) { into = number_from_json(required(name), at(name)); }
+  void number(const char* name, double& into) {
+    into = read_number<double>(required(name), [&] { return at(name); });
+  }
 
   void optional_number(const char* name, double& into) {
     if (has(name)) {
@@ -148,7 +151,8 @@ class ObjectReader {
     }
     for (Eigen::Index i = 0; i < into.size(); ++i) {
       using Number = typename Vector::Scalar;
-      into[i] = read_number<Number>(array[static_cast<std::size_t>(i)], at(name) + '/' + std::to_string(i));
+      into[i] =
+          read_number<Number>(array[static_cast<std::size_t>(i)], [&] { return at(name) + '/' + std::to_string(i); });
     }
   }
 
@@ -241,7 +245,9 @@ json number_to_json(double number) {
   return number;
 }
 
-double number_from_json(const json& value, const std::string& place) { return read_number<double>(value, place); }
+double number_from_json(const json& value, const std::string& place) {
+  return read_number<double>(value, [&] { return place; });
+}
 
 json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vector); }
 

@@ -12,7 +12,7 @@ int serve(const Subject& subject, std::istream& input, std::ostream& output) {
   Session session = subject.open();
   for (std::string line; std::getline(input, line);) {
     try {
-      const nlohmann::json request = parse_json(line);
+      const nlohmann::json request = nlohmann::json::parse(line);
       const std::string command = request.value("cmd", "");
       if (command == "start") {
         output << introduction_reply(
