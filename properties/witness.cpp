@@ -11,15 +11,6 @@ namespace {
 /// Shrinking calls the subject and the judge this often at most for one witness.
 constexpr std::size_t most_shrink_calls = 4000;
 
-AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
-  const JudgedCase judged_case(one);
-  const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
-  const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
-  const std::vector<ExactAnswer> replies =
-      trial.questions().empty() ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
-  return {answer, trial.judge(replies)};
-}
-
 /// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
 Verdict single_verdict(const Judgement& judgement) {
   return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
@@ -83,6 +74,15 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
     return verdict_on({collision, one.convex_uniform}).severity() >= severity_kept;
   };
   return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
+}
+
+AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
+  const JudgedCase judged_case(one);
+  const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
+  const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
+  const std::vector<ExactAnswer> replies =
+      trial.questions().empty() ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
+  return {answer, trial.judge(replies)};
 }
 
 AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {

@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  libpugixml-dev libgtest-dev librapidcheck-dev python3-jsonschema)
+  libpugixml-dev libgtest-dev librapidcheck-dev)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 jobs=$(nproc 2>/dev/null || echo 2)
 
@@ -47,6 +47,14 @@ configure() {
   cmake -S . -B "$directory" -G Ninja -Wno-dev --log-level=WARNING "$@" >/dev/null
 }
 
+# What the tests start besides: the examples' interpreters, a reader of the schema, and a browser for the report.
+install_test_programs() {
+  local programs=(python3 python3-jsonschema)
+  command -v node >/dev/null || programs+=(nodejs)
+  command -v chromium >/dev/null || programs+=(chromium)
+  install_packages "${programs[@]}"
+}
+
 build() {
   install_packages
   configure build -DCAROM_BUILD_TESTS=ON
@@ -69,11 +77,12 @@ engines)
   exec build/carom gate --engines "$@"
   ;;
 test)
+  install_test_programs
   build all
   exec ctest --test-dir build --output-on-failure --parallel "$jobs" "$@"
   ;;
 sanitize)
-  install_packages
+  install_test_programs
   configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
   cmake --build build-sanitize --parallel "$jobs" >&2
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"

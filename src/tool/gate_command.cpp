@@ -18,6 +18,7 @@
 #include "html_report.hpp"
 #include "interrupt.hpp"
 #include "junit.hpp"
+#include "orphans.hpp"
 #include "records.hpp"
 #include "subject_argument.hpp"
 #include "table.hpp"
@@ -67,38 +68,31 @@ struct Selection {
   std::vector<Subject> absent;
 };
 
-/// Whether the program is one that Carom brings with it.
-bool is_engine(const Subject& subject) {
-  const std::vector<Subject> known = subjects::known_subjects();
-  return std::any_of(known.begin(), known.end(), [&](const Subject& engine) {
-    return engine.name == subject.name && engine.specification == subject.specification;
-  });
-}
-
-/// A program may call itself what it likes: where that is taken, or would be taken for another's file, it is numbered.
-void make_names_unique(std::vector<Subject>& subjects) {
-  std::set<std::string> taken;
+std::set<std::string> known_file_names() {
+  std::set<std::string> names;
   for (const Subject& known : subjects::known_subjects()) {
-    taken.insert(file_name_of(known.name));
+    names.insert(file_name_of(known.name));
   }
-  for (Subject& subject : subjects) {
-    if (subject.specification.empty() || is_engine(subject)) {
-      continue;
-    }
-    const std::string wanted = subject.name;
-    for (int count = 2; !taken.insert(file_name_of(subject.name)).second; ++count) {
-      subject.name = fmt::format("{} #{}", wanted, count);
-    }
-  }
+  return names;
 }
 
 Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   std::vector<Subject> wanted;
   std::set<std::string> words;
+  std::set<std::string> taken = known_file_names();
   for (const std::string& word : arguments.subjects) {
-    if (words.insert(word).second) {
-      wanted.push_back(subject_from_argument(word, arguments.timeout, stop));
+    if (!words.insert(word).second) {
+      continue;
     }
+    Subject subject = subject_from_argument(word, arguments.timeout, stop);
+    if (word.starts_with(subjects::protocol::exec_prefix)) {
+      // A program may call itself what it likes: what is taken, or would be taken for another's file, is numbered.
+      const std::string name = subject.name;
+      for (int count = 2; !taken.insert(file_name_of(subject.name)).second; ++count) {
+        subject.name = fmt::format("{} #{}", name, count);
+      }
+    }
+    wanted.push_back(std::move(subject));
   }
   const bool named = !wanted.empty();
   if (arguments.engines) {
@@ -110,7 +104,6 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   } else if (!named) {
     wanted = subjects::all_subjects();
   }
-  make_names_unique(wanted);
   Selection selection;
   for (Subject& subject : wanted) {
     if (!subject.absent.empty()) {
@@ -185,6 +178,7 @@ void write_reports(const GateRun& run, const std::string& out) {
 
 int gate(const GateArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
   Selection selection = select(arguments, stop);
   properties::GateOptions options;
   options.seed = arguments.seed;

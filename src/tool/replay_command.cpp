@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "commands.hpp"
 #include "input_file.hpp"
 #include "interrupt.hpp"
+#include "orphans.hpp"
 #include "records.hpp"
 #include "subject_argument.hpp"
 
@@ -103,35 +105,66 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   return text;
 }
 
-Subject required_subject(const ReplayArguments& arguments, const std::string& name) {
-  Subject subject = subject_from_argument(name, arguments.timeout, stop_on_interrupt());
-  if (!subject.absent.empty()) {
-    throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
-  }
-  return subject;
-}
-
-/// The subject to judge on this collision, if any.
-std::optional<Subject> subject_for(const ReplayArguments& arguments, const ReadCollision& read) {
-  if (!arguments.subject.empty()) {
-    return required_subject(arguments, arguments.subject);
-  }
-  if (read.witness && !read.witness->subject.empty()) {
-    // A file does not start programs: that takes the word of whoever runs this one.
-    return read.witness->is_program ? std::nullopt
-                                    : std::optional<Subject>(required_subject(arguments, read.witness->subject));
-  }
-  return std::nullopt;
-}
-
-properties::AnswerAndJudgement judged(const Subject& subject, const properties::Claim& claim,
-                                      const properties::Case& one) {
+/// What the task throws becomes an error that names the subject.
+template <class Task>
+auto in_its_name(const Subject& subject, const Task& task) {
   try {
-    return properties::judge_one(subject, claim, one);
+    return task();
   } catch (const std::exception& error) {
     throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
   }
 }
+
+/// A subject in one session, for all the collisions that are to be judged on it.
+struct OpenSubject {
+  Subject subject;
+  properties::Claim claim;
+  Session session;
+};
+
+/// The subjects that a file needs, each started once.
+class OpenSubjects {
+ public:
+  OpenSubjects(const ReplayArguments& arguments, std::stop_token stop) : arguments_(arguments), stop_(std::move(stop)) {
+    yardstick_.limit_ulps = arguments.limit_ulps;
+    yardstick_.digits = arguments.digits;
+  }
+
+  /// The subject to judge on this collision; none where there is none.
+  OpenSubject* subject_for(const ReadCollision& read) {
+    if (!arguments_.subject.empty()) {
+      return &named(arguments_.subject);
+    }
+    // A file does not start programs: that takes the word of whoever runs this one.
+    const bool has_name = read.witness && !read.witness->subject.empty() && !read.witness->is_program;
+    return has_name ? &named(read.witness->subject) : nullptr;
+  }
+
+  void close() {
+    for (auto& [name, open] : open_) {
+      in_its_name(open.subject, [&session = open.session] { session.close(); });
+    }
+  }
+
+ private:
+  OpenSubject& named(const std::string& name) {
+    if (const auto found = open_.find(name); found != open_.end()) {
+      return found->second;
+    }
+    Subject subject = subject_from_argument(name, arguments_.timeout, stop_);
+    if (!subject.absent.empty()) {
+      throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
+    }
+    Session session = in_its_name(subject, subject.open);
+    properties::Claim claim = properties::claim_of(subject, yardstick_);
+    return open_.emplace(name, OpenSubject{std::move(subject), std::move(claim), std::move(session)}).first->second;
+  }
+
+  const ReplayArguments& arguments_;
+  std::stop_token stop_;
+  oracles::Yardstick yardstick_;
+  std::map<std::string, OpenSubject> open_;
+};
 
 bool is_violated(const properties::Judgement& judgement) {
   for (const properties::NamedVerdict& named : judgement.verdicts) {
@@ -145,11 +178,14 @@ bool is_violated(const properties::Judgement& judgement) {
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = arguments.limit_ulps;
-  yardstick.digits = arguments.digits;
+  const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
+  OpenSubjects subjects(arguments, stop);
   bool violated = false;
   for (const ReadCollision& read : read_collisions(arguments.file)) {
+    if (stop.stop_requested()) {
+      throw UsageError(fmt::format("stopped by the user before {}", read.place));
+    }
     const properties::JudgedCase judged_case(read.one);
     const Collision& collision = read.one.collision;
     json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
@@ -164,11 +200,13 @@ int replay(const ReplayArguments& arguments) {
     } else {
       text += "  an invalid collision: it has no truth, and is to be refused\n";
     }
-    if (const std::optional<Subject> subject = subject_for(arguments, read)) {
-      const properties::Claim claim = properties::claim_of(*subject, yardstick);
-      const auto [answer, judgement] = judged(*subject, claim, read.one);
+    if (OpenSubject* const open = subjects.subject_for(read)) {
+      auto& [subject, claim, session] = *open;
+      const auto [answer, judgement] = in_its_name(subject, [&, open] {
+        return properties::judge_in_session(open->subject, open->claim, open->session, read.one);
+      });
       violated = violated || is_violated(judgement);
-      record["subject"] = subject->name;
+      record["subject"] = subject.name;
       record["outcome"] = answer_record(answer);
       if (judgement.accuracy) {
         record["backward_error_ulps"] =
@@ -177,8 +215,8 @@ int replay(const ReplayArguments& arguments) {
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
       }
-      text += fmt::format("{}, judged\n{}", subject->name,
-                          judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+      text +=
+          fmt::format("{}, judged\n{}", subject.name, judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
     }
     if (read.witness && read.witness->is_program && arguments.subject.empty()) {
       text += fmt::format("  judged on no subject: the witness names a program; to run it, give --subject {}\n",
@@ -190,6 +228,7 @@ int replay(const ReplayArguments& arguments) {
       fmt::print("{}\n", text);
     }
   }
+  subjects.close();
   return violated ? exit_violated : exit_all_hold;
 }
 

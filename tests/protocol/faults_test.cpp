@@ -215,7 +215,7 @@ std::vector<pid_t> processes_with(const std::string& word) {
 }
 
 TEST(Faults, LeaveNoProcessBehind) {
-  for (const char* fault : {"none", "hang", "grandchild", "hang-after-stop", "half-a-line", "close-output"}) {
+  for (const char* fault : {"none", "hang", "grandchild", "daemon", "hang-after-stop", "half-a-line", "close-output"}) {
     const std::string mark = "mark-of-" + std::to_string(getpid());
     const Gate gate({misbehaving(fault, mark)});
     EXPECT_TRUE(processes_with(mark).empty()) << fault;
@@ -271,6 +271,45 @@ TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   const RunResult failing = run_carom({"replay", witness, "--subject", misbehaving("exit-at-once")});
   EXPECT_EQ(failing.exit_status, 2);
   EXPECT_NE(failing.errors.find("ended with status 7"), std::string::npos) << failing.errors;
+}
+
+/// JSON Lines.
+std::string two_collisions() {
+  std::string lines;
+  for (const int mass : {1, 2}) {
+    const json a{{"mass", mass},          {"principal_inertia", {1, 1, 1}}, {"orientation", {1, 0, 0, 0}},
+                 {"position", {1, 0, 0}}, {"velocity", {-1, 0, 0}},         {"angular_velocity", {0, 0, 0}}};
+    json b = a;
+    b["position"] = {-1, 0, 0};
+    const json collision{{"a", a}, {"b", b}, {"point", {0, 0, 0}}, {"normal", {1, 0, 0}}, {"restitution", 0.5}};
+    lines += collision.dump() + '\n';
+  }
+  return lines;
+}
+
+TEST(Replay, StartsAProgramOnceToAskAndOnceToSolve) {
+  const TemporaryDirectory directory;
+  const std::string collisions = directory.write("two.jsonl", two_collisions());
+  const std::string starts = (directory.path() / "starts").string();
+  const RunResult run = run_carom({"replay", collisions, "--subject",
+                                   "exec:sh -c 'echo started >> \"$1\"; shift; exec \"$@\"' sh '" + starts + "' " +
+                                       CAROM_MISBEHAVING + " none faulty"});
+  EXPECT_EQ(run.exit_status, 0) << run.output << run.errors;
+  EXPECT_EQ(content_of(starts), "started\nstarted\n");
+}
+
+TEST(Replay, EndsOnCtrlC) {
+  const TemporaryDirectory directory;
+  const std::string collisions = directory.write("two.jsonl", two_collisions());
+  const std::string mark = "mark-of-" + std::to_string(getpid());
+  const pid_t replay =
+      start_carom({"replay", collisions, "--subject", misbehaving("hang-at-start", mark), "--timeout", "1000"});
+  for (int tries = 0; tries < 500 && processes_with(mark).empty(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  kill(replay, SIGINT);
+  EXPECT_EQ(wait_for(replay), 2);
+  EXPECT_TRUE(processes_with(mark).empty());
 }
 
 }  // namespace

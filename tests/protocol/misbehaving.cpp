@@ -35,8 +35,6 @@ void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
   }
 }
 
-void stop_quietly(int /*signal*/) { _exit(0); }
-
 /// What happens in place of the reply, or before it; the result is the reply to write.
 using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
 
@@ -124,6 +122,14 @@ const std::map<std::string, Fault>& faults() {
          close(STDOUT_FILENO);
          hang();
        }},
+      {"daemon",
+       [](auto, auto reply) {
+         if (fork() == 0) {
+           setsid();
+           hang();
+         }
+         return reply;
+       }},
       {"grandchild",
        [](auto, auto) -> std::string {
          if (fork() == 0) {
@@ -186,6 +192,5 @@ int main(int argc, char** argv) {
       return fault == "status-3" ? 3 : 0;
     }
   }
-  std::signal(SIGTERM, stop_quietly);
   return 0;
 }

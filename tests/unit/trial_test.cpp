@@ -67,8 +67,10 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
     };
     return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
   };
-  EXPECT_EQ(push_of(1e-18), Status::holds);
-  EXPECT_EQ(push_of(1e-12), Status::violated);
+  // The velocities are 1: a hundredth of what one of them rounds by, and ten thousand times that, where 32 are allowed.
+  const double rounding = unit_roundoff(Precision::binary64);
+  EXPECT_EQ(push_of(rounding / 100), Status::holds);
+  EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
 }
 
 /// In a process of its own: CGAL ends it where an infinite double becomes a rational.

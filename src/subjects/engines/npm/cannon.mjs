@@ -7,7 +7,7 @@ import { serve, wants_configured } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const configured = wants_configured();
-const overlap = 1e-12;
+const overlap = 4500 * Number.EPSILON;  // some thousand roundings of the spheres' distance must leave no gap
 const step = 1 / 60;  // [s]; configured, its length enters nothing
 
 function make_body(body, sphere) {

@@ -5,7 +5,7 @@ import { serve, wants_configured } from './line_protocol.mjs';
 import { spheres, unit, xyz } from './posing.mjs';
 
 const configured = wants_configured();
-const overlap = 1e-5;
+const overlap = 1e-5;  // some 80 roundings of binary32: the distance of the spheres must leave no gap
 await RAPIER.init();
 
 function configure(world) {
