@@ -10,7 +10,7 @@
 
 namespace carom::subjects {
 
-/// The solvers of carom/impulse, as users compile them.
+/// The subjects of `methods()`: the solvers of carom/impulse, as users compile them.
 [[nodiscard]] std::vector<Subject> built_in_subjects();
 
 /// The built-in solvers, and the engines that are linked: what runs in this process, also what is not installed.

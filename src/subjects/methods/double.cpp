@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/scalar_methods.hpp>
+
+namespace carom::subjects {
+
+std::vector<Method> double_methods() { return scalar_methods<double>(); }
+
+}  // namespace carom::subjects

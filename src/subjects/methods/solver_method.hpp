@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/contact.hpp>
+#include <carom/subjects/methods.hpp>
+#include <carom/subjects/session.hpp>
+
+namespace carom::subjects {
+
+template <class S>
+inline constexpr std::string_view scalar_name = "double";
+template <>
+inline constexpr std::string_view scalar_name<float> = "float";
+template <>
+inline constexpr std::string_view scalar_name<long double> = "long-double";
+
+template <class S>
+[[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
+  return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
+}
+
+/// K as the solvers in S compute it.
+template <class S>
+[[nodiscard]] Matrix3<long double> world_matrix(const Collision& collision) {
+  return impulse::collision_matrix(impulse::make_contact<S>(collision)).template cast<long double>();
+}
+
+/// A kernel that takes `solve` from each input to the outcome in its place.
+template <class S, class Input, class Solve>
+[[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
+  struct Memory {
+    std::vector<Input> inputs;
+    std::vector<Outcome<S>> outcomes;
+  };
+  auto memory = std::make_shared<Memory>();
+  memory->outcomes.resize(inputs.size());
+  memory->inputs = std::move(inputs);
+  return [memory, solve] {
+    for (std::size_t i = 0; i < memory->inputs.size(); ++i) {
+      memory->outcomes[i] = solve(memory->inputs[i]);
+    }
+  };
+}
+
+/// What is said of a method beside how it solves.
+struct Claim {
+  std::string name;
+  std::string summary;
+  Model model = Model::any;
+};
+
+/// A solver in S of what `lay_out` makes of a collision.
+template <class S, class LayOut, class Solve>
+[[nodiscard]] Method method_of(Claim claim, LayOut lay_out, Solve solve) {
+  Method method;
+  Subject& subject = method.subject;
+  subject.name = std::move(claim.name) + '-' + std::string(scalar_name<S>);
+  subject.summary = std::move(claim.summary);
+  subject.model = claim.model;
+  subject.precision = precision_of<S>;
+  subject.open = [lay_out, solve] {
+    return session_of(
+        [lay_out, solve](const Collision& collision) -> Answer { return reported<S>(solve(lay_out(collision))); });
+  };
+  subject.collision_matrix = world_matrix<S>;
+  method.prepare = [lay_out, solve](std::span<const Collision> collisions) {
+    std::vector<decltype(lay_out(collisions[0]))> inputs;
+    inputs.reserve(collisions.size());
+    for (const Collision& collision : collisions) {
+      inputs.push_back(lay_out(collision));
+    }
+    return kernel_of<S>(std::move(inputs), solve);
+  };
+  return method;
+}
+
+/// A solver Contact<S> → Outcome<S> as a method.
+template <class S, class Solve>
+[[nodiscard]] Method solver_method(Claim claim, Solve solve) {
+  return method_of<S>(std::move(claim), impulse::make_contact<S, double>, solve);
+}
+
+/// The method, kept although it fails, for this reason.
+[[nodiscard]] inline Method expected_to_fail(Method method, const std::string& why) {
+  method.subject.expected_to_pass = false;
+  method.subject.summary += "; " + why;
+  return method;
+}
+
+}  // namespace carom::subjects
