@@ -44,7 +44,18 @@ struct ReplayArguments {
   std::string format = "text";
 };
 
+struct ChartArguments {
+  std::vector<std::string> methods;  // names; empty for all
+  std::string out;                   // a directory
+  std::uint64_t seed = 1;
+  std::size_t cases = 200;  // of each family, and at each point of a sweep
+  int repetitions = 5;      // of each timing
+  unsigned jobs = 0;        // threads that judge; 0: one for each core
+};
+
 [[nodiscard]] int gate(const GateArguments& arguments);
+/// Measures time and exactness of the methods, draws them against each other, and prints the tables.
+[[nodiscard]] int chart_methods(const ChartArguments& arguments);
 [[nodiscard]] int replay(const ReplayArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <thread>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
@@ -19,6 +16,8 @@
 #include "interrupt.hpp"
 #include "junit.hpp"
 #include "orphans.hpp"
+#include "output_file.hpp"
+#include "progress.hpp"
 #include "records.hpp"
 #include "subject_argument.hpp"
 #include "table.hpp"
@@ -117,38 +116,9 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   return selection;
 }
 
-/// A line on standard error that is written over, where that is a terminal.
-std::function<void(std::uint64_t, std::uint64_t)> progress_line() {
-  if (isatty(STDERR_FILENO) == 0) {
-    return {};
-  }
-  return [shown = std::uint64_t{101}](std::uint64_t done, std::uint64_t all) mutable {
-    const std::uint64_t percent = 100 * done / all;
-    if (percent != shown) {
-      shown = percent;
-      std::fputs(fmt::format("\r{} of {} cases judged, {} %{}", done, all, percent, done == all ? "\n" : "").c_str(),
-                 stderr);
-      std::fflush(stderr);
-    }
-  };
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) {
-    throw UsageError(fmt::format("--out: {} cannot be written", path.string()));
-  }
-}
-
 void make_directory(const std::string& out) {
   const fs::path witnesses = fs::path(out) / "witnesses";
-  std::error_code error;
-  fs::create_directories(witnesses, error);
-  if (error) {
-    throw UsageError(fmt::format("--out: {} cannot be made: {}", witnesses.string(), error.message()));
-  }
+  make_directories(witnesses);
   // Witnesses of an earlier run would pass for this one's. Other files are left alone.
   for (const fs::directory_entry& entry : fs::directory_iterator(witnesses)) {
     const std::string invariant = entry.path().stem().extension().string();  // of SUBJECT.INVARIANT.json
@@ -187,7 +157,7 @@ int gate(const GateArguments& arguments) {
   options.yardstick.limit_ulps = arguments.limit_ulps;
   options.yardstick.digits = arguments.digits;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
-  options.progress = progress_line();
+  options.progress = progress_line("cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;
   if (!arguments.out.empty()) {

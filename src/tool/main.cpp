@@ -120,6 +120,24 @@ int main(int argc, char** argv) {
   add_format(*families_command, families_format, {"text", "json"});
   families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
 
+  carom::tool::ChartArguments chart;
+  CLI::App* chart_command =
+      app.add_subcommand("chart", "Measure speed and accuracy of the built-in methods and draw one against the other");
+  chart_command->add_option("METHOD", chart.methods, "Methods to measure (default: every built-in one)");
+  chart_command->add_option("--out", chart.out, "Directory for the pictures and the data")->required();
+  chart_command->add_option("--seed", chart.seed, "The same seed gives the same cases on every machine")
+      ->check(is_seed)
+      ->capture_default_str();
+  chart_command->add_option("--cases", chart.cases, "Colliding cases of each family and at each point of a sweep")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  chart_command->add_option("--repetitions", chart.repetitions, "Repetitions of each timing")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  chart_command->add_option("--jobs", chart.jobs, "Threads that judge (default: one for each core)")
+      ->check(CLI::Range(1, 1024));
+  chart_command->callback([&] { run = [&] { return carom::tool::chart_methods(chart); }; });
+
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
   table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();

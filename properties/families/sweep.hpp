@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <carom/collision/collision.hpp>
+#include <carom/properties/stream.hpp>
+
+namespace carom::properties {
+
+/// A distribution of colliding contacts with one quantity that is set: 10^k, from one exponent to another. Where a
+/// family asks whether a method holds, a sweep shows how far it does.
+struct Sweep {
+  std::string_view name;
+  std::string_view quantity;  // as an axis is labelled
+  std::string_view summary;
+  int first_exponent;  // of the easy end
+  int last_exponent;   // of the hard end; may be the smaller one
+  Collision (*generate)(Stream&, double quantity);
+};
+
+[[nodiscard]] std::span<const Sweep> all_sweeps();
+
+}  // namespace carom::properties

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagrams.hpp"
+
+namespace carom::tool::chart {
+namespace {
+
+double share_with(const MethodMeasurement& method, double digits) {
+  const Exactness all = method.over_all_families();
+  const auto enough = std::count_if(all.digits_of_cases.begin(), all.digits_of_cases.end(),
+                                    [&](double of_case) { return of_case >= digits; });
+  return static_cast<double>(enough) / static_cast<double>(all.digits_of_cases.size());
+}
+
+}  // namespace
+
+std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> methods, double digits) {
+  std::vector<DeadlineStep> steps;
+  for (const MethodMeasurement& method : methods) {
+    steps.push_back({method.nanoseconds_over_all_families().median, share_with(method, digits), method.name});
+  }
+  const std::vector<std::size_t> best = pareto(
+      steps.size(), [&](std::size_t i) { return steps[i].nanoseconds; }, [&](std::size_t i) { return steps[i].share; },
+      [&](std::size_t i) { return steps[i].share > 0; });
+  std::vector<DeadlineStep> result;
+  for (const std::size_t i : best) {
+    result.push_back(steps[i]);
+  }
+  return result;
+}
+
+Picture deadline(std::span<const MethodMeasurement> methods) {
+  const std::string model(name_of(methods.front().model));
+  Picture picture("deadline-" + model, 1100, 680, 17);
+  double longest = 0;
+  double shortest = 1e9;
+  for (const MethodMeasurement& method : methods) {
+    longest = std::max(longest, method.nanoseconds_over_all_families().median);
+    shortest = std::min(shortest, method.nanoseconds_over_all_families().median);
+  }
+  const Panel panel{{shortest / 1.5, longest * 1.5, true, 80, 880}, {0, 1.04, false, 75, 620}};
+  picture.begin(panel, fmt::format("{}: what a deadline allows", model), "nanoseconds for each contact, at most",
+                "share of the cases of all families");
+  picture.add(time_tics(panel.x) + "\nset ytics 0.2");
+  constexpr std::array<std::string_view, deadline_digits.size()> colours{sky_blue, orange,     purple,
+                                                                         green,    vermillion, blue};
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < deadline_digits.size(); ++i) {
+    const std::vector<DeadlineStep> steps = deadline_steps(methods, deadline_digits[i]);
+    if (steps.empty()) {
+      continue;
+    }
+    std::vector<std::vector<double>> points{{steps.front().nanoseconds, 0}};
+    for (const DeadlineStep& step : steps) {
+      points.push_back({step.nanoseconds, step.share});
+    }
+    points.push_back({panel.x.high, steps.back().share});
+    picture.curve(points, fmt::format("using 1:2 with steps lw 3 dt {} lc rgb '{}'", i % 2 + 1, colours[i]));
+    labels.push_back({fmt::format("{} digits", deadline_digits[i]), panel.place_of(panel.x.high, steps.back().share),
+                      std::string(colours[i])});
+  }
+  // Beside the ends of their curves, one below the other where these end together.
+  std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.names.y > b.names.y; });
+  double above = panel.y.last_pixel + 30;
+  for (Label& label : labels) {
+    const double y = std::min(label.names.y, above - 22);
+    picture.write(label.text, {panel.x.last_pixel + 12, y}, label.colour);
+    above = y;
+  }
+  picture.end();
+  return picture;
+}
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exactness.hpp"
+
+#include <atomic>
+#include <limits>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/judge.hpp>
+#include <carom/properties/answers.hpp>
+
+namespace carom::tool::chart {
+namespace {
+
+/// A family of which not one case in so many collides is taken to have none.
+constexpr std::size_t cases_drawn_for_each = 20;
+
+template <class Generate>
+std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
+  std::vector<Collision> found;
+  for (std::size_t index = 0; found.size() < count && index < cases_drawn_for_each * count; ++index) {
+    Collision collision = generate(index);
+    if (validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
+      found.push_back(std::move(collision));
+    }
+  }
+  return found;
+}
+
+void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
+                const Answer& answer, double limit_ulps) {
+  const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
+  if (outcome == nullptr || !oracles::is_finite(*outcome)) {
+    builder.add(std::numeric_limits<double>::infinity(), 0, false);
+    return;
+  }
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(subject.precision);
+  yardstick.limit_ulps = limit_ulps;
+  const oracles::Accuracy accuracy =
+      oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);
+  const bool within = accuracy.allowed[0] && accuracy.allowed[1] && accuracy.allowed[2] && accuracy.allowed[3];
+  builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
+}
+
+}  // namespace
+
+std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed, std::size_t count) {
+  return colliding(
+      [&](std::size_t index) {
+        properties::Stream stream = properties::case_stream(seed, family.name, index);
+        return family.generate(stream).collision;
+      },
+      count);
+}
+
+std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity, std::uint64_t seed,
+                                       std::size_t count) {
+  const std::string name = fmt::format("{} {}", sweep.name, quantity);
+  return colliding(
+      [&](std::size_t index) {
+        properties::Stream stream = properties::case_stream(seed, name, index);
+        return sweep.generate(stream, quantity);
+      },
+      count);
+}
+
+std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
+                                          std::span<const Collision> collisions, double limit_ulps, unsigned jobs) {
+  std::vector<std::vector<Answer>> answers;
+  for (const subjects::Method& method : methods) {
+    Session session = method.subject.open();
+    answers.push_back(properties::answers_of(session, collisions));
+  }
+  // Cases outside, methods inside: the truth of a case is worked out once.
+  std::vector<std::vector<ExactnessBuilder>> parts(jobs, std::vector<ExactnessBuilder>(methods.size()));
+  std::atomic<std::size_t> next = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (std::vector<ExactnessBuilder>& part : parts) {
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < collisions.size(); i = next++) {
+          const oracles::ExactCase exact_case(collisions[i]);
+          for (std::size_t m = 0; m < methods.size(); ++m) {
+            add_result(part[m], exact_case, methods[m].subject, answers[m][i], limit_ulps);
+          }
+        }
+      });
+    }
+  }
+  std::vector<Exactness> result;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    for (std::size_t part = 1; part < parts.size(); ++part) {
+      parts[0][m] += parts[part][m];
+    }
+    result.push_back(parts[0][m].built());
+  }
+  return result;
+}
+
+}  // namespace carom::tool::chart

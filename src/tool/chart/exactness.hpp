@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <carom/properties/families/family.hpp>
+#include <carom/properties/families/sweep.hpp>
+
+#include "measurement.hpp"
+
+namespace carom::tool::chart {
+
+/// The first `count` colliding collisions of a family; fewer where the family has none in a long row.
+[[nodiscard]] std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed,
+                                                     std::size_t count);
+
+/// The same at one quantity of a sweep.
+[[nodiscard]] std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity,
+                                                     std::uint64_t seed, std::size_t count);
+
+/// How exact each method is on the same colliding collisions, judged against the exact truth: one for each method. So
+/// many threads at once.
+[[nodiscard]] std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
+                                                        std::span<const Collision> collisions, double limit_ulps,
+                                                        unsigned jobs);
+
+}  // namespace carom::tool::chart

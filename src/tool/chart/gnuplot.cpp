@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <carom/subjects/protocol/child.hpp>
+
+#include "../commands.hpp"
+#include "../output_file.hpp"
+
+namespace carom::tool::chart {
+
+void draw(std::span<const Picture> pictures, const std::filesystem::path& directory) {
+  const std::filesystem::path scripts = directory / "gnuplot";
+  for (const Picture& picture : pictures) {
+    write_file(scripts / (picture.name() + ".gp"), picture.script());
+  }
+  // In gnuplot's single quotes a quote is written twice.
+  std::string change_directory = "cd '";
+  for (const char letter : directory.string()) {
+    change_directory += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  change_directory += '\'';
+  subjects::protocol::ChildLimits limits;
+  limits.timeout = std::chrono::minutes(1);
+  for (const Picture& picture : pictures) {
+    try {
+      subjects::protocol::ChildProcess gnuplot({"gnuplot", "-e", change_directory, "gnuplot/" + picture.name() + ".gp"},
+                                               limits, {});
+      try {
+        gnuplot.finish("");
+      } catch (const subjects::protocol::ChildError& error) {
+        throw UsageError(fmt::format("gnuplot {}: {}", error.what(), gnuplot.standard_error()));
+      }
+    } catch (const subjects::protocol::ChildError& error) {
+      throw UsageError(fmt::format("{}: the data and the scripts are in {}, but {}.svg was not drawn", error.what(),
+                                   directory.string(), picture.name()));
+    }
+  }
+}
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "canvas.hpp"
+
+namespace carom::tool::chart {
+
+/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and lets gnuplot draw DIRECTORY/NAME.svg. Throws
+/// UsageError where gnuplot is not installed or fails.
+void draw(std::span<const Picture> pictures, const std::filesystem::path& directory);
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <carom/subjects/methods.hpp>
+
+/// What `carom chart` measures, before it is drawn.
+namespace carom::tool::chart {
+
+/// Of the cases of a distribution; of 99 in 100 and of all of them, the worse end.
+struct Quantiles {
+  double median = 0;
+  double of_99_percent = 0;
+  double worst = 0;
+};
+
+/// Of repeated measurements.
+struct Spread {
+  double median = 0;
+  double lowest = 0;
+  double highest = 0;
+};
+
+/// How exact one method is on the colliding contacts of one distribution.
+struct Exactness {
+  std::size_t cases = 0;
+  std::size_t failures = 0;  // beyond the limit on the backward error, or not finite
+  Quantiles digits;          // correct ones, of the change of the velocities (forward error)
+  Quantiles backward_error;  // ulps of the method's own precision; infinite where an outcome is not finite
+  std::vector<double> digits_of_cases;
+};
+
+struct FamilyMeasurement {
+  std::string family;
+  Exactness exactness;
+  Spread nanoseconds;  // for each contact
+};
+
+struct MethodMeasurement {
+  std::string name;
+  std::string summary;
+  Model model;
+  Precision precision;
+  std::vector<FamilyMeasurement> families;
+
+  /// Whether it fails on any case of any family.
+  [[nodiscard]] bool fails() const;
+  /// Over the cases of all families.
+  [[nodiscard]] Exactness over_all_families() const;
+  /// The median family, the quickest and the slowest.
+  [[nodiscard]] Spread nanoseconds_over_all_families() const;
+};
+
+/// One method along one sweep.
+struct SweepLine {
+  std::string method;
+  Model model;
+  std::vector<double> quantity;
+  std::vector<Exactness> exactness;  // at each quantity
+
+  /// The first quantity, from the easy end, at which a case is beyond the limit; none where there is none.
+  [[nodiscard]] std::optional<double> leaves_limit_at() const;
+};
+
+struct SweepMeasurement {
+  std::string name;
+  std::string label;
+  std::string summary;
+  std::vector<SweepLine> lines;
+};
+
+/// The exactness of results that were collected case by case.
+class ExactnessBuilder {
+ public:
+  /// `backward_error` is infinite and `digits` 0 where the outcome is not finite.
+  void add(double backward_error, double digits, bool within_limit);
+  ExactnessBuilder& operator+=(const ExactnessBuilder& other);
+  [[nodiscard]] Exactness built() const;
+
+ private:
+  std::vector<double> backward_errors_;
+  std::vector<double> digits_;
+  std::size_t failures_ = 0;
+};
+
+/// The value below which so large a share of the sorted values lies (nearest rank). Precondition: not empty.
+[[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records.hpp"
+
+#include <fmt/format.h>
+
+#include <carom/collision/json.hpp>
+
+#include "diagrams.hpp"
+
+namespace carom::tool::chart {
+namespace {
+
+using nlohmann::json;
+
+json quantiles_record(const Quantiles& quantiles) {
+  return {{"median", number_to_json(quantiles.median)},
+          {"of_99_percent", number_to_json(quantiles.of_99_percent)},
+          {"worst", number_to_json(quantiles.worst)}};
+}
+
+json spread_record(const Spread& spread) {
+  return {{"median", spread.median}, {"lowest", spread.lowest}, {"highest", spread.highest}};
+}
+
+json exactness_record(const Exactness& exactness) {
+  return {{"cases", exactness.cases},
+          {"failures", exactness.failures},
+          {"digits", quantiles_record(exactness.digits)},
+          {"backward_error_ulps", quantiles_record(exactness.backward_error)}};
+}
+
+std::string csv_of(const Quantiles& quantiles) {
+  return fmt::format("{:.4g},{:.4g},{:.4g}", quantiles.median, quantiles.of_99_percent, quantiles.worst);
+}
+
+std::string failing_families(const MethodMeasurement& method) {
+  std::string text;
+  for (const FamilyMeasurement& family : method.families) {
+    if (family.exactness.failures > 0) {
+      text += (text.empty() ? "" : ", ") + family.family;
+    }
+  }
+  return text.empty() ? "–" : text;
+}
+
+/// Of one model.
+std::string methods_table(std::span<const MethodMeasurement> methods) {
+  std::string text =
+      "| | method | precision | ns a contact | digits: median / 99 % / worst | worst backward error [ulps] | fails in "
+      "|\n"
+      "| ---: | --- | --- | ---: | --- | ---: | --- |\n";
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const Exactness all = methods[i].over_all_families();
+    text +=
+        fmt::format("| {} | `{}` | {} | {:.3g} | {:.1f} / {:.1f} / {:.1f} | {:.3g} | {} |\n", i + 1, methods[i].name,
+                    name_of(methods[i].precision), methods[i].nanoseconds_over_all_families().median, all.digits.median,
+                    all.digits.of_99_percent, all.digits.worst, all.backward_error.worst, failing_families(methods[i]));
+  }
+  return text;
+}
+
+std::string leaving_table(const Measurements& measurements, Model model) {
+  std::string text = "| method |";
+  std::string rule = "| --- |";
+  for (const SweepMeasurement& sweep : measurements.sweeps) {
+    text += fmt::format(" {} |", sweep.label);
+    rule += " --- |";
+  }
+  text += '\n' + rule + '\n';
+  for (std::size_t i = 0; i < measurements.methods.size(); ++i) {
+    if (measurements.methods[i].model != model) {
+      continue;
+    }
+    text += fmt::format("| `{}` |", measurements.methods[i].name);
+    for (const SweepMeasurement& sweep : measurements.sweeps) {
+      const std::optional<double> at = sweep.lines[i].leaves_limit_at();
+      text += at ? fmt::format(" {:.0e} |", *at) : " – |";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string work_precision_csv(const Measurements& measurements) {
+  std::string text =
+      "model,method,precision,family,ns_median,ns_lowest,ns_highest,cases,failures,digits_median,digits_99_percent,"
+      "digits_worst,backward_error_median,backward_error_99_percent,backward_error_worst\n";
+  for (const MethodMeasurement& method : measurements.methods) {
+    for (const FamilyMeasurement& family : method.families) {
+      text +=
+          fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{}\n", name_of(method.model), method.name,
+                      name_of(method.precision), family.family, family.nanoseconds.median, family.nanoseconds.lowest,
+                      family.nanoseconds.highest, family.exactness.cases, family.exactness.failures,
+                      csv_of(family.exactness.digits), csv_of(family.exactness.backward_error));
+    }
+  }
+  return text;
+}
+
+std::string stability_csv(const Measurements& measurements) {
+  std::string text =
+      "sweep,quantity,model,method,cases,failures,backward_error_median,backward_error_99_percent,"
+      "backward_error_worst\n";
+  for (const SweepMeasurement& sweep : measurements.sweeps) {
+    for (const SweepLine& line : sweep.lines) {
+      for (std::size_t i = 0; i < line.quantity.size(); ++i) {
+        text +=
+            fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.model), line.method,
+                        line.exactness[i].cases, line.exactness[i].failures, csv_of(line.exactness[i].backward_error));
+      }
+    }
+  }
+  return text;
+}
+
+std::string deadline_csv(const Measurements& measurements) {
+  std::string text = "model,digits,ns,share,method\n";
+  for (const Model model : models_with_truth) {
+    const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
+    for (const int digits : deadline_digits) {
+      for (const DeadlineStep& step : deadline_steps(methods, digits)) {
+        text +=
+            fmt::format("{},{},{:.4g},{:.4f},{}\n", name_of(model), digits, step.nanoseconds, step.share, step.method);
+      }
+    }
+  }
+  return text;
+}
+
+json chart_record(const Measurements& measurements) {
+  json record{{"environment", environment_record(measurements.environment)},
+              {"seed", measurements.seed},
+              {"cases", measurements.cases},
+              {"repetitions", measurements.repetitions},
+              {"limit_ulps", measurements.limit_ulps},
+              {"methods", json::array()},
+              {"sweeps", json::array()}};
+  for (const MethodMeasurement& method : measurements.methods) {
+    json families;
+    for (const FamilyMeasurement& family : method.families) {
+      families[family.family] = exactness_record(family.exactness);
+      families[family.family]["nanoseconds"] = spread_record(family.nanoseconds);
+    }
+    record["methods"].push_back({{"name", method.name},
+                                 {"summary", method.summary},
+                                 {"model", name_of(method.model)},
+                                 {"precision", name_of(method.precision)},
+                                 {"families", families}});
+  }
+  for (const SweepMeasurement& sweep : measurements.sweeps) {
+    json lines = json::array();
+    for (const SweepLine& line : sweep.lines) {
+      json points = json::array();
+      for (std::size_t i = 0; i < line.quantity.size(); ++i) {
+        points.push_back(exactness_record(line.exactness[i]));
+        points.back()["quantity"] = line.quantity[i];
+      }
+      const std::optional<double> at = line.leaves_limit_at();
+      lines.push_back({{"method", line.method},
+                       {"model", name_of(line.model)},
+                       {"leaves_limit_at", at ? json(*at) : json()},
+                       {"points", points}});
+    }
+    record["sweeps"].push_back(
+        {{"name", sweep.name}, {"quantity", sweep.label}, {"summary", sweep.summary}, {"lines", lines}});
+  }
+  return record;
+}
+
+std::string tables_markdown(const Measurements& measurements) {
+  std::string text;
+  for (const Model model : models_with_truth) {
+    const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
+    if (!methods.empty()) {
+      text += fmt::format("## {}: all families\n\n{}\n## {}: where each method leaves the limit of {:g} ulps\n\n{}\n",
+                          name_of(model), methods_table(methods), name_of(model), measurements.limit_ulps,
+                          leaving_table(measurements, model));
+    }
+  }
+  return text;
+}
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <carom/collision/collision.hpp>
+
+#include "measurement.hpp"
+
+namespace carom::tool::chart {
+
+/// Contacts that are timed together: few enough that they stay in the first-level cache, in any layout.
+inline constexpr std::size_t contacts_in_kernel = 64;
+
+/// What one kernel is timed for: the method, and the collisions of one family.
+struct TimedKernel {
+  const subjects::Method* method;
+  std::span<const Collision> collisions;  // not empty
+};
+
+/// Nanoseconds for each contact of each kernel, by Google Benchmark: so many repetitions in a random order, so that a
+/// disturbance of the machine does not hit one kernel alone. `progress(done, all)` where given.
+[[nodiscard]] std::vector<Spread> measured_times(std::span<const TimedKernel> kernels, int repetitions,
+                                                 const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace carom::tool {
+
+/// Writes the text as the whole file. Throws UsageError, which names the file, where that cannot be done.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+/// Makes the directory that --out names, or one below it, with its parents. Throws UsageError where that cannot be
+/// done.
+void make_directories(const std::filesystem::path& directory);
+
+}  // namespace carom::tool
