@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tool/program.hpp"
+#include "support/program.hpp"
 
 /// The examples of docs/plug-in.md are sound, and are found out where a defect is planted in them.
 namespace carom::tests {

@@ -12,7 +12,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include "tool/program.hpp"
+#include "support/program.hpp"
 
 /// What a gate makes of programs that do not keep to the protocol.
 namespace carom::tests {

@@ -8,7 +8,7 @@
 #include <carom/properties/invariant.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace carom::tests {
 namespace {

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <unistd.h>
 
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace carom::tests {
 namespace {

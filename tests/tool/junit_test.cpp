@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
-#include "program.hpp"
+#include "support/program.hpp"
 
 namespace carom::tests {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
@@ -72,9 +73,11 @@ TEST(Validate, NamesAMassThatIsNotPositive) {
 TEST(Validate, NamesThePrincipalMomentThatIsNotPositive) {
   for (int i = 0; i < 3; ++i) {
     for (const double bad : {0.0, -tiny}) {
-      const std::string expected = "principal_inertia[" + std::to_string(i) + "]: expected greater than 0";
-      EXPECT_EQ(defect_of([=](Collision& c) { c.a.principal_inertia[i] = bad; }), "a." + expected);
-      EXPECT_EQ(defect_of([=](Collision& c) { c.b.principal_inertia[i] = bad; }), "b." + expected);
+      const auto expected = [i](char body) {
+        return fmt::format("{}.principal_inertia[{}]: expected greater than 0", body, i);
+      };
+      EXPECT_EQ(defect_of([=](Collision& c) { c.a.principal_inertia[i] = bad; }), expected('a'));
+      EXPECT_EQ(defect_of([=](Collision& c) { c.b.principal_inertia[i] = bad; }), expected('b'));
     }
   }
 }

@@ -100,6 +100,9 @@ inline constexpr std::string_view grey = "#999999";
 /// Tics of an axis of times at 1, 2 and 5 times the powers of ten, as plain numbers: a gnuplot command.
 [[nodiscard]] std::string time_tics(const Axis& axis);
 
+/// Tics at powers of ten, about eight of them, for the axis 'x' or 'y': a gnuplot command.
+[[nodiscard]] std::string power_tics(const Axis& axis, char letter);
+
 /// A text as gnuplot reads it between double quotes.
 [[nodiscard]] std::string quoted(std::string_view text);
 

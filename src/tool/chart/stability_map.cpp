@@ -53,15 +53,11 @@ Picture stability_map(const SweepMeasurement& sweep, Model model, double limit_u
   const Panel panel{{quantity.front(), quantity.back(), true, 100, 830}, {least_error, most_error, true, 80, 700}};
   picture.begin(panel, fmt::format("{}: {}", name_of(model), sweep.summary), sweep.label,
                 "worst backward error [ulps of the method's precision]");
-  picture.add(
-      "set format x \"10^{%T}\"\nset format y \"10^{%T}\"\nset termoption enhanced\nset mxtics 1\nset mytics 1");
-  picture.add(
-      fmt::format("set xrange [{:g}:{:g}]\nset ytics 1e-2,1e3\nset xtics 100", quantity.front(), quantity.back()));
+  picture.add(power_tics(panel.x, 'x') + '\n' + power_tics(panel.y, 'y'));
   picture.curve({{quantity.front(), limit_ulps}, {quantity.back(), limit_ulps}},
                 "using 1:2 with lines lw 2 dt 2 lc rgb '#333333'");
-  // Beside the end that methods leave last.
   picture.write(fmt::format("limit: {:g} ulps", limit_ulps),
-                {panel.x.first_pixel + 8, panel.y.pixel_of(limit_ulps) + 13}, "#333333");
+                {panel.x.last_pixel - 8, panel.y.pixel_of(limit_ulps) + 13}, "#333333", "right");
 
   std::vector<Label> labels;
   std::vector<Place> to_keep_free;

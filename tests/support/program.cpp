@@ -13,6 +13,8 @@
 
 namespace carom::tests {
 
+std::string carom_program() { return CAROM_PROGRAM; }
+
 RunResult run_carom(const std::vector<std::string>& arguments) { return run_program(CAROM_PROGRAM, arguments); }
 
 RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {

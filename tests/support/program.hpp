@@ -19,6 +19,9 @@ struct RunResult {
 /// `carom ARG…`, without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
+/// Where it is.
+[[nodiscard]] std::string carom_program();
+
 /// Any other program, by its path.
 [[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "support/program.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double"};
+
+/// One run for all tests: it takes some seconds.
+class Chart : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    directory_ = new TemporaryDirectory;
+    std::vector<std::string> arguments{"chart"};
+    arguments.insert(arguments.end(), methods.begin(), methods.end());
+    for (const char* argument : {"--cases", "20", "--repetitions", "1", "--out"}) {
+      arguments.emplace_back(argument);
+    }
+    arguments.push_back(out().string());
+    run_ = new RunResult(run_carom(arguments));
+  }
+  static void TearDownTestSuite() {
+    delete directory_;
+    delete run_;
+  }
+
+  static std::filesystem::path out() { return directory_->path() / "it's charts"; }
+  static const RunResult& run() { return *run_; }
+  static json record() { return json::parse(content_of(out() / "chart.json")); }
+  static json method(const std::string& name) {
+    const json all = record();
+    for (const json& each : all.at("methods")) {
+      if (each.at("name") == name) {
+        return each;
+      }
+    }
+    return {};
+  }
+  static json sweep_line(const std::string& sweep, const std::string& name) {
+    const json all = record();
+    for (const json& each : all.at("sweeps")) {
+      for (const json& line : each.at("lines")) {
+        if (each.at("name") == sweep && line.at("method") == name) {
+          return line;
+        }
+      }
+    }
+    return {};
+  }
+
+ private:
+  static inline TemporaryDirectory* directory_ = nullptr;
+  static inline RunResult* run_ = nullptr;
+};
+
+TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
+  ASSERT_EQ(run().exit_status, 0) << run().errors;
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out())) {
+    if (entry.path().extension() != ".svg") {
+      continue;
+    }
+    ++pictures;
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_file(entry.path().c_str())) << entry.path();
+    EXPECT_STREQ(document.document_element().name(), "svg");
+    EXPECT_TRUE(document.select_nodes("//*[local-name()='script']").empty()) << entry.path();
+    EXPECT_FALSE(document.select_nodes("//*[local-name()='text']").empty()) << entry.path();
+    EXPECT_FALSE(document.select_nodes("//*[local-name()='path']").empty()) << entry.path();
+    EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
+  }
+  // Of each model: two of time against accuracy, the deadlines, and one for each sweep.
+  EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
+}
+
+TEST_F(Chart, SummaryNamesEveryMethod) {
+  const std::string picture = content_of(out() / "work-precision-reflection.svg");
+  for (const char* name : {"reflection-double", "reflection-in-basis-double", "fails in"}) {
+    EXPECT_NE(picture.find(name), std::string::npos) << name;
+  }
+  EXPECT_NE(run().output.find("`reflection-in-basis-double`"), std::string::npos);
+  EXPECT_EQ(run().output, content_of(out() / "tables.md"));
+}
+
+TEST_F(Chart, ShowsWhereTheNotesMethodFails) {
+  const json note = method("reflection-in-basis-double").at("families");
+  const json basis_free = method("reflection-double").at("families");
+  EXPECT_GT(note.at("near_head_on").at("failures"), 0);
+  EXPECT_EQ(note.at("generic").at("failures"), 0);
+  for (const auto& [family, measured] : basis_free.items()) {
+    EXPECT_EQ(measured.at("failures"), 0) << family;
+    EXPECT_EQ(measured.at("cases"), 20) << family;
+    EXPECT_GT(measured.at("nanoseconds").at("median"), 0) << family;
+    EXPECT_GE(measured.at("digits").at("median"), measured.at("digits").at("worst")) << family;
+    EXPECT_LE(measured.at("backward_error_ulps").at("median"), measured.at("backward_error_ulps").at("worst"));
+  }
+  EXPECT_FALSE(note.contains("separating")) << "nothing collides there";
+  EXPECT_FALSE(note.contains("invalid"));
+}
+
+TEST_F(Chart, ReadsOffWhereAMethodLeavesTheLimit) {
+  const json note = sweep_line("tangential_velocity", "reflection-in-basis-double");
+  EXPECT_LT(note.at("leaves_limit_at"), 1);
+  EXPECT_GT(note.at("leaves_limit_at"), 1e-13);
+  EXPECT_TRUE(sweep_line("tangential_velocity", "reflection-double").at("leaves_limit_at").is_null());
+  EXPECT_TRUE(sweep_line("condition_number", "frictionless-double").at("leaves_limit_at").is_null());
+}
+
+TEST_F(Chart, TablesHaveALineForEachMeasurement) {
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const auto families = static_cast<long>(method("reflection-double").at("families").size());
+  EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 3 * families);
+  long points = 0;
+  const json all = record();
+  for (const json& sweep : all.at("sweeps")) {
+    for (const json& line : sweep.at("lines")) {
+      points += static_cast<long>(line.at("points").size());
+    }
+  }
+  EXPECT_EQ(lines(content_of(out() / "stability.csv")), 1 + points);
+  std::istringstream steps(content_of(out() / "deadline.csv"));
+  std::string line;
+  std::getline(steps, line);
+  EXPECT_EQ(line, "model,digits,ns,share,method");
+  EXPECT_TRUE(std::getline(steps, line));
+}
+
+TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
+  const TemporaryDirectory directory;
+  const RunResult run = run_carom({"chart", "no-such-method", "--out", directory.path().string()});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find("no-such-method"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("reflection-double"), std::string::npos) << run.errors;
+}
+
+/// What was measured is not lost.
+TEST(ChartUsage, WithoutGnuplotTheDataAreThereAndTheErrorSaysWhatIsMissing) {
+  const TemporaryDirectory directory;
+  const RunResult run =
+      run_program("/usr/bin/env", {"PATH=/no/such", carom_program(), "chart", "frictionless-double", "--cases", "2",
+                                   "--repetitions", "1", "--out", directory.path().string()});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find("gnuplot"), std::string::npos) << run.errors;
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "chart.json"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "gnuplot" / "work-precision-frictionless.gp"));
+}
+
+}  // namespace
+}  // namespace carom::tests
