@@ -9,17 +9,18 @@ namespace carom::impulse {
 template <class S>
 [[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S>& body) {
   const Vector3<S>& r = body.lever_arm;
-  Matrix3<S> cross;
-  cross << S(0), -r[2], r[1], r[2], S(0), -r[0], -r[1], r[0], S(0);
-  const Matrix3<S> half = body.inverse_inertia * cross;
-  Matrix3<S> matrix;
+  Matrix3<S> half;  // J⁻¹ [r]: xᵀ [r] = (x × r)ᵀ, and the rows of J⁻¹ are its columns
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      const S entry = cross.col(row).dot(half.col(column));
-      matrix(row, column) = entry;
-      matrix(column, row) = entry;
+    half.row(row) = cross<S>(body.inverse_inertia.col(row), r);
+  }
+  Matrix3<S> matrix;
+  for (int column = 0; column < 3; ++column) {
+    const Vector3<S> entries = cross<S>(half.col(column), r);  // [r]ᵀ x = x × r
+    for (int row = column; row < 3; ++row) {
+      matrix(row, column) = entries[row];
+      matrix(column, row) = entries[row];
     }
-    matrix(row, row) += body.inverse_mass;
+    matrix(column, column) += body.inverse_mass;
   }
   return matrix;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <carom/collision/outcome.hpp>
+#include <carom/impulse/products.hpp>
 
 namespace carom::impulse {
 
@@ -110,14 +111,15 @@ template <class S, class T>
 /// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).
 template <class S>
 [[nodiscard]] Vector3<S> relative_velocity(const Contact<S>& contact) {
-  const Vector3<S> velocity_a = contact.a.velocity + contact.a.angular_velocity.cross(contact.a.lever_arm);
-  const Vector3<S> velocity_b = contact.b.velocity + contact.b.angular_velocity.cross(contact.b.lever_arm);
+  const Vector3<S> velocity_a = contact.a.velocity + cross(contact.a.angular_velocity, contact.a.lever_arm);
+  const Vector3<S> velocity_b = contact.b.velocity + cross(contact.b.angular_velocity, contact.b.lever_arm);
   return velocity_a - velocity_b;
 }
 
-/// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move.
+/// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move. A bool, or a mask
+/// where S is a pack.
 template <class S>
-[[nodiscard]] bool is_colliding(const Contact<S>& contact, const S& normal_velocity) {
+[[nodiscard]] auto is_colliding(const Contact<S>& contact, const S& normal_velocity) {
   return normal_velocity < S(0) && contact.a.inverse_mass + contact.b.inverse_mass > S(0);
 }
 
@@ -132,7 +134,7 @@ template <class S>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const Vector3<S>& impulse) {
   const auto apply = [](const ContactBody<S>& body, const Vector3<S>& on_body) {
     return BodyVelocity<S>{body.velocity + on_body * body.inverse_mass,
-                           body.angular_velocity + body.inverse_inertia * body.lever_arm.cross(on_body)};
+                           body.angular_velocity + times(body.inverse_inertia, cross(body.lever_arm, on_body))};
   };
   return {apply(contact.a, impulse), apply(contact.b, -impulse)};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <carom/impulse/contact.hpp>
+#include <carom/impulse/select.hpp>
 
 namespace carom::impulse {
 
@@ -14,20 +15,21 @@ namespace carom::impulse {
 template <class S>
 [[nodiscard]] Outcome<S> frictionless(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
-  const Vector3<S> torque_arm_a = contact.a.lever_arm.cross(n);
-  const Vector3<S> torque_arm_b = contact.b.lever_arm.cross(n);
+  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, n);
+  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, n);
   const S normal_velocity =
-      n.dot(contact.a.velocity - contact.b.velocity) +
-      (contact.a.angular_velocity.dot(torque_arm_a) - contact.b.angular_velocity.dot(torque_arm_b));
-  if (!is_colliding(contact, normal_velocity)) {
+      dot(n, contact.a.velocity - contact.b.velocity) +
+      (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
+  const auto colliding = is_colliding(contact, normal_velocity);
+  if (none_of(colliding)) {
     return unchanged(contact);
   }
-  const Vector3<S> spin_a = contact.a.inverse_inertia * torque_arm_a;
-  const Vector3<S> spin_b = contact.b.inverse_inertia * torque_arm_b;
-  const S inverse_effective_mass = (contact.a.inverse_mass + contact.b.inverse_mass) * n.dot(n) +
-                                   (torque_arm_a.dot(spin_a) + torque_arm_b.dot(spin_b));
+  const Vector3<S> spin_a = times(contact.a.inverse_inertia, torque_arm_a);
+  const Vector3<S> spin_b = times(contact.b.inverse_inertia, torque_arm_b);
+  const S inverse_effective_mass = (contact.a.inverse_mass + contact.b.inverse_mass) * dot(n, n) +
+                                   (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
   const S f = -(S(1) + contact.restitution) * normal_velocity / inverse_effective_mass;
-  return apply_impulse<S>(contact, n * f);
+  return select(colliding, apply_impulse<S>(contact, n * f), unchanged(contact));
 }
 
 }  // namespace carom::impulse

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/select.hpp>
 #include <carom/impulse/solve3.hpp>
 
 namespace carom::impulse {
@@ -13,13 +14,15 @@ namespace carom::impulse {
 template <class Solve, class S>
 [[nodiscard]] Outcome<S> reflection(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
-  const S normal_velocity = n.dot(relative_velocity(contact));
-  if (!is_colliding(contact, normal_velocity)) {
+  const S normal_velocity = dot(n, relative_velocity(contact));
+  const auto colliding = is_colliding(contact, normal_velocity);
+  if (none_of(colliding)) {
     return unchanged(contact);
   }
-  const S factor = -(S(1) + contact.restitution) * normal_velocity / n.dot(n);
+  const S factor = -(S(1) + contact.restitution) * normal_velocity / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
-  return apply_impulse<S>(contact, Solve::template solve<S>(collision_matrix(contact), velocity_change));
+  const Vector3<S> impulse = Solve::template solve<S>(collision_matrix(contact), velocity_change);
+  return select(colliding, apply_impulse(contact, impulse), unchanged(contact));
 }
 
 }  // namespace carom::impulse

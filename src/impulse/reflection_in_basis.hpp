@@ -25,6 +25,20 @@ template <class S>
   return basis;
 }
 
+/// A basis {N, T0, T1} that does not depend on V⁻: T0 is the coordinate axis least aligned with N, less its part along
+/// N. That axis has |N_i| ≤ 1/√3, so what is left has length √(2/3) or more and loses no digits. S as above.
+template <class S>
+[[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
+  const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
+  int axis = 0;
+  n.cwiseAbs().minCoeff(&axis);
+  Vector3<S> t0 = Vector3<S>::Unit(axis) - n * n[axis];
+  t0 /= std::sqrt(t0.dot(t0));
+  Matrix3<S> basis;
+  basis << n, t0, n.cross(t0);
+  return basis;
+}
+
 /// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, λ counted once). It
 /// equals Bᵀ K B where the basis is orthonormal, and takes for granted that it is.
 template <class S>
@@ -40,22 +54,34 @@ template <class S>
   return c;
 }
 
-/// The reflection law as note §2 prints it (N·V⁻ on the right-hand side of eq. 25), with the fall-back to eq. 18 that
-/// implementations take where V⁻ has no tangential part. Kept because it fails: near head-on T0 is rounding noise and
-/// not orthogonal to N. Use `reflection` instead.
+/// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25.
 template <class S>
-[[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact) {
-  const Matrix3<S> basis = tangent_basis(contact);
+[[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis) {
   const S normal_velocity = basis.col(0).dot(relative_velocity(contact));
   if (!is_colliding(contact, normal_velocity)) {
     return unchanged(contact);
   }
-  if ((basis.col(1).array() == S(0)).all()) {
-    return frictionless(contact);
-  }
   const Matrix3<S> c = printed_collision_matrix(contact, basis);
   const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * normal_velocity, S(0), S(0)};
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side));
+}
+
+/// The reflection law as note §2 prints it, with the fall-back to eq. 18 that implementations take where V⁻ has no
+/// tangential part. Kept because it fails: near head-on T0 is rounding noise and not orthogonal to N. Use `reflection`
+/// instead.
+template <class S>
+[[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact) {
+  const Matrix3<S> basis = tangent_basis(contact);
+  if ((basis.col(1).array() == S(0)).all()) {
+    return frictionless(contact);
+  }
+  return reflection_in_given_basis(contact, basis);
+}
+
+/// The same with a T0 that does not depend on V⁻: the choice of T0 is all that fails in `reflection_in_basis`.
+template <class S>
+[[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact) {
+  return reflection_in_given_basis(contact, stable_tangent_basis(contact));
 }
 
 }  // namespace carom::impulse

@@ -3,9 +3,10 @@
 
 #include <Eigen/Cholesky>
 
-#include <carom/collision/vector.hpp>
+#include <carom/impulse/products.hpp>
 
 /// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is a policy of `reflection`.
+/// solve3_pivoting.hpp has those for a general M.
 namespace carom::impulse {
 
 /// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs.
@@ -36,6 +37,14 @@ struct EigenLlt {
   }
 };
 
+/// Eigen's M = Pᵀ L D Lᵀ P, the pivots by size.
+struct EigenLdlt {
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+    return m.ldlt().solve(b);
+  }
+};
+
 /// M⁻¹ = adj(M) / det(M).
 struct Adjugate {
   template <class S>
@@ -46,7 +55,7 @@ struct Adjugate {
         minor(1, 2, 2, 0), minor(2, 2, 0, 0), minor(0, 2, 1, 0),          //
         minor(1, 0, 2, 1), minor(2, 0, 0, 1), minor(0, 0, 1, 1);
     const S determinant = (m(0, 0) * adjugate(0, 0) + m(0, 1) * adjugate(1, 0)) + m(0, 2) * adjugate(2, 0);
-    return adjugate * b / determinant;
+    return times(adjugate, b) / determinant;
   }
 };
 

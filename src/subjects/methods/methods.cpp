@@ -10,7 +10,9 @@ namespace carom::subjects {
 
 std::vector<Method> methods() {
   std::vector<Method> all;
-  for (const auto group : {float_methods, double_methods, long_double_methods}) {
+  for (const auto group :
+       {float_methods, double_methods, long_double_methods, double_double_methods, pivoting_float_methods,
+        pivoting_double_methods, refined_methods, guaranteed_methods, batch_methods}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
   return all;

@@ -9,6 +9,7 @@
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
+#include <carom/impulse/double_double.hpp>
 #include <carom/subjects/methods.hpp>
 #include <carom/subjects/session.hpp>
 
@@ -20,6 +21,15 @@ template <>
 inline constexpr std::string_view scalar_name<float> = "float";
 template <>
 inline constexpr std::string_view scalar_name<long double> = "long-double";
+
+template <>
+inline constexpr std::string_view scalar_name<impulse::DoubleDouble> = "double-double";
+
+/// What a subject that computes in S claims. A pair of doubles holds all that `extended` does.
+template <class S>
+inline constexpr Precision claimed_precision = precision_of<S>;
+template <>
+inline constexpr Precision claimed_precision<impulse::DoubleDouble> = Precision::extended;
 
 template <class S>
 [[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
@@ -64,7 +74,7 @@ template <class S, class LayOut, class Solve>
   subject.name = std::move(claim.name) + '-' + std::string(scalar_name<S>);
   subject.summary = std::move(claim.summary);
   subject.model = claim.model;
-  subject.precision = precision_of<S>;
+  subject.precision = claimed_precision<S>;
   subject.open = [lay_out, solve] {
     return session_of(
         [lay_out, solve](const Collision& collision) -> Answer { return reported<S>(solve(lay_out(collision))); });

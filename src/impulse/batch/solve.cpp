@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <stdexcept>
+#include <string>
+
+#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/pack_kernels.hpp>
+
+namespace carom::impulse {
+namespace {
+
+template <class S>
+PackTask<S> task_of(ContactArrays<const S> contacts, OutcomeArrays<S> outcomes) {
+  PackTask<S> task{};
+  task.count = contacts.size();
+  std::size_t k = 0;
+  const auto begin_of = [&](const auto& array) {
+    if (array.size() != task.count) {
+      throw std::invalid_argument("carom::impulse::solve: arrays of different lengths");
+    }
+    return array.data();
+  };
+  for_each_array(contacts, [&](const std::span<const S>& array) { task.contacts[k++] = begin_of(array); });
+  k = 0;
+  for_each_array(outcomes, [&](const std::span<S>& array) { task.outcomes[k++] = begin_of(array); });
+  return task;
+}
+
+template <class S>
+struct Kernels {
+  void (*frictionless)(const PackTask<S>&);
+  void (*reflection)(const PackTask<S>&);
+};
+
+template <class S>
+Kernels<S> kernels_for(InstructionSet set) {
+#ifdef CAROM_BATCH_X86_64
+  if (set == InstructionSet::avx512) {
+    return {avx512::solve_frictionless, avx512::solve_reflection};
+  }
+  if (set == InstructionSet::avx2) {
+    return {avx2::solve_frictionless, avx2::solve_reflection};
+  }
+#endif
+  return {baseline::solve_frictionless, baseline::solve_reflection};
+}
+
+template <class S>
+void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
+  if (!is_available(set)) {
+    throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
+  }
+  switch (model) {
+    case Model::frictionless:
+      return kernels_for<S>(set).frictionless(task);
+    case Model::reflection:
+      return kernels_for<S>(set).reflection(task);
+    case Model::any:
+      break;
+  }
+  throw std::invalid_argument("carom::impulse::solve: the model says no law");
+}
+
+}  // namespace
+
+bool is_available(InstructionSet set) {
+#ifdef CAROM_BATCH_X86_64
+  switch (set) {
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+    case InstructionSet::baseline:
+      break;
+  }
+  return true;
+#else
+  return set == InstructionSet::baseline;
+#endif
+}
+
+InstructionSet best_instruction_set() {
+  static const InstructionSet best = [] {
+    InstructionSet widest = InstructionSet::baseline;
+    for (const InstructionSet set : all_instruction_sets) {
+      widest = is_available(set) ? set : widest;
+    }
+    return widest;
+  }();
+  return best;
+}
+
+void solve(const ContactArrays<const float>& contacts, Model model, const OutcomeArrays<float>& outcomes,
+           InstructionSet set) {
+  solve_task(task_of(contacts, outcomes), model, set);
+}
+
+void solve(const ContactArrays<const double>& contacts, Model model, const OutcomeArrays<double>& outcomes,
+           InstructionSet set) {
+  solve_task(task_of(contacts, outcomes), model, set);
+}
+
+}  // namespace carom::impulse

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <new>
+#include <span>
+#include <vector>
+
+#include <carom/impulse/contact_numbers.hpp>
+
+namespace carom::impulse {
+
+namespace detail {
+
+inline constexpr std::size_t cache_line = 64;
+
+template <class S>
+struct CacheLineAllocator {
+  using value_type = S;
+  CacheLineAllocator() = default;
+  template <class T>
+  // NOLINTNEXTLINE(google-explicit-constructor): allocators convert
+  CacheLineAllocator(const CacheLineAllocator<T>&) {}
+  [[nodiscard]] S* allocate(std::size_t n) {
+    return static_cast<S*>(::operator new (n * sizeof(S), std::align_val_t{cache_line}));
+  }
+  void deallocate(S* memory, std::size_t n) { ::operator delete (memory, n * sizeof(S), std::align_val_t{cache_line}); }
+  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+/// Arrays of one length in one piece of memory, each at the beginning of a cache line.
+template <class S>
+class ArraysInOnePiece {
+ public:
+  ArraysInOnePiece(std::size_t arrays, std::size_t length)
+      : length_(length), stride_(stride(length)), memory_(arrays * stride_) {}
+
+  [[nodiscard]] std::size_t length() const { return length_; }
+  [[nodiscard]] std::span<S> operator[](std::size_t k) { return {memory_.data() + k * stride_, length_}; }
+  [[nodiscard]] std::span<const S> operator[](std::size_t k) const { return {memory_.data() + k * stride_, length_}; }
+
+ private:
+  /// An odd number of cache lines, so that the same index of the arrays falls into different sets of a cache.
+  static std::size_t stride(std::size_t length) {
+    constexpr std::size_t line = cache_line / sizeof(S);
+    return ((length + line - 1) / line | 1) * line;
+  }
+
+  std::size_t length_;
+  std::size_t stride_;
+  std::vector<S, CacheLineAllocator<S>> memory_;
+};
+
+/// `Arrays` over what `memory` holds.
+template <class Arrays, class Memory>
+[[nodiscard]] Arrays arrays_over(Memory& memory) {
+  Arrays arrays;
+  std::size_t k = 0;
+  for_each_array(arrays, [&](auto& array) { array = memory[k++]; });
+  return arrays;
+}
+
+}  // namespace detail
+
+/// Contacts as a structure of arrays, in memory of its own. All numbers are zero at first: contacts of immovable
+/// bodies.
+template <class S>
+class ContactBatch {
+ public:
+  explicit ContactBatch(std::size_t size) : memory_(contact_number_count, size) {}
+
+  [[nodiscard]] std::size_t size() const { return memory_.length(); }
+  [[nodiscard]] ContactArrays<S> arrays() { return detail::arrays_over<ContactArrays<S>>(memory_); }
+  [[nodiscard]] ContactArrays<const S> arrays() const { return detail::arrays_over<ContactArrays<const S>>(memory_); }
+
+  /// Precondition: i < size().
+  [[nodiscard]] Contact<S> at(std::size_t i) const {
+    return contact_of<S>([&](std::size_t k) { return memory_[k][i]; });
+  }
+  /// Precondition: i < size().
+  void set(std::size_t i, const Contact<S>& contact) {
+    write_contact(contact, [&](std::size_t k, const S& number) { memory_[k][i] = number; });
+  }
+
+ private:
+  detail::ArraysInOnePiece<S> memory_;
+};
+
+/// Outcomes as a structure of arrays, in memory of its own.
+template <class S>
+class OutcomeBatch {
+ public:
+  explicit OutcomeBatch(std::size_t size) : memory_(outcome_number_count, size) {}
+
+  [[nodiscard]] std::size_t size() const { return memory_.length(); }
+  [[nodiscard]] OutcomeArrays<S> arrays() { return detail::arrays_over<OutcomeArrays<S>>(memory_); }
+
+  /// Precondition: i < size().
+  [[nodiscard]] Outcome<S> at(std::size_t i) const {
+    return outcome_of<S>([&](std::size_t k) { return memory_[k][i]; });
+  }
+
+ private:
+  detail::ArraysInOnePiece<S> memory_;
+};
+
+}  // namespace carom::impulse

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+
+#include <carom/impulse/contact.hpp>
+#include <carom/impulse/contact_arrays.hpp>
+
+/// The numbers of contacts and outcomes, one by one, in the order of for_each_array (contact_arrays.hpp).
+namespace carom::impulse {
+
+namespace detail {
+
+/// The body whose numbers are read(first), read(first + 1), ….
+template <class S, class Read>
+[[nodiscard]] ContactBody<S> contact_body_of(const Read& read, std::size_t first) {
+  const auto vector = [&](std::size_t k) {
+    return Vector3<S>{read(first + k), read(first + k + 1), read(first + k + 2)};
+  };
+  ContactBody<S> body;
+  body.inverse_mass = read(first);
+  Matrix3<S>& j = body.inverse_inertia;
+  j(0, 0) = read(first + 1);
+  j(1, 0) = j(0, 1) = read(first + 2);
+  j(1, 1) = read(first + 3);
+  j(2, 0) = j(0, 2) = read(first + 4);
+  j(2, 1) = j(1, 2) = read(first + 5);
+  j(2, 2) = read(first + 6);
+  body.lever_arm = vector(7);
+  body.velocity = vector(10);
+  body.angular_velocity = vector(13);
+  return body;
+}
+
+template <class S, class Write>
+void write_vector(const Write& write, std::size_t first, const Vector3<S>& vector) {
+  write(first, vector[0]);
+  write(first + 1, vector[1]);
+  write(first + 2, vector[2]);
+}
+
+template <class S, class Write>
+void write_contact_body(const Write& write, std::size_t first, const ContactBody<S>& body) {
+  const Matrix3<S>& j = body.inverse_inertia;
+  write(first, body.inverse_mass);
+  write(first + 1, j(0, 0));
+  write(first + 2, j(1, 0));
+  write(first + 3, j(1, 1));
+  write(first + 4, j(2, 0));
+  write(first + 5, j(2, 1));
+  write(first + 6, j(2, 2));
+  write_vector(write, first + 7, body.lever_arm);
+  write_vector(write, first + 10, body.velocity);
+  write_vector(write, first + 13, body.angular_velocity);
+}
+
+}  // namespace detail
+
+/// The contact whose numbers are read(0), read(1), ….
+template <class S, class Read>
+[[nodiscard]] Contact<S> contact_of(const Read& read) {
+  return {detail::contact_body_of<S>(read, 0), detail::contact_body_of<S>(read, 16),
+          Vector3<S>{read(32), read(33), read(34)}, read(35)};
+}
+
+/// Calls write(k, number) for the numbers of a contact, the symmetric ones once,.
+template <class S, class Write>
+void write_contact(const Contact<S>& contact, const Write& write) {
+  detail::write_contact_body(write, 0, contact.a);
+  detail::write_contact_body(write, 16, contact.b);
+  detail::write_vector(write, 32, contact.normal);
+  write(35, contact.restitution);
+}
+
+/// The outcome whose numbers are read(0), read(1), ….
+template <class S, class Read>
+[[nodiscard]] Outcome<S> outcome_of(const Read& read) {
+  const auto vector = [&](std::size_t k) { return Vector3<S>{read(k), read(k + 1), read(k + 2)}; };
+  return {{vector(0), vector(3)}, {vector(6), vector(9)}};
+}
+
+/// Calls write(k, number) for the numbers of an outcome.
+template <class S, class Write>
+void write_outcome(const Outcome<S>& outcome, const Write& write) {
+  detail::write_vector(write, 0, outcome.a.velocity);
+  detail::write_vector(write, 3, outcome.a.angular_velocity);
+  detail::write_vector(write, 6, outcome.b.velocity);
+  detail::write_vector(write, 9, outcome.b.angular_velocity);
+}
+
+}  // namespace carom::impulse

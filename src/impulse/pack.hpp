@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <Eigen/Core>
+#include <experimental/simd>
+
+/// Packs of numbers, one contact a lane, as the scalar type of the solvers.
+namespace carom::impulse {
+
+/// As many numbers as a register of the instruction set holds that the including unit is compiled for.
+template <class S>
+using Pack = std::experimental::native_simd<S>;
+
+}  // namespace carom::impulse
+
+/// Eigen stores packs, and takes them for real numbers that it knows no instructions for.
+template <class S, class Abi>
+struct Eigen::NumTraits<std::experimental::simd<S, Abi>> {
+  using Real = std::experimental::simd<S, Abi>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = S;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <type_traits>
+
+#include <carom/collision/vector.hpp>
+
+/// Products in one order of addition. Eigen's own add in an order that depends on the scalar type and on the
+/// instruction set; with these a solver gives the same bits in a scalar and in each lane of a pack, on every machine.
+namespace carom::impulse {
+
+/// x·y = (x₀ y₀ + x₁ y₁) + x₂ y₂.
+template <class S>
+[[nodiscard]] S dot(const Vector3<S>& x, const std::type_identity_t<Vector3<S>>& y) {
+  return (x[0] * y[0] + x[1] * y[1]) + x[2] * y[2];
+}
+
+/// x × y.
+template <class S>
+[[nodiscard]] Vector3<S> cross(const Vector3<S>& x, const std::type_identity_t<Vector3<S>>& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+/// M x, each row as `dot`.
+template <class S>
+[[nodiscard]] Vector3<S> times(const Matrix3<S>& m, const std::type_identity_t<Vector3<S>>& x) {
+  const auto row = [&](int i) -> S { return (m(i, 0) * x[0] + m(i, 1) * x[1]) + m(i, 2) * x[2]; };
+  return {row(0), row(1), row(2)};
+}
+
+}  // namespace carom::impulse

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/impulse/batch.hpp>
+#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/solver_method.hpp>
+
+namespace carom::subjects {
+namespace {
+
+template <class S>
+impulse::ContactBatch<S> batch_of(std::span<const Collision> collisions) {
+  impulse::ContactBatch<S> batch(collisions.size());
+  for (std::size_t i = 0; i < collisions.size(); ++i) {
+    batch.set(i, impulse::make_contact<S>(collisions[i]));
+  }
+  return batch;
+}
+
+/// What is asked at once is one batch.
+template <class S>
+std::vector<Answer> answers_of(std::span<const Collision> collisions, Model model) {
+  std::vector<Answer> answers(collisions.size());
+  std::vector<Collision> valid;
+  std::vector<Answer*> places;
+  for (std::size_t i = 0; i < collisions.size(); ++i) {
+    const std::vector<Defect> defects = validate(collisions[i]);
+    if (defects.empty()) {
+      valid.push_back(collisions[i]);
+      places.push_back(&answers[i]);
+    } else {
+      answers[i] = Refused{describe(defects)};
+    }
+  }
+  impulse::OutcomeBatch<S> outcomes(valid.size());
+  impulse::solve(batch_of<S>(valid), model, outcomes);
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    *places[i] = reported<S>(outcomes.at(i));
+  }
+  return answers;
+}
+
+template <class S>
+Method batch_method(Model model, const std::string& summary) {
+  Method method;
+  Subject& subject = method.subject;
+  subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_name<S>);
+  subject.summary = summary + ", in packs, one contact a lane";
+  subject.model = model;
+  subject.precision = precision_of<S>;
+  subject.open = [model] {
+    return [model](std::span<const Collision> collisions) { return answers_of<S>(collisions, model); };
+  };
+  subject.collision_matrix = world_matrix<S>;
+  method.prepare = [model](std::span<const Collision> collisions) -> Kernel {
+    auto contacts = std::make_shared<const impulse::ContactBatch<S>>(batch_of<S>(collisions));
+    auto outcomes = std::make_shared<impulse::OutcomeBatch<S>>(collisions.size());
+    return [model, contacts, outcomes] { impulse::solve(*contacts, model, *outcomes); };
+  };
+  return method;
+}
+
+template <class S>
+void add_batch_methods(std::vector<Method>& methods) {
+  methods.push_back(batch_method<S>(Model::frictionless, "impulse along the normal, eq. 18"));
+  methods.push_back(batch_method<S>(Model::reflection, "basis-free reflection by LDLᵀ"));
+}
+
+}  // namespace
+
+std::vector<Method> batch_methods() {
+  std::vector<Method> methods;
+  add_batch_methods<float>(methods);
+  add_batch_methods<double>(methods);
+  return methods;
+}
+
+}  // namespace carom::subjects

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/impulse/double_double.hpp>
+#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/scalar_methods.hpp>
+
+namespace carom::subjects {
+
+// The outcome is rounded to long double, which holds half a unit in the last place of `extended`.
+std::vector<Method> double_double_methods() {
+  using impulse::DoubleDouble;
+  return {frictionless_method<DoubleDouble>(), reflection_method<DoubleDouble, impulse::Ldlt>("reflection", "LDLᵀ")};
+}
+
+}  // namespace carom::subjects
