@@ -6,6 +6,8 @@
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   test      build, then all tests
+#   bench     build, then print what solvers, batches, judge and gate take
+#   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,6 +15,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libfmt-dev nlohmann-json3-dev libcli11-dev
   libpugixml-dev libbenchmark-dev gnuplot-nox libgtest-dev librapidcheck-dev)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
+benchmarks=(solvers judge_rate)
 jobs=$(nproc 2>/dev/null || echo 2)
 
 # install_packages [PACKAGE…]: what is missing of these and of what every build needs
@@ -81,6 +84,27 @@ test)
   build all
   exec ctest --test-dir build --output-on-failure --parallel "$jobs" "$@"
   ;;
+bench)
+  build carom_benchmarks
+  for benchmark in "${benchmarks[@]}"; do
+    "build/tests/benchmarks/$benchmark" "$@"
+  done
+  ;;
+compare)
+  revision=${1:?bootstrap: compare needs a REVISION}
+  shift
+  build carom_benchmarks
+  [ -e build-compare/source ] && git worktree remove --force build-compare/source
+  git worktree add --quiet --force --detach build-compare/source "$revision"
+  cmake -S build-compare/source -B build-compare/build -G Ninja -Wno-dev --log-level=WARNING -DCAROM_BUILD_TESTS=ON >/dev/null
+  cmake --build build-compare/build --parallel "$jobs" --target carom_benchmarks >&2
+  status=0
+  for benchmark in "${benchmarks[@]}"; do
+    python3 tests/benchmarks/compare.py "build-compare/build/tests/benchmarks/$benchmark" \
+      "build/tests/benchmarks/$benchmark" "$@" || status=$?
+  done
+  exit "$status"
+  ;;
 sanitize)
   install_test_programs
   configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
@@ -88,7 +112,7 @@ sanitize)
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
   ;;
 *)
-  sed -n '3,9p' src/bootstrap.sh >&2
+  sed -n '3,11p' src/bootstrap.sh >&2
   exit 2
   ;;
 esac

@@ -53,7 +53,7 @@ void place_labels(std::vector<Label>& labels, const std::vector<Place>& to_keep_
     const double width = letter * letter_width * static_cast<double>(label.text.size());
     const double height = letter * letter_height;
     double least = std::numeric_limits<double>::infinity();
-    for (const double distance : {1.0, 1.5, 2.0, 2.6, 3.3, 4.0}) {
+    for (const double distance : {1.0, 1.5, 2.0, 2.6, 3.3, 4.0, 4.8, 5.6}) {
       for (int k = 0; k < directions; ++k) {
         const double angle = 2 * M_PI * (k + 2) / directions;  // the upper right first
         const Place at{label.names.x + letter * distance * std::cos(angle),
@@ -82,7 +82,7 @@ Picture::Picture(std::string name, double width, double height, double font_size
       "set terminal svg size {:.0f},{:.0f} dynamic noenhanced font 'Helvetica,{:.0f}' background rgb 'white'\n"
       "set output '{}.svg'\n"
       "set encoding utf8\nset multiplot\nset key off\nset tics nomirror\nset border 3 lc rgb '#555555'\n"
-      "set grid lc rgb '#e4e4e4' lw 1\n",
+      "set grid lc rgb '#e4e4e4' lw 1\nset style textbox opaque fillcolor rgb 'white' noborder margins 0.2,0.2\n",
       width, height, font_size, name_);
 }
 
@@ -109,6 +109,19 @@ void Picture::add(std::string_view command) {
 void Picture::write(std::string_view text, Place at, std::string_view colour, std::string_view align, double size) {
   text_ += fmt::format("set label {} at screen {:.6f},{:.6f} {} front tc rgb '{}' font ',{:.1f}'\n", quoted(text),
                        at.x / width_, at.y / height_, align, colour, size * font_size_);
+}
+
+void Picture::write(const std::vector<Label>& labels, double letter) {
+  for (const Label& label : labels) {
+    const double distance = std::hypot(label.at.x - label.names.x, label.at.y - label.names.y);
+    if (distance > 1.6 * letter) {
+      text_ += fmt::format("set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 0.7 lc rgb '{}'\n",
+                           label.names.x / width_, label.names.y / height_, label.at.x / width_, label.at.y / height_,
+                           label.colour);
+    }
+    text_ += fmt::format("set label {} at screen {:.6f},{:.6f} center front boxed tc rgb '{}' font ',{:.1f}'\n",
+                         quoted(label.text), label.at.x / width_, label.at.y / height_, label.colour, letter);
+  }
 }
 
 void Picture::swatch(Place at, std::string_view colour, int dash, int point) {

@@ -65,6 +65,8 @@ class Picture {
   /// A text at a place, its left end, middle or right end there. In any diagram, before its curves.
   void write(std::string_view text, Place at, std::string_view colour = "#000000", std::string_view align = "left",
              double size = 1);
+  /// Placed labels, on white, each with a line to what it names where that is not beside it.
+  void write(const std::vector<Label>& labels, double letter);
   /// A piece of a curve with its mark, as a list of methods shows it. In any diagram, before its curves.
   void swatch(Place at, std::string_view colour, int dash, int point);
   /// A curve or marks through points, each with two or four numbers (x, y and for arrows what they add), in the style

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include <fmt/format.h>
+
 namespace carom::tool::chart {
 namespace {
 
@@ -27,6 +29,10 @@ double quantile(const std::vector<double>& sorted, double share) {
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
   const auto index = static_cast<std::size_t>(std::max(1.0, rank)) - 1;
   return sorted[std::min(index, sorted.size() - 1)];
+}
+
+std::string in_three_digits(double number) {
+  return number >= 100 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
 }
 
 void ExactnessBuilder::add(double backward_error, double digits, bool within_limit) {

@@ -91,4 +91,7 @@ class ExactnessBuilder {
 /// The value below which so large a share of the sorted values lies (nearest rank). Precondition: not empty.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
+/// A time to three digits or all before the point, without an exponent.
+[[nodiscard]] std::string in_three_digits(double number);
+
 }  // namespace carom::tool::chart

@@ -52,9 +52,10 @@ std::string methods_table(std::span<const MethodMeasurement> methods) {
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const Exactness all = methods[i].over_all_families();
     text +=
-        fmt::format("| {} | `{}` | {} | {:.3g} | {:.1f} / {:.1f} / {:.1f} | {:.3g} | {} |\n", i + 1, methods[i].name,
-                    name_of(methods[i].precision), methods[i].nanoseconds_over_all_families().median, all.digits.median,
-                    all.digits.of_99_percent, all.digits.worst, all.backward_error.worst, failing_families(methods[i]));
+        fmt::format("| {} | `{}` | {} | {} | {:.1f} / {:.1f} / {:.1f} | {:.3g} | {} |\n", i + 1, methods[i].name,
+                    name_of(methods[i].precision), in_three_digits(methods[i].nanoseconds_over_all_families().median),
+                    all.digits.median, all.digits.of_99_percent, all.digits.worst, all.backward_error.worst,
+                    failing_families(methods[i]));
   }
   return text;
 }

@@ -96,9 +96,7 @@ Picture stability_map(const SweepMeasurement& sweep, Model model, double limit_u
     labels.clear();  // many leave together: the list tells them apart
   }
   place_labels(labels, to_keep_free, 15, panel);
-  for (const Label& label : labels) {
-    picture.write(label.text, label.at, label.colour, "center", 15 / picture.font_size());
-  }
+  picture.write(labels, 15);
   picture.end();
   return picture;
 }

@@ -71,8 +71,6 @@ void draw(Picture& picture, const Panel& panel, const std::vector<Mark>& marks, 
     const std::string colour(colour_of(mark.precision));
     picture.curve({{x, drawn(mark.digits.worst), x, median}},
                   fmt::format("using 1:2:($3-$1):($4-$2) with vectors nohead lw 1.2 lc rgb '{}'", colour));
-    picture.curve({{mark.nanoseconds.lowest, median, mark.nanoseconds.highest, median}},
-                  fmt::format("using 1:2:($3-$1):($4-$2) with vectors nohead lw 1.2 lc rgb '{}'", colour));
     if (mark.fails) {
       picture.curve({{x, median}},
                     fmt::format("using 1:2 with points pt 2 ps {} lw 2.5 lc rgb '{}'", mark_size * 1.3, vermillion));
@@ -86,9 +84,7 @@ void draw(Picture& picture, const Panel& panel, const std::vector<Mark>& marks, 
     }
   }
   place_labels(labels, places, letter, panel);
-  for (const Label& label : labels) {
-    picture.write(label.text, label.at, label.colour, "center", letter / picture.font_size());
-  }
+  picture.write(labels, letter);
 }
 
 std::string families_text(std::size_t failing, std::size_t all) {
@@ -117,7 +113,7 @@ void write_key(Picture& picture, std::span<const MethodMeasurement> methods, Pla
     for (const FamilyMeasurement& family : method.families) {
       failing += family.exactness.failures > 0 ? 1 : 0;
     }
-    line(std::to_string(i + 1), method.name, fmt::format("{:.3g}", method.nanoseconds_over_all_families().median),
+    line(std::to_string(i + 1), method.name, in_three_digits(method.nanoseconds_over_all_families().median),
          fmt::format("{:.1f}", std::min(all.digits.median, most_digits)),
          families_text(failing, method.families.size()), failing > 0 ? vermillion : colour_of(method.precision));
   }
@@ -133,8 +129,8 @@ void write_key(Picture& picture, std::span<const MethodMeasurement> methods, Pla
   picture.write(fmt::format("× fails: beyond the limit of {:g} ulps in some case", oracles::default_limit_ulps),
                 {top_left.x + 34, y}, vermillion, "left", size);
   y -= row;
-  picture.write("mark: median case · bar down: worst case · bar across: families · grey: Pareto line",
-                {top_left.x + 34, y}, "#555555", "left", size);
+  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {top_left.x + 34, y}, "#555555",
+                "left", size);
 }
 
 }  // namespace
