@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  libpugixml-dev libgtest-dev librapidcheck-dev)
+  libpugixml-dev libgtest-dev librapidcheck-dev libbenchmark-dev)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 jobs=$(nproc 2>/dev/null || echo 2)
 
