@@ -26,7 +26,7 @@ const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
       {"src/collision/", "json.", true, {"carom/collision/", "Eigen/", "nlohmann/"}},
       {"src/collision/", "", true, {"carom/collision/", "Eigen/"}},
-      {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/"}},
+      {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/", "experimental/simd"}},
       {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
       {"src/tool/",
        "",

@@ -32,7 +32,7 @@ struct Kernels {
 };
 
 template <class S>
-Kernels<S> kernels_for(InstructionSet set) {
+Kernels<S> kernels_for([[maybe_unused]] InstructionSet set) {
 #ifdef CAROM_BATCH_X86_64
   if (set == InstructionSet::avx512) {
     return {avx512::solve_frictionless, avx512::solve_reflection};

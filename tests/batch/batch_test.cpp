@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/batch.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+#include <carom/properties/families/family.hpp>
+
+/// Each instruction set that the machine has gives the bits of the scalar solvers, wherever the arrays start and
+/// however many contacts there are.
+namespace carom::impulse {
+namespace {
+
+/// Cases of every family in turn, so that neighbours in a pack differ: colliding, separating, both immovable, extreme.
+std::vector<Collision> mixed_collisions(std::size_t count) {
+  const auto families = properties::all_families();
+  std::vector<Collision> collisions;
+  for (std::uint64_t i = 0; collisions.size() < count; ++i) {
+    const properties::Family& family = families[i % families.size()];
+    if (family.name != "invalid") {
+      properties::Stream stream = properties::case_stream(20240607, family.name, i);
+      collisions.push_back(family.generate(stream).collision);
+    }
+  }
+  return collisions;
+}
+
+template <class S>
+std::vector<Contact<S>> mixed_contacts(std::size_t count) {
+  std::vector<Contact<S>> contacts;
+  for (const Collision& collision : mixed_collisions(count)) {
+    contacts.push_back(make_contact<S>(collision));
+  }
+  return contacts;
+}
+
+template <class S>
+Outcome<S> solved_alone(const Contact<S>& contact, Model model) {
+  return model == Model::frictionless ? frictionless(contact) : reflection<Ldlt>(contact);
+}
+
+/// Equal bits, where NaN is equal to NaN.
+template <class S>
+bool same_bits(S x, S y) {
+  return std::memcmp(&x, &y, sizeof(S)) == 0 || (std::isnan(x) && std::isnan(y));
+}
+
+template <class S>
+bool same_bits(const Outcome<S>& x, const Outcome<S>& y) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      if (!same_bits((*vectors(x)[k])[i], (*vectors(y)[k])[i])) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<InstructionSet> available_instruction_sets() {
+  std::vector<InstructionSet> available;
+  for (const InstructionSet set : all_instruction_sets) {
+    if (is_available(set)) {
+      available.push_back(set);
+    }
+  }
+  return available;
+}
+
+template <class S>
+class Batch : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Batch, Scalars);
+
+constexpr Model models[]{Model::frictionless, Model::reflection};
+
+TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
+  using S = TypeParam;
+  const auto contacts = mixed_contacts<S>(4801);
+  ContactBatch<S> batch(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    batch.set(i, contacts[i]);
+  }
+  for (const InstructionSet set : available_instruction_sets()) {
+    for (const Model model : models) {
+      OutcomeBatch<S> outcomes(contacts.size());
+      solve(batch, model, outcomes, set);
+      std::size_t changed = 0;
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Outcome<S> alone = solved_alone(contacts[i], model);
+        ASSERT_TRUE(same_bits(outcomes.at(i), alone)) << name_of(set) << ' ' << name_of(model) << " contact " << i;
+        changed += same_bits(alone, unchanged(contacts[i])) ? 0 : 1;
+      }
+      EXPECT_GT(changed, contacts.size() / 2);
+    }
+  }
+}
+
+/// Arrays of `length` numbers in memory of their own, `offset` numbers into it, between numbers that must not change.
+template <class S>
+struct Guarded {
+  static constexpr S guard = S(12345);
+
+  Guarded(std::size_t arrays, std::size_t length_of_each, std::size_t begin)
+      : memory(arrays, std::vector<S>(length_of_each + begin + 32, guard)), length(length_of_each), offset(begin) {}
+
+  std::span<S> operator[](std::size_t k) { return std::span<S>(memory[k]).subspan(offset, length); }
+  [[nodiscard]] bool guards_stand() const {
+    for (const std::vector<S>& array : memory) {
+      for (std::size_t i = 0; i < array.size(); ++i) {
+        if ((i < offset || i >= offset + length) && array[i] != guard) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  std::vector<std::vector<S>> memory;
+  std::size_t length;
+  std::size_t offset;
+};
+
+TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
+  using S = TypeParam;
+  constexpr std::size_t widest = 64 / sizeof(S);
+  const auto contacts = mixed_contacts<S>(2 * widest + 1);
+  for (const InstructionSet set : available_instruction_sets()) {
+    for (const Model model : models) {
+      for (std::size_t length = 0; length <= contacts.size(); ++length) {
+        for (const std::size_t offset : {0, 1, 3, 8}) {
+          Guarded<S> in(contact_number_count, length, offset);
+          Guarded<S> out(outcome_number_count, length, offset + 1);
+          for (std::size_t i = 0; i < length; ++i) {
+            write_contact(contacts[i], [&](std::size_t k, const S& number) { in[k][i] = number; });
+          }
+          const auto arrays = detail::arrays_over<ContactArrays<S>>(in);
+          solve(read_only(arrays), model, detail::arrays_over<OutcomeArrays<S>>(out), set);
+          for (std::size_t i = 0; i < length; ++i) {
+            const auto outcome = outcome_of<S>([&](std::size_t k) { return out[k][i]; });
+            ASSERT_TRUE(same_bits(outcome, solved_alone(contacts[i], model)))
+                << name_of(set) << " length " << length << " offset " << offset << " contact " << i;
+          }
+          ASSERT_TRUE(in.guards_stand() && out.guards_stand()) << name_of(set) << " length " << length;
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
+  using S = TypeParam;
+  const auto contacts = mixed_contacts<S>(101);
+  for (const InstructionSet set : available_instruction_sets()) {
+    for (const Model model : models) {
+      ContactBatch<S> batch(contacts.size());
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        batch.set(i, contacts[i]);
+      }
+      const ContactArrays<S> arrays = batch.arrays();
+      solve(read_only(arrays), model,
+            {{arrays.a.velocity, arrays.a.angular_velocity}, {arrays.b.velocity, arrays.b.angular_velocity}}, set);
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        ASSERT_TRUE(same_bits(unchanged(batch.at(i)), solved_alone(contacts[i], model))) << name_of(set) << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(ContactBatch, GivesBackWhatWasSet) {
+  const auto contacts = mixed_contacts<double>(50);
+  ContactBatch<double> batch(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    batch.set(i, contacts[i]);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact<double> back = batch.at(i);
+    EXPECT_EQ(back.a.inverse_inertia, contacts[i].a.inverse_inertia) << i;
+    EXPECT_EQ(back.b.lever_arm, contacts[i].b.lever_arm) << i;
+    EXPECT_EQ(back.b.inverse_mass, contacts[i].b.inverse_mass) << i;
+    EXPECT_EQ(back.normal, contacts[i].normal) << i;
+    EXPECT_EQ(back.restitution, contacts[i].restitution) << i;
+  }
+}
+
+TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
+  for (const std::size_t size : {1, 7, 64, 1000}) {
+    ContactBatch<float> batch(size);
+    ContactArrays<float> arrays = batch.arrays();
+    for_each_array(arrays, [&](const std::span<float>& array) {
+      EXPECT_EQ(array.size(), size);
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % 64, 0U);
+    });
+  }
+}
+
+TEST(BatchErrors, AreThrown) {
+  ContactBatch<double> contacts(3);
+  OutcomeBatch<double> outcomes(3);
+  OutcomeBatch<double> shorter(2);
+  EXPECT_THROW(solve(contacts, Model::any, outcomes), std::invalid_argument);
+  EXPECT_THROW(solve(contacts, Model::reflection, shorter), std::invalid_argument);
+  for (const InstructionSet set : all_instruction_sets) {
+    if (!is_available(set)) {
+      EXPECT_THROW(solve(contacts, Model::reflection, outcomes, set), std::invalid_argument) << name_of(set);
+    }
+  }
+  EXPECT_TRUE(is_available(InstructionSet::baseline));
+  EXPECT_TRUE(is_available(best_instruction_set()));
+}
+
+}  // namespace
+}  // namespace carom::impulse

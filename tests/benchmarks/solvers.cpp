@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long the solvers take: solvers [--benchmark_…], about a minute. Every figure is the median of repetitions that
+// are interleaved with those of all others, and stands beside its ratio to a baseline of the same run.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <carom/impulse/batch.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+#include <carom/subjects/methods.hpp>
+
+#include "counted.hpp"
+#include "measurements.hpp"
+#include "peak.hpp"
+#include "workload.hpp"
+
+namespace {
+
+using namespace carom;
+using namespace carom::benchmarks;
+using impulse::InstructionSet;
+
+constexpr const char* baseline_method = "reflection-llt-double";
+constexpr std::size_t sizes[]{1, 2, 4, 8, 16, 64, 256, 1'000, 10'000, 100'000, out_of_cache};
+
+const std::vector<subjects::Method>& methods() {
+  static const std::vector<subjects::Method> all = subjects::methods();
+  return all;
+}
+
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> available;
+  std::ranges::copy_if(impulse::all_instruction_sets, std::back_inserter(available), impulse::is_available);
+  return available;
+}
+
+std::vector<unsigned> thread_counts() {
+  std::vector<unsigned> counts;
+  for (unsigned count = 1; count <= std::max(1U, std::thread::hardware_concurrency()); count *= 2) {
+    counts.push_back(count);
+  }
+  return counts;
+}
+
+std::string batch_name(const std::string& scalar, Model model, std::size_t size, InstructionSet set) {
+  return fmt::format("batch/{}/{}/{}/{}", name_of(model), scalar, size, name_of(set));
+}
+std::string triad_name(std::size_t size) { return fmt::format("triad/{}", size); }
+std::string threads_name(Model model, std::size_t size, unsigned threads) {
+  return fmt::format("threads/{}/{}/{}", name_of(model), size, threads);
+}
+std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
+
+constexpr Model models[]{Model::frictionless, Model::reflection};
+
+/// One workload for all who need one of that size.
+template <class S>
+Workload<S>& shared_workload(std::size_t size) {
+  static std::map<std::size_t, Workload<S>> workloads;
+  return workloads.try_emplace(size, size).first->second;
+}
+
+template <class S>
+void register_batch(const std::string& scalar, Model model, std::size_t size, InstructionSet set) {
+  benchmark::RegisterBenchmark(batch_name(scalar, model, size, set).c_str(), [=](benchmark::State& state) {
+    Workload<S>& workload = shared_workload<S>(size);
+    for (auto _ : state) {
+      impulse::solve(workload.contacts, model, workload.outcomes, set);
+      benchmark::ClobberMemory();
+    }
+  });
+}
+
+void register_methods() {
+  static const std::vector<Collision> collisions = colliding(in_cache);
+  for (const subjects::Method& method : methods()) {
+    benchmark::RegisterBenchmark(method.subject.name.c_str(), [&method](benchmark::State& state) {
+      const subjects::Kernel kernel = method.prepare(collisions);
+      for (auto _ : state) {
+        kernel();
+        benchmark::ClobberMemory();
+      }
+    });
+  }
+}
+
+void register_batches() {
+  for (const Model model : models) {
+    for (const InstructionSet set : instruction_sets()) {
+      register_batch<float>("float", model, in_cache, set);
+      register_batch<double>("double", model, in_cache, set);
+      register_batch<double>("double", model, out_of_cache, set);
+    }
+    for (const std::size_t size : sizes) {
+      if (size != in_cache && size != out_of_cache) {
+        register_batch<double>("double", model, size, impulse::best_instruction_set());
+      }
+    }
+  }
+  for (const std::size_t size : sizes) {
+    benchmark::RegisterBenchmark(triad_name(size).c_str(), [size](benchmark::State& state) {
+      for (auto _ : state) {
+        triad(shared_workload<double>(size));
+        benchmark::ClobberMemory();
+      }
+    });
+  }
+}
+
+/// Every thread has a batch of its own.
+void register_threads() {
+  for (const Model model : models) {
+    for (const std::size_t size : {in_cache, out_of_cache / 4}) {
+      for (const unsigned threads : thread_counts()) {
+        const auto measure = [=](benchmark::State& state) {
+          Workload<double> workload(size);
+          for (auto _ : state) {
+            impulse::solve(workload.contacts, model, workload.outcomes);
+            benchmark::ClobberMemory();
+          }
+        };
+        benchmark::RegisterBenchmark(threads_name(model, size, threads).c_str(), measure)
+            ->Threads(static_cast<int>(threads))
+            ->UseRealTime();
+      }
+    }
+  }
+}
+
+std::size_t multiply_and_add(InstructionSet set, double* sink) {
+#ifdef CAROM_BATCH_X86_64
+  if (set == InstructionSet::avx512) {
+    return avx512::multiply_and_add(sink);
+  }
+  if (set == InstructionSet::avx2) {
+    return avx2::multiply_and_add(sink);
+  }
+#endif
+  return set == InstructionSet::baseline ? baseline::multiply_and_add(sink) : 0;
+}
+
+void register_peaks() {
+  for (const InstructionSet set : instruction_sets()) {
+    benchmark::RegisterBenchmark(peak_name(set).c_str(), [set](benchmark::State& state) {
+      double sink[]{0.5, 1, 0};
+      for (auto _ : state) {
+        multiply_and_add(set, sink);
+        benchmark::DoNotOptimize(sink);
+      }
+    });
+  }
+}
+
+/// Operations for one colliding contact, by running the solver's text with a scalar that counts.
+Operations operations_of(Model model) {
+  const auto contact = colliding_batch<double>(1).at(0);
+  const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
+  const auto body = [&](const impulse::ContactBody<double>& b) {
+    return impulse::ContactBody<Counted>{b.inverse_mass, counted(b.inverse_inertia), counted(b.lever_arm),
+                                         counted(b.velocity), counted(b.angular_velocity)};
+  };
+  const impulse::Contact<Counted> posed{body(contact.a), body(contact.b), counted(contact.normal), contact.restitution};
+  Counted::operations = {};
+  if (model == Model::frictionless) {
+    static_cast<void>(impulse::frictionless(posed));
+  } else {
+    static_cast<void>(impulse::reflection<impulse::Ldlt>(posed));
+  }
+  return Counted::operations;
+}
+
+/// Nanoseconds a contact, of a measurement over so many.
+double per_contact(const Recorder& recorder, const std::string& name, std::size_t contacts) {
+  return recorder.at(name).median() / static_cast<double>(contacts);
+}
+
+double gigabytes_per_second(const Recorder& recorder, const std::string& name, std::size_t contacts,
+                            std::size_t bytes) {
+  return static_cast<double>(bytes) / per_contact(recorder, name, contacts);
+}
+
+void print_methods(const Recorder& recorder) {
+  if (!recorder.has(baseline_method)) {
+    return;
+  }
+  const double baseline = recorder.at(baseline_method).median();
+  fmt::print("\nEvery method, {} colliding contacts in cache, one thread\n", in_cache);
+  fmt::print("  {:<42} {:>11} {:>8} {:>22}\n", "method", "ns/contact", "spread", baseline_method + std::string(" = 1"));
+  for (const subjects::Method& method : methods()) {
+    const std::string& name = method.subject.name;
+    if (recorder.has(name)) {
+      fmt::print("  {:<42} {:>11.2f} {:>7.1f}% {:>22.3f}\n", name, per_contact(recorder, name, in_cache),
+                 100 * recorder.at(name).spread(), recorder.at(name).median() / baseline);
+    }
+  }
+}
+
+void print_instruction_sets(const Recorder& recorder) {
+  fmt::print("\nBatches by instruction set, {} contacts in cache\n", in_cache);
+  fmt::print("  {:<32} {:>11} {:>8} {:>22}\n", "batch", "ns/contact", "spread", baseline_method + std::string(" = 1"));
+  for (const Model model : models) {
+    for (const std::string scalar : {"float", "double"}) {
+      for (const InstructionSet set : instruction_sets()) {
+        const std::string name = batch_name(scalar, model, in_cache, set);
+        if (recorder.has(name) && recorder.has(baseline_method)) {
+          fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>22.3f}\n",
+                     fmt::format("{} {} {}", name_of(model), scalar, name_of(set)),
+                     per_contact(recorder, name, in_cache), 100 * recorder.at(name).spread(),
+                     recorder.at(name).median() / recorder.at(baseline_method).median());
+        }
+      }
+    }
+  }
+}
+
+void print_sizes(const Recorder& recorder) {
+  fmt::print("\nBatches in double by number of contacts, {}\n", name_of(impulse::best_instruction_set()));
+  fmt::print("  {:>9} {:>13} {:>6} {:>9} {:>13} {:>6} {:>9} {:>12}\n", "contacts", "frictionless", "GB/s", "triad = 1",
+             "reflection", "GB/s", "triad = 1", "triad GB/s");
+  for (const std::size_t size : sizes) {
+    if (!recorder.has(triad_name(size))) {
+      continue;
+    }
+    const double triad = gigabytes_per_second(recorder, triad_name(size), size, triad_bytes_of_contact);
+    std::string line = fmt::format("  {:>9}", size);
+    for (const Model model : models) {
+      const std::string name = batch_name("double", model, size, impulse::best_instruction_set());
+      if (recorder.has(name)) {
+        const double rate = gigabytes_per_second(recorder, name, size, bytes_of_contact<double>);
+        line += fmt::format(" {:>10.2f} ns {:>6.1f} {:>9.2f}", per_contact(recorder, name, size), rate, rate / triad);
+      }
+    }
+    fmt::print("{} {:>12.1f}\n", line, triad);
+  }
+}
+
+void print_threads(const Recorder& recorder) {
+  fmt::print("\nThreads over batches of their own, double, ns a contact of any thread and ratio to one thread\n");
+  for (const Model model : models) {
+    for (const std::size_t size : {in_cache, out_of_cache / 4}) {
+      std::string line = fmt::format("  {:<13} {:>7} contacts each:", name_of(model), size);
+      for (const unsigned threads : thread_counts()) {
+        const std::string name = threads_name(model, size, threads);
+        if (recorder.has(name) && recorder.has(threads_name(model, size, 1))) {
+          line += fmt::format("  {} thread{} {:.2f} ns ({:.2f})", threads, threads == 1 ? "" : "s",
+                              per_contact(recorder, name, size),
+                              recorder.at(threads_name(model, size, 1)).median() / recorder.at(name).median());
+        }
+      }
+      fmt::print("{}\n", line);
+    }
+  }
+}
+
+/// Gigaflops of the multiply-and-add loop.
+double peak(const Recorder& recorder, InstructionSet set) {
+  double sink[]{0.5, 1, 0};
+  return static_cast<double>(multiply_and_add(set, sink)) / recorder.at(peak_name(set)).median();
+}
+
+void print_roofline(const Recorder& recorder) {
+  const InstructionSet best = impulse::best_instruction_set();
+  if (!recorder.has(triad_name(out_of_cache)) || !recorder.has(peak_name(best))) {
+    return;
+  }
+  const double bandwidth =
+      gigabytes_per_second(recorder, triad_name(out_of_cache), out_of_cache, triad_bytes_of_contact);
+  fmt::print("\nRoofline, one thread, double. Memory: {:.1f} GB/s (triad, {} contacts). Arithmetic, measured:",
+             bandwidth, out_of_cache);
+  for (const InstructionSet set : instruction_sets()) {
+    fmt::print(" {} {:.1f}", name_of(set), peak(recorder, set));
+  }
+  fmt::print(" Gflop/s (multiply, add; not fused)\n");
+  for (const Model model : models) {
+    const Operations operations = operations_of(model);
+    const double intensity = static_cast<double>(operations.all()) / static_cast<double>(bytes_of_contact<double>);
+    const double roof = std::min(peak(recorder, best), intensity * bandwidth);
+    fmt::print("  {:<13} {} flop a contact ({} +, {} ×, {} ÷), {} bytes, {:.2f} flop/byte\n", name_of(model),
+               operations.all(), operations.additions, operations.multiplications, operations.divisions,
+               bytes_of_contact<double>, intensity);
+    const auto reached = [&](std::size_t size) {
+      return static_cast<double>(operations.all()) /
+             per_contact(recorder, batch_name("double", model, size, best), size);
+    };
+    if (recorder.has(batch_name("double", model, in_cache, best))) {
+      fmt::print("    in cache:     {:>6.1f} Gflop/s, {:.0f} % of the arithmetic roof ({:.1f})\n", reached(in_cache),
+                 100 * reached(in_cache) / peak(recorder, best), peak(recorder, best));
+    }
+    if (recorder.has(batch_name("double", model, out_of_cache, best))) {
+      fmt::print("    out of cache: {:>6.1f} Gflop/s, {:.0f} % of the roof ({:.1f}, {})\n", reached(out_of_cache),
+                 100 * reached(out_of_cache) / roof, roof,
+                 roof < peak(recorder, best) ? "bound by memory" : "bound by arithmetic");
+    }
+  }
+}
+
+void print_goals(const Recorder& recorder) {
+  const InstructionSet best = impulse::best_instruction_set();
+  const std::string cached = batch_name("double", Model::reflection, in_cache, best);
+  fmt::print("\nGoals\n");
+  if (recorder.has(cached) && recorder.has(baseline_method)) {
+    const double ratio = recorder.at(cached).median() / recorder.at(baseline_method).median();
+    fmt::print("  reflection in double, in cache: 1/{:.1f} of {}; goal at most 1/8: {}\n", 1 / ratio, baseline_method,
+               ratio <= 1.0 / 8 ? "reached" : "not reached");
+  }
+  for (const Model model : models) {
+    const std::string streamed = batch_name("double", model, out_of_cache, best);
+    if (recorder.has(streamed) && recorder.has(triad_name(out_of_cache))) {
+      const double share =
+          gigabytes_per_second(recorder, streamed, out_of_cache, bytes_of_contact<double>) /
+          gigabytes_per_second(recorder, triad_name(out_of_cache), out_of_cache, triad_bytes_of_contact);
+      fmt::print("  {} in double, out of cache: {:.0f} % of the bytes a second of the triad; goal at least 70 %: {}\n",
+                 name_of(model), 100 * share, share >= 0.7 ? "reached" : "not reached");
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Defaults; what is said on the command line comes later and wins.
+  std::vector<std::string> words{argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.02",
+                                 "--benchmark_enable_random_interleaving=true"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) {
+    return 2;
+  }
+  register_methods();
+  register_batches();
+  register_threads();
+  register_peaks();
+  Recorder recorder;
+  benchmark::RunSpecifiedBenchmarks(&recorder);
+  print_methods(recorder);
+  print_instruction_sets(recorder);
+  print_sizes(recorder);
+  print_threads(recorder);
+  print_roofline(recorder);
+  print_goals(recorder);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workload.hpp"
+
+#include <span>
+#include <utility>
+
+#include <carom/properties/families/family.hpp>
+
+namespace carom::benchmarks {
+
+std::vector<Collision> colliding(std::size_t count) {
+  const properties::Family& family = *properties::family_named("physical");
+  std::vector<Collision> collisions;
+  for (std::uint64_t i = 0; collisions.size() < count; ++i) {
+    properties::Stream stream = properties::case_stream(1, family.name, i);
+    const Collision collision = family.generate(stream).collision;
+    const auto contact = impulse::make_contact<double>(collision);
+    if (is_colliding(contact, impulse::dot(contact.normal, relative_velocity(contact)))) {
+      collisions.push_back(collision);
+    }
+  }
+  return collisions;
+}
+
+void triad(Workload<double>& workload) {
+  std::vector<std::span<const double>> from;
+  auto contacts = std::as_const(workload.contacts).arrays();
+  impulse::for_each_array(contacts, [&](const std::span<const double>& array) { from.push_back(array); });
+  std::size_t k = 0;
+  auto outcomes = workload.outcomes.arrays();
+  impulse::for_each_array(outcomes, [&](const std::span<double>& array) {
+    const double* x = from[2 * k].data();
+    const double* y = from[2 * k + 1].data();
+    double* z = array.data();
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      z[i] = x[i] + 3 * y[i];
+    }
+    ++k;
+  });
+}
+
+}  // namespace carom::benchmarks
