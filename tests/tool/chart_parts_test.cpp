@@ -99,7 +99,7 @@ TEST(ChartParts, LabelsDoNotCoverEachOther) {
   }
 }
 
-TEST(ChartParts, TextIsQuotedForGnuplot) { EXPECT_EQ(quoted("a\"b\\c"), "\"a\\\"b\\\\c\""); }
+TEST(ChartParts, TextIsQuotedForGnuplot) { EXPECT_EQ(gnuplot_text("a\"b\\c"), "\"a\\\"b\\\\c\""); }
 
 }  // namespace
 }  // namespace carom::tool::chart

@@ -97,8 +97,8 @@ void Picture::begin(const Panel& panel, std::string_view title, std::string_view
                          letter, axis.low, axis.high);
     text_ += fmt::format("set format {} \"{}\"\n", letter, axis.logarithmic ? "%.0e" : "%g");
   }
-  text_ += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nunset label\nunset arrow\n", quoted(title),
-                       quoted(x_name), quoted(y_name));
+  text_ += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nunset label\nunset arrow\n", gnuplot_text(title),
+                       gnuplot_text(x_name), gnuplot_text(y_name));
 }
 
 void Picture::add(std::string_view command) {
@@ -107,7 +107,7 @@ void Picture::add(std::string_view command) {
 }
 
 void Picture::write(std::string_view text, Place at, std::string_view colour, std::string_view align, double size) {
-  text_ += fmt::format("set label {} at screen {:.6f},{:.6f} {} front tc rgb '{}' font ',{:.1f}'\n", quoted(text),
+  text_ += fmt::format("set label {} at screen {:.6f},{:.6f} {} front tc rgb '{}' font ',{:.1f}'\n", gnuplot_text(text),
                        at.x / width_, at.y / height_, align, colour, size * font_size_);
 }
 
@@ -120,7 +120,7 @@ void Picture::write(const std::vector<Label>& labels, double letter) {
                            label.colour);
     }
     text_ += fmt::format("set label {} at screen {:.6f},{:.6f} center front boxed tc rgb '{}' font ',{:.1f}'\n",
-                         quoted(label.text), label.at.x / width_, label.at.y / height_, label.colour, letter);
+                         gnuplot_text(label.text), label.at.x / width_, label.at.y / height_, label.colour, letter);
   }
 }
 
@@ -189,7 +189,7 @@ std::string power_tics(const Axis& axis, char letter) {
   return fmt::format("set {}tics ({})", letter, tics);
 }
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_text(std::string_view text) {
   std::string result = "\"";
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') {

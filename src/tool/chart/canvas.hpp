@@ -106,6 +106,6 @@ inline constexpr std::string_view grey = "#999999";
 [[nodiscard]] std::string power_tics(const Axis& axis, char letter);
 
 /// A text as gnuplot reads it between double quotes.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string gnuplot_text(std::string_view text);
 
 }  // namespace carom::tool::chart
