@@ -43,15 +43,16 @@ template <class S>
 /// equals Bᵀ K B where the basis is orthonormal, and takes for granted that it is.
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
-  Matrix3<S> c = Matrix3<S>::Identity() * (contact.a.inverse_mass + contact.b.inverse_mass);
-  for (const ContactBody<S>* body : {&contact.a, &contact.b}) {
+  const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
     Matrix3<S> q;
     for (int i = 0; i < 3; ++i) {
-      q.col(i) = body->lever_arm.cross(basis.col(i));
+      q.col(i) = body.lever_arm.cross(basis.col(i));
     }
-    c += q.transpose() * body->inverse_inertia * q;
-  }
-  return c;
+    return q.transpose() * body.inverse_inertia * q;
+  };
+  const S inverse_mass = contact.a.inverse_mass + contact.b.inverse_mass;
+  // A and B enter alike, so that calling them the other way round changes no bit.
+  return Matrix3<S>::Identity() * inverse_mass + (of_body(contact.a) + of_body(contact.b));
 }
 
 /// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25.

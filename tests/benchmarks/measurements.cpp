@@ -30,8 +30,12 @@ bool Recorder::ReportContext(const Context&) { return true; }
 void Recorder::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
-      // The name without what Google Benchmark adds to it. Where there are threads the iterations are those of all.
-      measurements_[run.run_name.function_name].nanoseconds.push_back(run.real_accumulated_time * 1e9 /
+      // Time on the processor does not count what other programs take of it. Where the clock on the wall is asked for,
+      // for threads, the iterations are those of all of them.
+      const bool by_the_wall = run.run_name.time_type == "real_time";
+      const double seconds = by_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time;
+      // The name without what Google Benchmark adds to it.
+      measurements_[run.run_name.function_name].nanoseconds.push_back(seconds * 1e9 /
                                                                       static_cast<double>(run.iterations));
     }
   }

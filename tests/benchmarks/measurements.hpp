@@ -12,7 +12,7 @@ namespace carom::benchmarks {
 /// Repeated measurements of one thing, of which the median stands for it: interleaved with all others, it forgives a
 /// machine that is busy for less than half of the repetitions.
 struct Measurement {
-  std::vector<double> nanoseconds;  // an iteration of any thread, by the clock on the wall
+  std::vector<double> nanoseconds;  // an iteration of any thread
 
   [[nodiscard]] double median() const;
   /// Half the distance between the quartiles over the median.

@@ -33,6 +33,7 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PAT
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/solve)
+run(${WORK}/build/batch)
 run(${WORK}/build/judge)
 run(${WORK}/installed/bin/carom subjects)
 
