@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "canvas.hpp"
+#include "chart/canvas.hpp"
 
 #include <algorithm>
 #include <array>

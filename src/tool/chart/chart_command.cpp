@@ -8,14 +8,14 @@
 #include <carom/oracles/yardstick.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "../commands.hpp"
-#include "../output_file.hpp"
-#include "../progress.hpp"
-#include "diagrams.hpp"
-#include "exactness.hpp"
-#include "gnuplot.hpp"
-#include "records.hpp"
-#include "timing.hpp"
+#include "chart/chart_records.hpp"
+#include "chart/diagrams.hpp"
+#include "chart/exactness.hpp"
+#include "chart/gnuplot.hpp"
+#include "chart/timing.hpp"
+#include "commands.hpp"
+#include "output_file.hpp"
+#include "progress.hpp"
 
 namespace carom::tool {
 namespace {

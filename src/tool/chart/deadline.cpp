@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "diagrams.hpp"
+#include "chart/diagrams.hpp"
 
 namespace carom::tool::chart {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "canvas.hpp"
-#include "measurement.hpp"
+#include "chart/canvas.hpp"
+#include "chart/measurement.hpp"
 
 /// The pictures of `carom chart`. In all of them a method has the same number, its place in the list of its model.
 namespace carom::tool::chart {

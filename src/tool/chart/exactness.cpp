@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exactness.hpp"
+#include "chart/exactness.hpp"
 
 #include <atomic>
 #include <limits>

@@ -9,7 +9,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/families/sweep.hpp>
 
-#include "measurement.hpp"
+#include "chart/measurement.hpp"
 
 namespace carom::tool::chart {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gnuplot.hpp"
+#include "chart/gnuplot.hpp"
 
 #include <fmt/format.h>
 
 #include <carom/subjects/protocol/child.hpp>
 
-#include "../commands.hpp"
-#include "../output_file.hpp"
+#include "commands.hpp"
+#include "output_file.hpp"
 
 namespace carom::tool::chart {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "canvas.hpp"
+#include "chart/canvas.hpp"
 
 namespace carom::tool::chart {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measurement.hpp"
+#include "chart/measurement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "timing.hpp"
+#include "chart/timing.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 
 #include <carom/collision/collision.hpp>
 
-#include "measurement.hpp"
+#include "chart/measurement.hpp"
 
 namespace carom::tool::chart {
 

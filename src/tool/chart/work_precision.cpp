@@ -7,7 +7,7 @@
 
 #include <carom/oracles/yardstick.hpp>
 
-#include "diagrams.hpp"
+#include "chart/diagrams.hpp"
 
 namespace carom::tool::chart {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records.hpp"
+#include "chart/chart_records.hpp"
 
 #include <fmt/format.h>
 
 #include <carom/collision/json.hpp>
 
-#include "diagrams.hpp"
+#include "chart/diagrams.hpp"
 
 namespace carom::tool::chart {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../environment.hpp"
-#include "measurement.hpp"
+#include "chart/measurement.hpp"
+#include "environment.hpp"
 
 /// What `carom chart` writes beside the pictures.
 namespace carom::tool::chart {
