@@ -26,7 +26,7 @@ struct CacheLineAllocator {
   [[nodiscard]] S* allocate(std::size_t n) {
     return static_cast<S*>(::operator new (n * sizeof(S), std::align_val_t{cache_line}));
   }
-  void deallocate(S* memory, std::size_t n) { ::operator delete (memory, n * sizeof(S), std::align_val_t{cache_line}); }
+  void deallocate(S* memory, std::size_t) { ::operator delete (memory, std::align_val_t{cache_line}); }
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 

@@ -4,6 +4,10 @@
 #include <Eigen/Core>
 #include <experimental/simd>
 
+#if defined(__clang__) && defined(__AVX512F__)
+#error "Compiled by clang 14 for AVX-512, where(mask, x) = y of libstdc++ 12 assigns nothing: use -mno-avx512f, or gcc"
+#endif
+
 /// Packs of numbers, one contact a lane, as the scalar type of the solvers.
 namespace carom::impulse {
 

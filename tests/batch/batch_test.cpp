@@ -136,7 +136,7 @@ TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
   for (const InstructionSet set : available_instruction_sets()) {
     for (const Model model : models) {
       for (std::size_t length = 0; length <= contacts.size(); ++length) {
-        for (const std::size_t offset : {0, 1, 3, 8}) {
+        for (const std::size_t offset : {0U, 1U, 3U, 8U}) {
           Guarded<S> in(contact_number_count, length, offset);
           Guarded<S> out(outcome_number_count, length, offset + 1);
           for (std::size_t i = 0; i < length; ++i) {
@@ -192,7 +192,7 @@ TEST(ContactBatch, GivesBackWhatWasSet) {
 }
 
 TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
-  for (const std::size_t size : {1, 7, 64, 1000}) {
+  for (const std::size_t size : {1U, 7U, 64U, 1000U}) {
     ContactBatch<float> batch(size);
     ContactArrays<float> arrays = batch.arrays();
     for_each_array(arrays, [&](const std::span<float>& array) {

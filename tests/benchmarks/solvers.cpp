@@ -134,10 +134,12 @@ void register_threads() {
 }
 
 std::size_t multiply_and_add(InstructionSet set, double* sink) {
-#ifdef CAROM_BATCH_X86_64
+#ifdef CAROM_BATCH_HAS_avx512
   if (set == InstructionSet::avx512) {
     return avx512::multiply_and_add(sink);
   }
+#endif
+#ifdef CAROM_BATCH_HAS_avx2
   if (set == InstructionSet::avx2) {
     return avx2::multiply_and_add(sink);
   }

@@ -214,8 +214,8 @@ Collision as_upright_spheres(Collision c) {
 
 class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 
-/// What is left for the frictionless law of unturned spheres is the dot product, which Eigen adds as x + (y + z), or as
-/// (x + y) + z where two numbers fit a register: one pair of axes may be exchanged, which one depends on the machine.
+/// What is left for the frictionless law of unturned spheres is the dot product, which is added as (x + y) + z
+/// (products.hpp): x and y may be exchanged.
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);

@@ -33,10 +33,12 @@ struct Kernels {
 
 template <class S>
 Kernels<S> kernels_for([[maybe_unused]] InstructionSet set) {
-#ifdef CAROM_BATCH_X86_64
+#ifdef CAROM_BATCH_HAS_avx512
   if (set == InstructionSet::avx512) {
     return {avx512::solve_frictionless, avx512::solve_reflection};
   }
+#endif
+#ifdef CAROM_BATCH_HAS_avx2
   if (set == InstructionSet::avx2) {
     return {avx2::solve_frictionless, avx2::solve_reflection};
   }
@@ -63,20 +65,18 @@ void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
 }  // namespace
 
 bool is_available(InstructionSet set) {
-#ifdef CAROM_BATCH_X86_64
-  switch (set) {
-    case InstructionSet::avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case InstructionSet::avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
-    case InstructionSet::baseline:
-      break;
+#ifdef CAROM_BATCH_HAS_avx512
+  if (set == InstructionSet::avx512) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
   }
-  return true;
-#else
-  return set == InstructionSet::baseline;
 #endif
+#ifdef CAROM_BATCH_HAS_avx2
+  if (set == InstructionSet::avx2) {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  }
+#endif
+  return set == InstructionSet::baseline;
 }
 
 InstructionSet best_instruction_set() {
