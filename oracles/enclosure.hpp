@@ -150,8 +150,9 @@ class Enclosure {
 
   /// The sum, product or quotient z with the rounding of double-double and of the radius itself added to the radius.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    const double bound = radius * one_and_a_bit + std::abs(z.high) * rounding + absolute;
-    if (!std::isfinite(z.high) || !std::isfinite(z.low) || !std::isfinite(bound)) {
+    // Whatever is infinite or no number makes the bound so; hence the lower part, which adds next to nothing.
+    const double bound = radius * one_and_a_bit + (std::abs(z.high) + std::abs(z.low)) * rounding + absolute;
+    if (!(bound < infinity)) {
       return {0, 0, infinity};
     }
     return {z.high, z.low, bound};

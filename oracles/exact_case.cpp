@@ -2,11 +2,13 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <carom/oracles/definiteness.hpp>
 #include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
+#include <carom/oracles/moderate.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -35,11 +37,11 @@ void require_equal(const Sides<Rational, N>& sides, const char* equation) {
   }
 }
 
-/// Whether a vector is zero: not where an enclosure excludes it, else exactly.
+/// Whether a vector is zero: not where an approximation excludes it, else exactly.
 template <class Exactly>
-bool is_zero(const Vector3<Enclosure>& enclosed, const Exactly& exactly) {
+bool is_zero(const Vector3<Approximation>& approximate, const Exactly& exactly) {
   for (int i = 0; i < 3; ++i) {
-    if (enclosed[i].sign().value_or(0) != 0) {
+    if (approximate[i].sign().value_or(0) != 0) {
       return false;
     }
   }
@@ -126,21 +128,51 @@ void certify(const BasicCollision<Rational>& collision, Model model, Approach ap
   }
 }
 
-ExactCase::ExactCase(const Collision& collision)
-    : collision_(collision),
-      enclosed_(map_numbers<Enclosure>(collision, [](double number) { return Enclosure(number); })) {
-  if (collision.a.immovable && collision.b.immovable) {
-    return;
+ExactCase::ExactCase(const Collision& collision) : collision_(collision) {}
+
+const BasicCollision<Enclosure>& ExactCase::enclosed() const {
+  if (!enclosed_) {
+    enclosed_ = map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); });
   }
-  const Enclosure normal_velocity = normal_velocity_before(enclosed_);
-  if (const std::optional<int> sign = normal_velocity.sign()) {
-    normal_velocity_ = normal_velocity.middle();
-    approach_ = approach_of_sign(*sign);
-  } else {
-    const Rational exactly = normal_velocity_before(exact());
-    normal_velocity_ = to_double(exactly);
-    approach_ = approach_of_sign(sign_of(exactly));
+  return *enclosed_;
+}
+
+const BasicCollision<Approximation>& ExactCase::approximate() const {
+  if (!approximate_) {
+    approximate_ = map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); });
   }
+  return *approximate_;
+}
+
+bool ExactCase::is_moderate() const {
+  if (!is_moderate_) {
+    is_moderate_ = oracles::is_moderate(collision_);
+  }
+  return *is_moderate_;
+}
+
+const std::array<double, 4>& ExactCase::norms_before() const {
+  if (!norms_before_) {
+    norms_before_ = oracles::norms_before(collision_);
+  }
+  return *norms_before_;
+}
+
+const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
+  if (!normal_velocity_) {
+    const Approximation approximately = normal_velocity_before(approximate());
+    if (const std::optional<int> sign = approximately.sign()) {
+      normal_velocity_ = {approximately.middle(), *sign};
+    } else {
+      const Rational exactly = normal_velocity_before(exact());
+      normal_velocity_ = {to_double(exactly), sign_of(exactly)};
+    }
+  }
+  return *normal_velocity_;
+}
+
+Approach ExactCase::approach() const {
+  return collision_.a.immovable && collision_.b.immovable ? Approach::inert : approach_of_sign(normal_velocity().sign);
 }
 
 const BasicCollision<Rational>& ExactCase::exact() const {
@@ -151,7 +183,7 @@ const BasicCollision<Rational>& ExactCase::exact() const {
 }
 
 bool ExactCase::is_grazing(double allowance) const {
-  if (approach_ == Approach::inert) {
+  if (approach() == Approach::inert) {
     return false;
   }
   if (!normal_velocity_sensitivity_) {
@@ -159,46 +191,59 @@ bool ExactCase::is_grazing(double allowance) const {
     const auto velocity = normal_velocity_before(inputs.collision);
     normal_velocity_sensitivity_ = sensitivity_of({&velocity}, inputs.magnitude);
   }
-  return std::abs(normal_velocity_) <= allowance * *normal_velocity_sensitivity_;
+  return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
 
 const Truth<Rational>& ExactCase::truth(Model model) const {
-  const auto known = truth_.find(model);
-  if (known != truth_.end()) {
-    return known->second;
+  std::optional<Truth<Rational>>& known = of(model).truth;
+  if (!known) {
+    Truth<Rational> truth = truth_of(exact(), model, approach());
+    certify(exact(), model, approach(), truth.outcome);
+    known = std::move(truth);
   }
-  const Truth<Rational> truth = truth_of(exact(), model, approach_);
-  certify(exact(), model, approach_, truth.outcome);
-  return truth_.emplace(model, truth).first->second;
+  return *known;
 }
 
 const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
-  const auto known = enclosed_truth_.find(model);
-  if (known != enclosed_truth_.end()) {
-    return known->second;
+  std::optional<Truth<Enclosure>>& known = of(model).enclosed_truth;
+  if (!known) {
+    known = truth_of(enclosed(), model, approach());
   }
-  return enclosed_truth_.emplace(model, truth_of(enclosed_, model, approach_)).first->second;
+  return *known;
+}
+
+const Truth<Approximation>& ExactCase::approximate_truth(Model model) const {
+  std::optional<Truth<Approximation>>& known = of(model).approximate_truth;
+  if (!known) {
+    known = truth_of(approximate(), model, approach());
+  }
+  return *known;
+}
+
+const Sensitivity& ExactCase::unchanged_sensitivity() const {
+  if (!unchanged_sensitivity_) {
+    unchanged_sensitivity_ = norms_before();
+    const Outcome<double> outcome = unchanged(collision_);
+    const auto parts = vectors(outcome);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      (*unchanged_sensitivity_)[k] += parts[k]->lpNorm<1>();
+    }
+  }
+  return *unchanged_sensitivity_;
 }
 
 const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
-  if (approach_ != Approach::colliding && !is_grazing(allowance)) {
-    if (!unchanged_sensitivity_) {
-      unchanged_sensitivity_ = norms_before(collision_);
-      const Outcome<double> outcome = unchanged(collision_);
-      const auto parts = vectors(outcome);
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        (*unchanged_sensitivity_)[k] += parts[k]->lpNorm<1>();
-      }
-    }
-    return *unchanged_sensitivity_;
+  if (approach() != Approach::colliding && !is_grazing(allowance)) {
+    return unchanged_sensitivity();
   }
-  const auto known = colliding_sensitivity_.find(model);
-  if (known != colliding_sensitivity_.end()) {
-    return known->second;
+  std::optional<Sensitivity>& known = of(model).colliding_sensitivity;
+  if (known) {
+    return *known;
   }
   // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  const bool in_double = model == Model::frictionless || condition_bound(response_matrix(enclosed_)) < well_conditioned;
+  const bool in_double =
+      model == Model::frictionless || condition_bound(response_matrix(enclosed())) < well_conditioned;
   Sensitivity result{};
   if (in_double) {
     result = colliding_sensitivity<double>(collision_, model, [](double x) { return x; });
@@ -210,18 +255,29 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   if (!usable) {
     result = colliding_sensitivity<Rational>(collision_, model, [](double x) { return Rational(x); });
   }
-  return colliding_sensitivity_.emplace(model, result).first->second;
+  known = result;
+  return *known;
 }
 
-Sensitivity ExactCase::sensitivity_below(Model model) const {
-  Sensitivity result{};
-  const Outcome<Enclosure>& outcome = enclosed_truth(model).outcome;
-  const auto parts = vectors(outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Vector3<Enclosure>& y = *parts[k];
-    result[k] = std::hypot(y[0].magnitude_below(), y[1].magnitude_below(), y[2].magnitude_below()) / 2;
+const Sensitivity& ExactCase::sensitivity_below(Model model) const {
+  std::optional<Sensitivity>& known = of(model).sensitivity_below;
+  if (known) {
+    return *known;
   }
-  return result;
+  known = norms_before();
+  if (approach() == Approach::colliding) {
+    const Outcome<Approximation>& outcome = approximate_truth(model).outcome;
+    const auto parts = vectors(outcome);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Vector3<Approximation>& y = *parts[k];
+      const double half =
+          std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
+                    y[2].magnitude_below() * y[2].magnitude_below()) /
+          2;
+      (*known)[k] += std::isfinite(half) ? half * (1 - 0x1p-40) : 0;  // three squares, two sums and a root
+    }
+  }
+  return *known;
 }
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
@@ -244,7 +300,7 @@ double ExactCase::collision_matrix_sensitivity() const {
 bool ExactCase::is_definite() const {
   if (!is_definite_) {
     is_definite_ = is_positive_semidefinite(
-        less_multiple_of_identity<Enclosure>(response_matrix(enclosed_), Enclosure(inverse_mass())));
+        less_multiple_of_identity<Enclosure>(response_matrix(enclosed()), Enclosure(inverse_mass())));
     if (!is_definite_) {
       is_definite_ = is_at_least(collision_matrix(), inverse_mass());
     }
@@ -253,25 +309,27 @@ bool ExactCase::is_definite() const {
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
-  const Matrix3<Enclosure> enclosed = response_matrix(enclosed_);
+  const Matrix3<Enclosure> matrix = response_matrix(enclosed());
   const std::optional<bool> decided =
-      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-enclosed, Enclosure(Rational(-bound))));
+      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-matrix, Enclosure(Rational(-bound))));
   return decided ? *decided : is_at_most(collision_matrix(), bound);
 }
 
 bool ExactCase::is_collinear() const {
-  const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const auto& exact_body) {
-    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal),
-                                         [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
+  const BasicCollision<Approximation>& near = approximate();
+  const auto is_along_normal = [&](const BasicBody<Approximation>& body, const auto& exact_body) {
+    return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
+                                     [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
   };
   return is_along_normal(
-             enclosed_.a, [&]() -> const auto& { return exact().a; }) &&
+             near.a, [&]() -> const auto& { return exact().a; }) &&
          is_along_normal(
-             enclosed_.b, [&]() -> const auto& { return exact().b; });
+             near.b, [&]() -> const auto& { return exact().b; });
 }
 
 bool ExactCase::is_head_on() const {
-  return is_zero(enclosed_.normal.cross(relative_velocity<Enclosure>(enclosed_, unchanged(enclosed_))),
+  const BasicCollision<Approximation>& near = approximate();
+  return is_zero(near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))),
                  [&] { return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact()))); });
 }
 

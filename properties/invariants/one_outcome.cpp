@@ -10,6 +10,7 @@
 namespace carom::properties {
 namespace {
 
+using oracles::AffineLaw;
 using oracles::Approach;
 using oracles::compare;
 using oracles::Rational;
@@ -21,8 +22,9 @@ bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::i
 
 /// The verdict of one law of laws.hpp.
 template <class Law>
-Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law) {
-  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick), what);
+Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law,
+                  std::optional<AffineLaw> name = std::nullopt) {
+  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick, name), what);
 }
 
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
@@ -38,8 +40,10 @@ const BodyVelocity<T>& motion_of(const Outcome<T>& outcome, bool a) {
 }
 
 Verdict untouched_body(const Evidence& e, bool a) {
-  return law_holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
-                   [a](const auto& c, const auto& y) { return oracles::untouched(body_of(c, a), motion_of(y, a)); });
+  return law_holds(
+      e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
+      [a](const auto& c, const auto& y) { return oracles::untouched(body_of(c, a), motion_of(y, a)); },
+      a ? AffineLaw::untouched_a : AffineLaw::untouched_b);
 }
 
 /// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
@@ -50,8 +54,8 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
     return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.allowance() * sensitivity[k], e.yardstick.filtered,
-                       fmt::format("{}, after and before", outcome_vector_names[k]));
+                       e.allowance() * sensitivity[k], e.yardstick.filtered, outcome_vector_names[k],
+                       "after and before");
 }
 
 }  // namespace
@@ -93,8 +97,9 @@ Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
     return outside_domain("a body is immovable");
   }
-  return law_holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B",
-                   [](const auto& c, const auto& y) { return oracles::linear_momentum(c, y); });
+  return law_holds(
+      e, Relation::equal, "m_A Δv_A and −m_B Δv_B",
+      [](const auto& c, const auto& y) { return oracles::linear_momentum(c, y); }, AffineLaw::linear_momentum);
 }
 
 Verdict check_angular_momentum(const Evidence& e) {
@@ -102,16 +107,20 @@ Verdict check_angular_momentum(const Evidence& e) {
   for (const bool a : {true, false}) {
     if (!body(e, a).immovable) {
       worst = both(std::move(worst),
-                   law_holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
-                             [a](const auto& c, const auto& y) {
-                               return oracles::angular_momentum(body_of(c, a), c.point, motion_of(y, a));
-                             }));
+                   law_holds(
+                       e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
+                       [a](const auto& c, const auto& y) {
+                         return oracles::angular_momentum(body_of(c, a), c.point, motion_of(y, a));
+                       },
+                       a ? AffineLaw::angular_momentum_of_a : AffineLaw::angular_momentum_of_b));
     }
   }
   if (!body(e, true).immovable && !body(e, false).immovable) {
-    worst = both(std::move(worst),
-                 law_holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
-                           [](const auto& c, const auto& y) { return oracles::total_angular_momentum(c, y); }));
+    worst =
+        both(std::move(worst), law_holds(
+                                   e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
+                                   [](const auto& c, const auto& y) { return oracles::total_angular_momentum(c, y); },
+                                   AffineLaw::total_angular_momentum));
   }
   return worst;
 }
@@ -120,16 +129,18 @@ Verdict check_restitution(const Evidence& e) {
   if (!collides(e)) {
     return outside_domain("the contact is not colliding");
   }
-  return law_holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻",
-                   [](const auto& c, const auto& y) { return oracles::restitution(c, y); });
+  return law_holds(
+      e, Relation::equal, "N·V⁺ and −ε N·V⁻", [](const auto& c, const auto& y) { return oracles::restitution(c, y); },
+      AffineLaw::restitution);
 }
 
 Verdict check_non_penetration(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(e, Relation::at_least, "N·V⁺ and 0",
-                   [](const auto& c, const auto& y) { return oracles::non_penetration(c, y); });
+  return law_holds(
+      e, Relation::at_least, "N·V⁺ and 0", [](const auto& c, const auto& y) { return oracles::non_penetration(c, y); },
+      AffineLaw::non_penetration);
 }
 
 Verdict check_push(const Evidence& e) {
@@ -137,8 +148,9 @@ Verdict check_push(const Evidence& e) {
     return outside_domain("both bodies are immovable");
   }
   const bool off_a = e.exact_case.reads_impulse_off_a();
-  Verdict verdict = law_holds(e, Relation::at_least, "N·F and 0",
-                              [off_a](const auto& c, const auto& y) { return oracles::push(c, y, off_a); });
+  Verdict verdict = law_holds(
+      e, Relation::at_least, "N·F and 0", [off_a](const auto& c, const auto& y) { return oracles::push(c, y, off_a); },
+      AffineLaw::push);
   // A residual over the outputs alone knows nothing of the inputs' rounding, which decides the sign of N·V⁻ there.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
@@ -186,16 +198,19 @@ Verdict check_frictionless_direction(const Evidence& e) {
     return outside_domain("both bodies are immovable");
   }
   const bool off_a = e.exact_case.reads_impulse_off_a();
-  return law_holds(e, Relation::equal, "N × F and 0",
-                   [off_a](const auto& c, const auto& y) { return oracles::frictionless_direction(c, y, off_a); });
+  return law_holds(
+      e, Relation::equal, "N × F and 0",
+      [off_a](const auto& c, const auto& y) { return oracles::frictionless_direction(c, y, off_a); },
+      AffineLaw::frictionless_direction);
 }
 
 Verdict check_reflection_plane(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(e, Relation::equal, "N × V⁺ and N × V⁻",
-                   [](const auto& c, const auto& y) { return oracles::reflection_plane(c, y); });
+  return law_holds(
+      e, Relation::equal, "N × V⁺ and N × V⁻",
+      [](const auto& c, const auto& y) { return oracles::reflection_plane(c, y); }, AffineLaw::reflection_plane);
 }
 
 Verdict check_energy(const Evidence& e) {
