@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -88,12 +89,24 @@ Sensitivity colliding_sensitivity(const Collision& collision, Model model, Conve
 
 /// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
 /// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
-double condition_bound(const Matrix3<Enclosure>& matrix) {
+double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
-  const Vector3<Enclosure> c0 = matrix.col(0);
-  const Vector3<Enclosure> c1 = matrix.col(1);
-  const Vector3<Enclosure> c2 = matrix.col(2);
+  const Vector3<Approximation> c0 = matrix.col(0);
+  const Vector3<Approximation> c1 = matrix.col(1);
+  const Vector3<Approximation> c2 = matrix.col(2);
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
+}
+
+/// λ = 1/m_A + 1/m_B.
+template <class T>
+T inverse_mass_of(const BasicCollision<T>& collision) {
+  T sum(0);
+  for (const BasicBody<T>* body : {&collision.a, &collision.b}) {
+    if (!body->immovable) {
+      sum += T(1) / body->mass;
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -243,7 +256,7 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in ℚ.
   constexpr double well_conditioned = 1 << 20;
   const bool in_double =
-      model == Model::frictionless || condition_bound(response_matrix(enclosed())) < well_conditioned;
+      model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned;
   Sensitivity result{};
   if (in_double) {
     result = colliding_sensitivity<double>(collision_, model, [](double x) { return x; });
@@ -297,13 +310,42 @@ double ExactCase::collision_matrix_sensitivity() const {
   return *collision_matrix_sensitivity_;
 }
 
+const Matrix3<Approximation>& ExactCase::approximate_collision_matrix() const {
+  if (!approximate_collision_matrix_) {
+    approximate_collision_matrix_ = response_matrix(approximate());
+  }
+  return *approximate_collision_matrix_;
+}
+
+Approximation ExactCase::approximate_inverse_mass() const { return inverse_mass_of(approximate()); }
+
+Enclosure ExactCase::enclosed_inverse_mass() const { return inverse_mass_of(enclosed()); }
+
+double ExactCase::collision_matrix_sensitivity_below() const {
+  if (!collision_matrix_sensitivity_below_) {
+    const Matrix3<Approximation>& matrix = approximate_collision_matrix();
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        squares += matrix(i, j).magnitude_below() * matrix(i, j).magnitude_below();
+      }
+    }
+    double largest_terms = 0;
+    for (const Body* body : {&collision_.a, &collision_.b}) {
+      if (!body->immovable) {
+        largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();
+      }
+    }
+    const double norm = std::sqrt(squares);
+    const double lambda = approximate_inverse_mass().magnitude_below();
+    collision_matrix_sensitivity_below_ = norm >= 0x1p-20 * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+  }
+  return *collision_matrix_sensitivity_below_;
+}
+
 bool ExactCase::is_definite() const {
   if (!is_definite_) {
-    is_definite_ = is_positive_semidefinite(
-        less_multiple_of_identity<Enclosure>(response_matrix(enclosed()), Enclosure(inverse_mass())));
-    if (!is_definite_) {
-      is_definite_ = is_at_least(collision_matrix(), inverse_mass());
-    }
+    is_definite_ = is_at_least(collision_matrix(), inverse_mass());
   }
   return *is_definite_;
 }
@@ -333,15 +375,7 @@ bool ExactCase::is_head_on() const {
                  [&] { return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact()))); });
 }
 
-Rational ExactCase::inverse_mass() const {
-  Rational sum(0);
-  for (const BasicBody<Rational>* body : {&exact().a, &exact().b}) {
-    if (!body->immovable) {
-      sum += 1 / body->mass;
-    }
-  }
-  return sum;
-}
+Rational ExactCase::inverse_mass() const { return inverse_mass_of(exact()); }
 
 bool ExactCase::reads_impulse_off_a() const {
   return collision_.b.immovable || (!collision_.a.immovable && collision_.a.mass <= collision_.b.mass);

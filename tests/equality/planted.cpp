@@ -28,15 +28,16 @@ long double to_extended(const oracles::Rational& number) {
   if (!std::isfinite(high)) {
     return static_cast<long double>(high);
   }
-  return static_cast<long double>(high) + static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
+  return static_cast<long double>(high) +
+         static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
 }
 
 }  // namespace
 
 ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
                                 double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome = map_outcome<long double>(
-      exact_case.truth(model).outcome, [&](const oracles::Rational& x) { return to_extended(x); });
+  ReportedOutcome outcome = map_outcome<long double>(exact_case.truth(model).outcome,
+                                                     [&](const oracles::Rational& x) { return to_extended(x); });
   const auto k = static_cast<std::size_t>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));
@@ -67,8 +68,7 @@ Subject planting_subject(Model model, Precision precision) {
             [&](const FieldPath&, const double& x) { seed = seed * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
             collision);
         properties::Stream stream = properties::stream_from(seed);
-        answers.emplace_back(
-            planted_outcome(oracles::ExactCase(collision), model, precision, allowance, stream));
+        answers.emplace_back(planted_outcome(oracles::ExactCase(collision), model, precision, allowance, stream));
       }
       return answers;
     });

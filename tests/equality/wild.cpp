@@ -81,10 +81,12 @@ properties::Case wild_case(Stream& stream) {
         one.collision = scaled_fields(one.collision, most, stream);
         break;
       case 2:
-        one.collision = drawn(one.collision, [&] { return scaled(stream.signed_unit(), most, stream); }, stream);
+        one.collision = drawn(
+            one.collision, [&] { return scaled(stream.signed_unit(), most, stream); }, stream);
         break;
       default:
-        one.collision = drawn(one.collision, [&] { return random_bits(stream); }, stream);
+        one.collision = drawn(
+            one.collision, [&] { return random_bits(stream); }, stream);
     }
     if (validate(one.collision).empty()) {
       return one;
