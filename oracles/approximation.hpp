@@ -22,6 +22,13 @@ class Approximation {
   explicit Approximation(double exact) : value_(static_cast<long double>(exact)) {}
   explicit Approximation(long double exact) : value_(exact) {}
 
+  [[nodiscard]] long double value() const { return value_; }
+  [[nodiscard]] double error() const { return error_; }
+
+  /// The same, known to within so much less.
+  [[nodiscard]] Approximation widened_by(double error) const { return {value_, (error_ + error) * up}; }
+
+  /// The value and the error in binary64.
   [[nodiscard]] double middle() const { return static_cast<double>(value_); }
   [[nodiscard]] double radius() const { return error_ * up + std::abs(middle()) * half_ulp + least; }
 

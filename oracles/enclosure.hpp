@@ -43,7 +43,11 @@ class Enclosure {
   }
 
   [[nodiscard]] double middle() const { return high_; }
+  [[nodiscard]] double lower_part() const { return low_; }
   [[nodiscard]] double radius() const { return radius_; }
+
+  /// The same, known to within so much less.
+  [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * one_and_a_bit}; }
 
   /// At least |x|.
   [[nodiscard]] double magnitude_above() const {

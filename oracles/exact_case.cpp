@@ -10,6 +10,7 @@
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
 #include <carom/oracles/moderate.hpp>
+#include <carom/oracles/refined_truth.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -220,7 +221,12 @@ const Truth<Rational>& ExactCase::truth(Model model) const {
 const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
   std::optional<Truth<Enclosure>>& known = of(model).enclosed_truth;
   if (!known) {
-    known = truth_of(enclosed(), model, approach());
+    if (is_moderate() && approach() == Approach::colliding) {
+      known = refined_truth(enclosed(), approximate(), model, approximate_truth(model), approximate_collision_matrix());
+    }
+    if (!known || !is_bounded(*known)) {
+      known = truth_of(enclosed(), model, approach());
+    }
   }
   return *known;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,25 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
                        e.allowance() * sensitivity[k], e.yardstick.filtered, outcome_vector_names[k],
                        "after and before");
+}
+
+/// Whether approximations show that these vectors are untouched within a lower bound of what is allowed of each, which
+/// is then surely a finite number.
+bool is_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
+  if (!e.yardstick.filtered || e.allowance() == 0 || !e.exact_case.is_moderate() || !e.outcome.is_moderate()) {
+    return false;
+  }
+  const auto after = e.outcome.approximate();
+  const auto before = unchanged(e.exact_case.approximate());
+  const oracles::Sensitivity& below = e.exact_case.sensitivity_before();
+  for (const std::size_t k : which) {
+    if (!oracles::norm_at_most(oracles::difference(*vectors(after)[k], *vectors(before)[k]), e.allowance() * below[k])
+             .value_or(false)) {
+      return false;
+    }
+  }
+  count(oracles::Stage::approximation);
+  return true;
 }
 
 }  // namespace
@@ -175,6 +195,9 @@ Verdict check_separating_untouched(const Evidence& e) {
     }
     return both(untouched_body(e, true), untouched_body(e, false));
   }
+  if (is_surely_untouched(e, {0, 1, 2, 3})) {
+    return {};
+  }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   Verdict worst;
   for (std::size_t k = 0; k < sensitivity.size(); ++k) {
@@ -227,6 +250,9 @@ Verdict check_collinear_spin(const Evidence& e) {
   }
   if (!e.exact_case.is_collinear()) {
     return outside_domain("a lever arm is not along the normal");
+  }
+  if (is_surely_untouched(e, {1, 3})) {
+    return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   return both(vector_untouched(e, 1, sensitivity), vector_untouched(e, 3, sensitivity));
