@@ -53,6 +53,7 @@ bool is_zero(const Vector3<Approximation>& approximate, const Exactly& exactly) 
 
 double as_double(double number) { return number; }
 double as_double(const Rational& number) { return to_double(number); }
+double as_double(const Enclosure& number) { return number.magnitude_above(); }
 
 /// Σ_j ‖∂y/∂x_j‖ |x_j| for the components y.
 template <class S, std::size_t N>
@@ -84,6 +85,30 @@ Sensitivity colliding_sensitivity(const Collision& collision, Model model, Conve
   const auto parts = vectors(truth.outcome);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+  }
+  return result;
+}
+
+/// The same in enclosures, from above; none where it is not known to ten digits.
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
+  using T = Dual<Enclosure, collision_inputs>;
+  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
+  const Truth<T> truth = colliding_truth(inputs.collision, model);
+  Sensitivity result = norms_before(collision);
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    double unknown = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
+        const double radius = (*parts[k])[i].derivative[j].radius();
+        unknown += inputs.magnitude[j] == 0 ? 0 : radius * inputs.magnitude[j];
+      }
+    }
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    // Written so that what is no number is not known.
+    if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
+      return std::nullopt;
+    }
   }
   return result;
 }
@@ -259,7 +284,8 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   if (known) {
     return *known;
   }
-  // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in ℚ.
+  // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in enclosures,
+  // and where these do not keep them either, in ℚ.
   constexpr double well_conditioned = 1 << 20;
   const bool in_double =
       model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned;
@@ -272,6 +298,10 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
     usable = usable && std::isfinite(sum);
   }
   if (!usable) {
+    if (const auto enclosed = enclosed_sensitivity(collision_, model)) {
+      known = enclosed;
+      return *known;
+    }
     result = colliding_sensitivity<Rational>(collision_, model, [](double x) { return Rational(x); });
   }
   known = result;

@@ -153,24 +153,13 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     return accuracy_in(exact_case, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed(),
                        sensitivity, yardstick);
   };
-  // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all.
-  if (filtered && known > 0 && exact_case.is_moderate() && outcome.is_moderate()) {
+  // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
+  // are the same either way, so that what is reported does not depend on what is known.
+  if (yardstick.uses_bounds() && known > 0 && exact_case.is_moderate() && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(model);
-    const auto is_enough = [&](const std::optional<Accuracy>& bounded) {
-      return bounded && bounded->allowed == std::array{true, true, true, true} &&
-             bounded->backward_error(yardstick.unit_roundoff) <= known;
-    };
-    // Approximations show the error of binary32 to a thousandth, of nothing finer.
-    if (yardstick.allowance() >= 0x1p-35) {
-      const auto bounded = accuracy_in(exact_case, exact_case.approximate(), exact_case.approximate_truth(model),
-                                       outcome.approximate(), below, yardstick);
-      if (is_enough(bounded)) {
-        count(Stage::approximation);
-        return *bounded;
-      }
-    }
     const auto bounded = by_enclosures(below);
-    if (is_enough(bounded)) {
+    if (bounded && bounded->allowed == std::array{true, true, true, true} &&
+        bounded->backward_error(yardstick.unit_roundoff) <= known) {
       count(Stage::enclosure);
       return *bounded;
     }

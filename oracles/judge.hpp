@@ -156,12 +156,13 @@ template <class Law>
 /// The sum over the outputs alone: a lower bound of the scale, at a quarter of the cost. Of a law that is affine in the
 /// outcome the derivatives, as computed, do not depend on the outcome (they are multiplied by numbers of the collision
 /// alone; what the product rule adds is zero), so the case keeps them; the factor is for the order of the summation.
+/// Precondition: collision and outcome are moderate.
 template <class Law>
 [[nodiscard]] double part_of_scale(const Law& law, std::optional<AffineLaw> name, const ExactCase& exact_case,
                                    const LiftedOutcome& outcome) {
   const Collision& collision = exact_case.collision();
   double part = 0;
-  if (name && exact_case.is_moderate() && outcome.is_moderate()) {
+  if (name) {
     const std::array<double, 4>& slopes = exact_case.slopes(*name, [&] {
       using T = Dual<double, outcome_inputs>;
       std::size_t next = 0;
@@ -224,14 +225,17 @@ template <class Law>
     }
     return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
   };
-  if (yardstick.filtered && allowance > 0) {
+  if (yardstick.uses_bounds()) {
     if (detail::surely_holds(law, relation, name, exact_case, outcome, allowance)) {
       count(Stage::approximation);
       return {};
     }
     const auto missed = detail::maybe_missed(law, relation, exact_case.enclosed(), outcome.enclosed());
+    // Elsewhere the whole scale may leave the range of numbers where a part of it does not.
+    const bool is_moderate = exact_case.is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
-        norm_at_most(missed, allowance * detail::part_of_scale(law, name, exact_case, outcome)).value_or(false)) {
+        (is_moderate &&
+         norm_at_most(missed, allowance * detail::part_of_scale(law, name, exact_case, outcome)).value_or(false))) {
       count(Stage::enclosure);
       return {};
     }

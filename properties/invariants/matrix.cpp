@@ -29,7 +29,7 @@ Rational eigenvalue_rounding(const Evidence& e) {
 }
 
 bool may_be_filtered(const Evidence& e) {
-  return e.yardstick.filtered && e.allowance() > 0 && e.exact_case.is_moderate();
+  return e.yardstick.uses_bounds() && e.exact_case.is_moderate();
 }
 
 template <class T>

@@ -62,7 +62,7 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
 /// Whether approximations show that these vectors are untouched within a lower bound of what is allowed of each, which
 /// is then surely a finite number.
 bool is_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
-  if (!e.yardstick.filtered || e.allowance() == 0 || !e.exact_case.is_moderate() || !e.outcome.is_moderate()) {
+  if (!e.yardstick.uses_bounds() || !e.exact_case.is_moderate() || !e.outcome.is_moderate()) {
     return false;
   }
   const auto after = e.outcome.approximate();

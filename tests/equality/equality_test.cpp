@@ -26,7 +26,7 @@ std::string joined(const Agreement& agreement) {
   return text;
 }
 
-/// So many cases of each family, and as many wild ones for each family.
+/// So many cases of each family, and as many wild ones for each fifth family.
 void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relations, Agreement& agreement) {
   Session session = subject.open();
   for (const properties::Family& family : properties::all_families()) {
@@ -34,6 +34,9 @@ void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relat
       properties::Stream of_family = properties::case_stream(seed, family.name, index);
       compare_judges(family.generate(of_family), subject, session, relations,
                      std::string(family.name) + ' ' + std::to_string(index), agreement);
+      if ((index + family.name.size()) % 5 != 0) {
+        continue;
+      }
       const std::string wild = "wild " + std::string(family.name);
       properties::Stream of_wild = properties::case_stream(seed, wild, index);
       compare_judges(wild_case(of_wild), subject, session, relations, wild + ' ' + std::to_string(index), agreement);
@@ -70,7 +73,7 @@ TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   for (const Model model : models_with_truth) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
       const Subject subject = planting_subject(model, precision);
-      compare_on_all(subject, 6, Relations::left_out, agreement);
+      compare_on_all(subject, 3, Relations::left_out, agreement);
       compare_on_all(subject, 1, Relations::judged, agreement);
     }
   }
