@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -46,8 +46,9 @@ testing::AssertionResult contains(const Both& both) {
 
 Both expression(properties::Stream& stream, int depth, int exponents, int& operations, int& decided) {
   if (depth == 0 || stream.chance(8)) {
-    const double x = stream.chance(8) ? stream.integer(-3, 3)
-                                      : std::ldexp(stream.signed_unit(), stream.integer(-exponents, exponents));
+    const double x = stream.chance(8)
+                         ? stream.integer(-3, 3)
+                         : std::ldexp(stream.signed_unit(), stream.integer(-exponents, std::min(exponents, 1020)));
     return {Approximation(x), Rational(x)};
   }
   const Both x = expression(stream, depth - 1, exponents, operations, decided);
