@@ -24,6 +24,19 @@ std::array<T, 7> principal_minors(const Matrix3<T>& m) {
 }
 
 template <class T>
+std::optional<bool> is_positive_semidefinite_by_bounds(const Matrix3<T>& matrix) {
+  bool decided = true;
+  for (const T& minor : principal_minors(matrix)) {
+    const std::optional<int> sign = minor.sign();
+    if (sign == -1) {
+      return false;
+    }
+    decided = decided && sign.has_value();
+  }
+  return decided ? std::optional<bool>(true) : std::nullopt;
+}
+
+template <class T>
 Matrix3<T> shifted(const Matrix3<Rational>& matrix, const Rational& bound) {
   Matrix3<T> result;
   for (int i = 0; i < 3; ++i) {
@@ -46,15 +59,11 @@ bool is_positive_semidefinite(const Matrix3<Rational>& matrix) {
 }
 
 std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix) {
-  bool decided = true;
-  for (const Enclosure& minor : principal_minors(matrix)) {
-    const std::optional<int> sign = minor.sign();
-    if (sign == -1) {
-      return false;
-    }
-    decided = decided && sign.has_value();
-  }
-  return decided ? std::optional<bool>(true) : std::nullopt;
+  return is_positive_semidefinite_by_bounds(matrix);
+}
+
+std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix) {
+  return is_positive_semidefinite_by_bounds(matrix);
 }
 
 bool is_at_least(const Matrix3<Rational>& matrix, const Rational& bound) {

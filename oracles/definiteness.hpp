@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
 
 /// Only the lower triangle of a matrix is read.
@@ -16,8 +17,9 @@ namespace carom::oracles {
 
 /// The same where the bounds decide it.
 [[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
+[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix);
 
-/// M − bound I, for T rational or an enclosure.
+/// M − bound I, for T rational or known to within an error.
 template <class T>
 [[nodiscard]] Matrix3<T> less_multiple_of_identity(Matrix3<T> matrix, const T& bound) {
   for (int i = 0; i < 3; ++i) {

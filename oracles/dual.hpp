@@ -26,28 +26,9 @@ struct Dual {
     return dual;
   }
 
-  Dual& operator+=(const Dual& other) {
-    value += other.value;
-    for (std::size_t i = 0; i < N; ++i) {
-      derivative[i] += other.derivative[i];
-    }
-    return *this;
-  }
-  Dual& operator-=(const Dual& other) {
-    value -= other.value;
-    for (std::size_t i = 0; i < N; ++i) {
-      derivative[i] -= other.derivative[i];
-    }
-    return *this;
-  }
-  Dual& operator*=(const Dual& other) {
-    const S factor = other.value;
-    for (std::size_t i = 0; i < N; ++i) {
-      derivative[i] = derivative[i] * factor + value * other.derivative[i];
-    }
-    value *= factor;
-    return *this;
-  }
+  Dual& operator+=(const Dual& other) { return *this = *this + other; }
+  Dual& operator-=(const Dual& other) { return *this = *this - other; }
+  Dual& operator*=(const Dual& other) { return *this = *this * other; }
   Dual& operator/=(const Dual& other) {
     const S inverse = S(1) / other.value;
     value *= inverse;
@@ -57,9 +38,28 @@ struct Dual {
     return *this;
   }
 
-  friend Dual operator+(Dual left, const Dual& right) { return left += right; }
-  friend Dual operator-(Dual left, const Dual& right) { return left -= right; }
-  friend Dual operator*(Dual left, const Dual& right) { return left *= right; }
+  // Written out: a copy of one side, to be changed at once, costs as much as the operation.
+  friend Dual operator+(const Dual& left, const Dual& right) {
+    Dual sum(left.value + right.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      sum.derivative[i] = left.derivative[i] + right.derivative[i];
+    }
+    return sum;
+  }
+  friend Dual operator-(const Dual& left, const Dual& right) {
+    Dual difference(left.value - right.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      difference.derivative[i] = left.derivative[i] - right.derivative[i];
+    }
+    return difference;
+  }
+  friend Dual operator*(const Dual& left, const Dual& right) {
+    Dual product(left.value * right.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      product.derivative[i] = left.derivative[i] * right.value + left.value * right.derivative[i];
+    }
+    return product;
+  }
   friend Dual operator/(Dual left, const Dual& right) { return left /= right; }
   friend Dual operator-(Dual dual) {
     dual.value = -dual.value;

@@ -43,7 +43,11 @@ class Enclosure {
   }
 
   [[nodiscard]] double middle() const { return high_; }
+  [[nodiscard]] double lower_part() const { return low_; }
   [[nodiscard]] double radius() const { return radius_; }
+
+  /// The same, known to within so much less.
+  [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * one_and_a_bit}; }
 
   /// At least |x|.
   [[nodiscard]] double magnitude_above() const {
@@ -150,8 +154,9 @@ class Enclosure {
 
   /// The sum, product or quotient z with the rounding of double-double and of the radius itself added to the radius.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    const double bound = radius * one_and_a_bit + std::abs(z.high) * rounding + absolute;
-    if (!std::isfinite(z.high) || !std::isfinite(z.low) || !std::isfinite(bound)) {
+    // Whatever is infinite or no number makes the bound so; hence the lower part, which adds next to nothing.
+    const double bound = radius * one_and_a_bit + (std::abs(z.high) + std::abs(z.low)) * rounding + absolute;
+    if (!(bound < infinity)) {
       return {0, 0, infinity};
     }
     return {z.high, z.low, bound};

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <carom/oracles/definiteness.hpp>
 #include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
+#include <carom/oracles/moderate.hpp>
+#include <carom/oracles/refined_truth.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -35,11 +39,11 @@ void require_equal(const Sides<Rational, N>& sides, const char* equation) {
   }
 }
 
-/// Whether a vector is zero: not where an enclosure excludes it, else exactly.
+/// Whether a vector is zero: not where an approximation excludes it, else exactly.
 template <class Exactly>
-bool is_zero(const Vector3<Enclosure>& enclosed, const Exactly& exactly) {
+bool is_zero(const Vector3<Approximation>& approximate, const Exactly& exactly) {
   for (int i = 0; i < 3; ++i) {
-    if (enclosed[i].sign().value_or(0) != 0) {
+    if (approximate[i].sign().value_or(0) != 0) {
       return false;
     }
   }
@@ -49,6 +53,7 @@ bool is_zero(const Vector3<Enclosure>& enclosed, const Exactly& exactly) {
 
 double as_double(double number) { return number; }
 double as_double(const Rational& number) { return to_double(number); }
+double as_double(const Enclosure& number) { return number.magnitude_above(); }
 
 /// Σ_j ‖∂y/∂x_j‖ |x_j| for the components y.
 template <class S, std::size_t N>
@@ -84,14 +89,50 @@ Sensitivity colliding_sensitivity(const Collision& collision, Model model, Conve
   return result;
 }
 
+/// The same in enclosures, from above; none where it is not known to ten digits.
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
+  using T = Dual<Enclosure, collision_inputs>;
+  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
+  const Truth<T> truth = colliding_truth(inputs.collision, model);
+  Sensitivity result = norms_before(collision);
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    double unknown = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
+        const double radius = (*parts[k])[i].derivative[j].radius();
+        unknown += inputs.magnitude[j] == 0 ? 0 : radius * inputs.magnitude[j];
+      }
+    }
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    // Written so that what is no number is not known.
+    if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
 /// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
 /// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
-double condition_bound(const Matrix3<Enclosure>& matrix) {
+double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
-  const Vector3<Enclosure> c0 = matrix.col(0);
-  const Vector3<Enclosure> c1 = matrix.col(1);
-  const Vector3<Enclosure> c2 = matrix.col(2);
+  const Vector3<Approximation> c0 = matrix.col(0);
+  const Vector3<Approximation> c1 = matrix.col(1);
+  const Vector3<Approximation> c2 = matrix.col(2);
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
+}
+
+/// λ = 1/m_A + 1/m_B.
+template <class T>
+T inverse_mass_of(const BasicCollision<T>& collision) {
+  T sum(0);
+  for (const BasicBody<T>* body : {&collision.a, &collision.b}) {
+    if (!body->immovable) {
+      sum += T(1) / body->mass;
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -126,21 +167,51 @@ void certify(const BasicCollision<Rational>& collision, Model model, Approach ap
   }
 }
 
-ExactCase::ExactCase(const Collision& collision)
-    : collision_(collision),
-      enclosed_(map_numbers<Enclosure>(collision, [](double number) { return Enclosure(number); })) {
-  if (collision.a.immovable && collision.b.immovable) {
-    return;
+ExactCase::ExactCase(const Collision& collision) : collision_(collision) {}
+
+const BasicCollision<Enclosure>& ExactCase::enclosed() const {
+  if (!enclosed_) {
+    enclosed_ = map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); });
   }
-  const Enclosure normal_velocity = normal_velocity_before(enclosed_);
-  if (const std::optional<int> sign = normal_velocity.sign()) {
-    normal_velocity_ = normal_velocity.middle();
-    approach_ = approach_of_sign(*sign);
-  } else {
-    const Rational exactly = normal_velocity_before(exact());
-    normal_velocity_ = to_double(exactly);
-    approach_ = approach_of_sign(sign_of(exactly));
+  return *enclosed_;
+}
+
+const BasicCollision<Approximation>& ExactCase::approximate() const {
+  if (!approximate_) {
+    approximate_ = map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); });
   }
+  return *approximate_;
+}
+
+bool ExactCase::is_moderate() const {
+  if (!is_moderate_) {
+    is_moderate_ = oracles::is_moderate(collision_);
+  }
+  return *is_moderate_;
+}
+
+const std::array<double, 4>& ExactCase::norms_before() const {
+  if (!norms_before_) {
+    norms_before_ = oracles::norms_before(collision_);
+  }
+  return *norms_before_;
+}
+
+const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
+  if (!normal_velocity_) {
+    const Approximation approximately = normal_velocity_before(approximate());
+    if (const std::optional<int> sign = approximately.sign()) {
+      normal_velocity_ = {approximately.middle(), *sign};
+    } else {
+      const Rational exactly = normal_velocity_before(exact());
+      normal_velocity_ = {to_double(exactly), sign_of(exactly)};
+    }
+  }
+  return *normal_velocity_;
+}
+
+Approach ExactCase::approach() const {
+  return collision_.a.immovable && collision_.b.immovable ? Approach::inert : approach_of_sign(normal_velocity().sign);
 }
 
 const BasicCollision<Rational>& ExactCase::exact() const {
@@ -151,7 +222,7 @@ const BasicCollision<Rational>& ExactCase::exact() const {
 }
 
 bool ExactCase::is_grazing(double allowance) const {
-  if (approach_ == Approach::inert) {
+  if (approach() == Approach::inert) {
     return false;
   }
   if (!normal_velocity_sensitivity_) {
@@ -159,46 +230,65 @@ bool ExactCase::is_grazing(double allowance) const {
     const auto velocity = normal_velocity_before(inputs.collision);
     normal_velocity_sensitivity_ = sensitivity_of({&velocity}, inputs.magnitude);
   }
-  return std::abs(normal_velocity_) <= allowance * *normal_velocity_sensitivity_;
+  return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
 
 const Truth<Rational>& ExactCase::truth(Model model) const {
-  const auto known = truth_.find(model);
-  if (known != truth_.end()) {
-    return known->second;
+  std::optional<Truth<Rational>>& known = of(model).truth;
+  if (!known) {
+    Truth<Rational> truth = truth_of(exact(), model, approach());
+    certify(exact(), model, approach(), truth.outcome);
+    known = std::move(truth);
   }
-  const Truth<Rational> truth = truth_of(exact(), model, approach_);
-  certify(exact(), model, approach_, truth.outcome);
-  return truth_.emplace(model, truth).first->second;
+  return *known;
 }
 
 const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
-  const auto known = enclosed_truth_.find(model);
-  if (known != enclosed_truth_.end()) {
-    return known->second;
+  std::optional<Truth<Enclosure>>& known = of(model).enclosed_truth;
+  if (!known) {
+    if (is_moderate() && approach() == Approach::colliding) {
+      known = refined_truth(enclosed(), approximate(), model, approximate_truth(model), approximate_collision_matrix());
+    }
+    if (!known || !is_bounded(*known)) {
+      known = truth_of(enclosed(), model, approach());
+    }
   }
-  return enclosed_truth_.emplace(model, truth_of(enclosed_, model, approach_)).first->second;
+  return *known;
+}
+
+const Truth<Approximation>& ExactCase::approximate_truth(Model model) const {
+  std::optional<Truth<Approximation>>& known = of(model).approximate_truth;
+  if (!known) {
+    known = truth_of(approximate(), model, approach());
+  }
+  return *known;
+}
+
+const Sensitivity& ExactCase::unchanged_sensitivity() const {
+  if (!unchanged_sensitivity_) {
+    unchanged_sensitivity_ = norms_before();
+    const Outcome<double> outcome = unchanged(collision_);
+    const auto parts = vectors(outcome);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      (*unchanged_sensitivity_)[k] += parts[k]->lpNorm<1>();
+    }
+  }
+  return *unchanged_sensitivity_;
 }
 
 const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
-  if (approach_ != Approach::colliding && !is_grazing(allowance)) {
-    if (!unchanged_sensitivity_) {
-      unchanged_sensitivity_ = norms_before(collision_);
-      const Outcome<double> outcome = unchanged(collision_);
-      const auto parts = vectors(outcome);
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        (*unchanged_sensitivity_)[k] += parts[k]->lpNorm<1>();
-      }
-    }
-    return *unchanged_sensitivity_;
+  if (approach() != Approach::colliding && !is_grazing(allowance)) {
+    return unchanged_sensitivity();
   }
-  const auto known = colliding_sensitivity_.find(model);
-  if (known != colliding_sensitivity_.end()) {
-    return known->second;
+  std::optional<Sensitivity>& known = of(model).colliding_sensitivity;
+  if (known) {
+    return *known;
   }
-  // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in ℚ.
+  // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in enclosures,
+  // and where these do not keep them either, in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  const bool in_double = model == Model::frictionless || condition_bound(response_matrix(enclosed_)) < well_conditioned;
+  const bool in_double =
+      model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned;
   Sensitivity result{};
   if (in_double) {
     result = colliding_sensitivity<double>(collision_, model, [](double x) { return x; });
@@ -208,20 +298,35 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
     usable = usable && std::isfinite(sum);
   }
   if (!usable) {
+    if (const auto enclosed = enclosed_sensitivity(collision_, model)) {
+      known = enclosed;
+      return *known;
+    }
     result = colliding_sensitivity<Rational>(collision_, model, [](double x) { return Rational(x); });
   }
-  return colliding_sensitivity_.emplace(model, result).first->second;
+  known = result;
+  return *known;
 }
 
-Sensitivity ExactCase::sensitivity_below(Model model) const {
-  Sensitivity result{};
-  const Outcome<Enclosure>& outcome = enclosed_truth(model).outcome;
-  const auto parts = vectors(outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Vector3<Enclosure>& y = *parts[k];
-    result[k] = std::hypot(y[0].magnitude_below(), y[1].magnitude_below(), y[2].magnitude_below()) / 2;
+const Sensitivity& ExactCase::sensitivity_below(Model model) const {
+  std::optional<Sensitivity>& known = of(model).sensitivity_below;
+  if (known) {
+    return *known;
   }
-  return result;
+  known = norms_before();
+  if (approach() == Approach::colliding) {
+    const Outcome<Approximation>& outcome = approximate_truth(model).outcome;
+    const auto parts = vectors(outcome);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Vector3<Approximation>& y = *parts[k];
+      const double half =
+          std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
+                    y[2].magnitude_below() * y[2].magnitude_below()) /
+          2;
+      (*known)[k] += std::isfinite(half) ? half * (1 - 0x1p-40) : 0;  // three squares, two sums and a root
+    }
+  }
+  return *known;
 }
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
@@ -241,49 +346,72 @@ double ExactCase::collision_matrix_sensitivity() const {
   return *collision_matrix_sensitivity_;
 }
 
+const Matrix3<Approximation>& ExactCase::approximate_collision_matrix() const {
+  if (!approximate_collision_matrix_) {
+    approximate_collision_matrix_ = response_matrix(approximate());
+  }
+  return *approximate_collision_matrix_;
+}
+
+Approximation ExactCase::approximate_inverse_mass() const { return inverse_mass_of(approximate()); }
+
+Enclosure ExactCase::enclosed_inverse_mass() const { return inverse_mass_of(enclosed()); }
+
+double ExactCase::collision_matrix_sensitivity_below() const {
+  if (!collision_matrix_sensitivity_below_) {
+    const Matrix3<Approximation>& matrix = approximate_collision_matrix();
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        squares += matrix(i, j).magnitude_below() * matrix(i, j).magnitude_below();
+      }
+    }
+    double largest_terms = 0;
+    for (const Body* body : {&collision_.a, &collision_.b}) {
+      if (!body->immovable) {
+        largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();
+      }
+    }
+    const double norm = std::sqrt(squares);
+    const double lambda = approximate_inverse_mass().magnitude_below();
+    collision_matrix_sensitivity_below_ = norm >= 0x1p-20 * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+  }
+  return *collision_matrix_sensitivity_below_;
+}
+
 bool ExactCase::is_definite() const {
   if (!is_definite_) {
-    is_definite_ = is_positive_semidefinite(
-        less_multiple_of_identity<Enclosure>(response_matrix(enclosed_), Enclosure(inverse_mass())));
-    if (!is_definite_) {
-      is_definite_ = is_at_least(collision_matrix(), inverse_mass());
-    }
+    is_definite_ = is_at_least(collision_matrix(), inverse_mass());
   }
   return *is_definite_;
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
-  const Matrix3<Enclosure> enclosed = response_matrix(enclosed_);
+  const Matrix3<Enclosure> matrix = response_matrix(enclosed());
   const std::optional<bool> decided =
-      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-enclosed, Enclosure(Rational(-bound))));
+      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-matrix, Enclosure(Rational(-bound))));
   return decided ? *decided : is_at_most(collision_matrix(), bound);
 }
 
 bool ExactCase::is_collinear() const {
-  const auto is_along_normal = [&](const BasicBody<Enclosure>& enclosed, const auto& exact_body) {
-    return enclosed.immovable || is_zero(lever_arm(enclosed, enclosed_.point).cross(enclosed_.normal),
-                                         [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
+  const BasicCollision<Approximation>& near = approximate();
+  const auto is_along_normal = [&](const BasicBody<Approximation>& body, const auto& exact_body) {
+    return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
+                                     [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
   };
   return is_along_normal(
-             enclosed_.a, [&]() -> const auto& { return exact().a; }) &&
+             near.a, [&]() -> const auto& { return exact().a; }) &&
          is_along_normal(
-             enclosed_.b, [&]() -> const auto& { return exact().b; });
+             near.b, [&]() -> const auto& { return exact().b; });
 }
 
 bool ExactCase::is_head_on() const {
-  return is_zero(enclosed_.normal.cross(relative_velocity<Enclosure>(enclosed_, unchanged(enclosed_))),
+  const BasicCollision<Approximation>& near = approximate();
+  return is_zero(near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))),
                  [&] { return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact()))); });
 }
 
-Rational ExactCase::inverse_mass() const {
-  Rational sum(0);
-  for (const BasicBody<Rational>* body : {&exact().a, &exact().b}) {
-    if (!body->immovable) {
-      sum += 1 / body->mass;
-    }
-  }
-  return sum;
-}
+Rational ExactCase::inverse_mass() const { return inverse_mass_of(exact()); }
 
 bool ExactCase::reads_impulse_off_a() const {
   return collision_.b.immovable || (!collision_.a.immovable && collision_.a.mass <= collision_.b.mass);

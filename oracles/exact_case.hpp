@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 
+#include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
 #include <carom/oracles/truth.hpp>
 
@@ -17,6 +17,22 @@ namespace carom::oracles {
 /// Algorithms, §1.5.
 using Sensitivity = std::array<double, 4>;
 
+/// The laws that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a case.
+enum class AffineLaw {
+  linear_momentum,
+  angular_momentum_of_a,
+  angular_momentum_of_b,
+  total_angular_momentum,
+  restitution,
+  non_penetration,
+  push,
+  frictionless_direction,
+  reflection_plane,
+  untouched_a,
+  untouched_b,
+};
+inline constexpr std::size_t affine_law_count = 11;
+
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
 class ExactCase {
  public:
@@ -25,8 +41,26 @@ class ExactCase {
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
-  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const { return enclosed_; }
-  [[nodiscard]] Approach approach() const { return approach_; }
+  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
+  [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
+  [[nodiscard]] Approach approach() const;
+
+  /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
+  [[nodiscard]] bool is_moderate() const;
+
+  /// ‖y_k⁻‖.
+  [[nodiscard]] const std::array<double, 4>& norms_before() const;
+
+  /// The norms of the derivatives of an affine law by the vectors of an outcome; worked out by `differentiate` when
+  /// first asked for.
+  template <class Differentiate>
+  [[nodiscard]] const std::array<double, 4>& slopes(AffineLaw law, const Differentiate& differentiate) const {
+    std::optional<std::array<double, 4>>& known = slopes_[static_cast<std::size_t>(law)];
+    if (!known) {
+      known = differentiate();
+    }
+    return *known;
+  }
 
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
@@ -38,20 +72,39 @@ class ExactCase {
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const;
 
+  /// The same to about 50 bits.
+  [[nodiscard]] const Truth<Approximation>& approximate_truth(Model model) const;
+
   /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs
   /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a fifth of the cost: ½ ‖y_k‖. The law's answer is homogeneous of degree one in
-  /// the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half covers the grazing band, where the
-  /// colliding answer counts and differs from the velocities before by rounding.
-  [[nodiscard]] Sensitivity sensitivity_below(Model model) const;
+  /// A lower bound of `sensitivity` that costs next to nothing: ‖y_k⁻‖, one of its terms.
+  [[nodiscard]] const Sensitivity& sensitivity_before() const { return norms_before(); }
+
+  /// A better lower bound, at a small part of the cost of the sensitivity: where the contact collides ‖y_k⁻‖ + ½ ‖y_k‖.
+  /// The law's answer is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖
+  /// (Euler); the half covers the rounding of the sum. Elsewhere ‖y_k⁻‖, whether grazing or not.
+  [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
   /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
   [[nodiscard]] double collision_matrix_sensitivity() const;
 
-  /// Whether λI ⪯ K, decided exactly.
+  /// K and λ with bounds.
+  [[nodiscard]] const Matrix3<Approximation>& approximate_collision_matrix() const;
+  [[nodiscard]] Approximation approximate_inverse_mass() const;
+  [[nodiscard]] Enclosure enclosed_inverse_mass() const;
+
+  /// A lower bound of `collision_matrix_sensitivity`: K is homogeneous of degree −1 in the masses and moments, so the
+  /// sum over these alone is at least ‖K‖_F (Euler), and that over the masses alone at least λ. The first is given only
+  /// where binary64 cannot have lost it: the rounding of the derivatives is below 2¹⁰ u ‖r‖² / I_min for each body, and
+  /// ‖K‖_F, of which half is given, is a millionth of that or more, without u. Precondition: is_moderate().
+  [[nodiscard]] double collision_matrix_sensitivity_below() const;
+
+  /// Whether λI ⪯ K, decided exactly. Where a body is movable it always is: K − λI is the sum of [r]ᵀ J⁻¹ [r] over the
+  /// movable bodies, a congruence of a positive diagonal matrix each (an identity that the tests prove by exact random
+  /// testing). Not asked by a filtered yardstick.
   [[nodiscard]] bool is_definite() const;
 
   /// Whether K ⪯ bound I, decided exactly.
@@ -70,18 +123,38 @@ class ExactCase {
   [[nodiscard]] bool reads_impulse_off_a() const;
 
  private:
+  /// What is known of one model.
+  struct OfModel {
+    std::optional<Truth<Rational>> truth;
+    std::optional<Truth<Enclosure>> enclosed_truth;
+    std::optional<Truth<Approximation>> approximate_truth;
+    std::optional<Sensitivity> colliding_sensitivity;
+    std::optional<Sensitivity> sensitivity_below;
+  };
+  struct NormalVelocity {
+    double value;  // rounded
+    int sign;
+  };
+
+  [[nodiscard]] OfModel& of(Model model) const { return of_model_[static_cast<std::size_t>(model)]; }
+  [[nodiscard]] const NormalVelocity& normal_velocity() const;
+  [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
+
   Collision collision_;
-  BasicCollision<Enclosure> enclosed_;
-  double normal_velocity_ = 0;  // rounded
-  Approach approach_ = Approach::inert;
+  mutable std::optional<bool> is_moderate_;
+  mutable std::optional<BasicCollision<Enclosure>> enclosed_;
+  mutable std::optional<BasicCollision<Approximation>> approximate_;
+  mutable std::optional<NormalVelocity> normal_velocity_;
   mutable std::optional<BasicCollision<Rational>> exact_;
   mutable std::optional<double> normal_velocity_sensitivity_;
-  mutable std::map<Model, Truth<Rational>> truth_;
-  mutable std::map<Model, Truth<Enclosure>> enclosed_truth_;
-  mutable std::map<Model, Sensitivity> colliding_sensitivity_;
+  mutable std::optional<std::array<double, 4>> norms_before_;
+  mutable std::array<std::optional<std::array<double, 4>>, affine_law_count> slopes_;
+  mutable std::array<OfModel, models_with_truth.size()> of_model_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;
   mutable std::optional<double> collision_matrix_sensitivity_;
+  mutable std::optional<Matrix3<Approximation>> approximate_collision_matrix_;
+  mutable std::optional<double> collision_matrix_sensitivity_below_;
   mutable std::optional<bool> is_definite_;
 };
 

@@ -26,8 +26,8 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const Quaternion<T> pure{T(0), v[0], v[1], v[2]};
-  const T squared_length = q.dot(q);
-  return Vector3<T>(product<T>(product<T>(q, pure), conjugate(q)).template tail<3>()) / squared_length;
+  const T inverse_squared_length = T(1) / q.dot(q);  // one division in place of three
+  return Vector3<T>(product<T>(product<T>(q, pure), conjugate(q)).template tail<3>()) * inverse_squared_length;
 }
 
 /// J x: turned into the body frame, times the principal moments, and back. Precondition: the body is movable.

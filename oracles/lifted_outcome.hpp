@@ -1,28 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 
+#include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/moderate.hpp>
 
 namespace carom::oracles {
 
-/// An outcome as it is judged: exactly, as enclosures, and rounded. For one thread.
+/// An outcome as it is judged: exactly, as approximations, as enclosures, and rounded. For one thread.
 class LiftedOutcome {
  public:
   /// Precondition: every number is finite.
   explicit LiftedOutcome(const ReportedOutcome& reported)
       : reported_(reported),
-        enclosed_(map_outcome<Enclosure>(reported, [](long double x) { return Enclosure(x); })),
-        rounded_(map_outcome<double>(reported, [](long double x) { return static_cast<double>(x); })) {}
+        rounded_(map_outcome<double>(reported, [](long double x) { return static_cast<double>(x); })) {
+    find_size();
+  }
 
   explicit LiftedOutcome(Outcome<Rational> exact)
-      : enclosed_(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
-        rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
-        exact_(std::move(exact)) {}
+      : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
+        enclosed_(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
+        exact_(std::move(exact)) {
+    find_size();
+  }
 
-  [[nodiscard]] const Outcome<Enclosure>& enclosed() const { return enclosed_; }
+  /// As the subject reported it; nullptr where it was computed in ℚ.
+  [[nodiscard]] const ReportedOutcome* reported() const { return reported_ ? &*reported_ : nullptr; }
+
+  /// Whether it was reported, and holds no number that is out of the ordinary (`is_moderate`): its products then stay
+  /// in the range of numbers.
+  [[nodiscard]] bool is_moderate() const { return is_moderate_; }
+
+  /// Precondition: reported.
+  [[nodiscard]] Outcome<Approximation> approximate() const {
+    return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
+  }
+
+  [[nodiscard]] const Outcome<Enclosure>& enclosed() const {
+    if (!enclosed_) {
+      enclosed_ = map_outcome<Enclosure>(*reported_, [](long double x) { return Enclosure(x); });
+    }
+    return *enclosed_;
+  }
   [[nodiscard]] const Outcome<double>& rounded() const { return rounded_; }
   [[nodiscard]] const Outcome<Rational>& exact() const {
     if (!exact_) {
@@ -31,10 +54,24 @@ class LiftedOutcome {
     return *exact_;
   }
 
+  /// ‖ŷ_k‖, but for a few roundings, of a moderate outcome.
+  [[nodiscard]] const std::array<double, 4>& norms() const { return norms_; }
+
  private:
+  void find_size() {
+    const auto parts = vectors(rounded_);
+    is_moderate_ = reported_.has_value();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      norms_[k] = parts[k]->norm();
+      is_moderate_ = is_moderate_ && norms_[k] <= largest_moderate;
+    }
+  }
+
   std::optional<ReportedOutcome> reported_;
-  Outcome<Enclosure> enclosed_;
   Outcome<double> rounded_;
+  std::array<double, 4> norms_{};
+  bool is_moderate_ = false;
+  mutable std::optional<Outcome<Enclosure>> enclosed_;
   mutable std::optional<Outcome<Rational>> exact_;
 };
 

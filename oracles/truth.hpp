@@ -65,30 +65,46 @@ template <class T>
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
 }
 
-/// The law's answer to a contact that collides. T is a field; the sign of N·V⁻ is not asked.
-/// Preconditions: a body is movable; the model determines an outcome (`models_with_truth`).
+/// The impulse on A by which the law changes the relative velocity: by `change`, or, of the frictionless law, by as
+/// much along the normal. Linear in `change`. `matrix` is the response matrix where it is known already. Preconditions:
+/// a body is movable; the model determines an outcome (`models_with_truth`).
 template <class T>
-[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& collision, Model model) {
+[[nodiscard]] Vector3<T> impulse_for(const BasicCollision<T>& collision, Model model, const Vector3<T>& change,
+                                     const Matrix3<T>* matrix = nullptr) {
   const Vector3<T>& n = collision.normal;
-  const Outcome<T> before = unchanged(collision);
-  const T wanted = -(T(1) + collision.restitution) * n.dot(relative_velocity<T>(collision, before));
-  Vector3<T> impulse;
   switch (model) {
     case Model::frictionless: {
       const T per_unit = n.dot(relative_velocity<T>(collision, response<T>(collision, n)));
-      impulse = n * T(wanted / per_unit);
-      break;
+      return n * T(n.dot(change) / per_unit);
     }
     case Model::reflection:
-      impulse = cramer<T>(response_matrix(collision), Vector3<T>(n * T(wanted / n.dot(n))));
-      break;
+      return cramer<T>(matrix != nullptr ? *matrix : response_matrix(collision), change);
     case Model::any:
-      throw std::invalid_argument("the model `any` determines no outcome");
+      break;
   }
-  const Outcome<T> change = response<T>(collision, impulse);
-  return {impulse,
-          {{before.a.velocity + change.a.velocity, before.a.angular_velocity + change.a.angular_velocity},
-           {before.b.velocity + change.b.velocity, before.b.angular_velocity + change.b.angular_velocity}}};
+  throw std::invalid_argument("the model `any` determines no outcome");
+}
+
+/// The change of relative velocity that both laws ask for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
+template <class T>
+[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& collision) {
+  const Vector3<T>& n = collision.normal;
+  const T wanted = -(T(1) + collision.restitution) * n.dot(relative_velocity<T>(collision, unchanged(collision)));
+  return n * T(wanted / n.dot(n));
+}
+
+template <class T>
+[[nodiscard]] Outcome<T> sum(const Outcome<T>& x, const Outcome<T>& y) {
+  return {{x.a.velocity + y.a.velocity, x.a.angular_velocity + y.a.angular_velocity},
+          {x.b.velocity + y.b.velocity, x.b.angular_velocity + y.b.angular_velocity}};
+}
+
+/// The law's answer to a contact that collides. T is a field; the sign of N·V⁻ is not asked.
+/// Preconditions: as of impulse_for.
+template <class T>
+[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& collision, Model model) {
+  const Vector3<T> impulse = impulse_for<T>(collision, model, wanted_change(collision));
+  return {impulse, sum(unchanged(collision), response<T>(collision, impulse))};
 }
 
 }  // namespace carom::oracles

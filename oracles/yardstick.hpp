@@ -22,6 +22,10 @@ struct Yardstick {
   /// Whether enclosures may decide what they can. The verdicts are the same without, only slower.
   bool filtered = true;
 
+  /// Whether lower bounds of what is allowed may decide. The upper limit keeps what is allowed of a moderate collision
+  /// (moderate.hpp) a finite number, as it has to be for a pass.
+  [[nodiscard]] bool uses_bounds() const { return filtered && allowance() > 0 && allowance() <= 0x1p+64; }
+
   [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
 };
 

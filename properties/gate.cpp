@@ -66,7 +66,8 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   std::span<const ExactAnswer> rest(replies);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::size_t count = trials[i].questions().size();
-    tally.add(family, first + i, cases[i], batch.answers[i], trials[i].judge(rest.first(count)), claim);
+    tally.add(family, first + i, cases[i], batch.answers[i],
+              trials[i].judge(rest.first(count), tally.families[family].worst_backward_error), claim);
     rest = rest.subspan(count);
   }
   for (const std::exception_ptr& failure : {batch.failure, related.failure}) {
@@ -113,6 +114,9 @@ class Worker {
     }
     for (std::size_t s = 0; s < subjects_.size(); ++s) {
       guarded(s, [&] { sessions_[s].close(); });
+    }
+    for (Tally& tally : tallies_) {
+      tally.name_counts();
     }
     sessions_.clear();  // in the thread that opened them
   }

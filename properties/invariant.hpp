@@ -9,6 +9,7 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/judge.hpp>
+#include <carom/oracles/lifted_matrix.hpp>
 
 namespace carom::properties {
 
@@ -50,9 +51,9 @@ struct Evidence {
   Model model;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
-  const oracles::Accuracy* accuracy;                   // of the outcome; nullptr for models without a truth
-  const Matrix3<oracles::Rational>* collision_matrix;  // as the subject computed it; nullptr where it shows none
-  std::span<const Related> related;                    // the answers to the invariant's own questions
+  const oracles::Accuracy* accuracy;              // of the outcome; nullptr for models without a truth
+  const oracles::LiftedMatrix* collision_matrix;  // as the subject computed it; nullptr where it shows none
+  std::span<const Related> related;               // the answers to the invariant's own questions
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };

@@ -61,11 +61,13 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
       digits.push_back(static_cast<float>(judgement.accuracy->digits()));
     }
   }
+  counts.resize(families.size());
+  std::vector<Count>& counts_of_family = counts[family];
+  counts_of_family.resize(all_invariants().size());
   bool any_violated = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     any_violated = any_violated || named.verdict.status == Status::violated;
-    const std::string name(named.invariant->name);
-    Count& count = result.counts[name];
+    Count& count = counts_of_family[static_cast<std::size_t>(named.invariant - all_invariants().data())];
     switch (named.verdict.status) {
       case Status::holds:
         ++count.holds;
@@ -75,10 +77,25 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
         break;
       case Status::violated:
         ++count.violated;
-        keep_worst(result, name, {index, judged_case.generated(), named.verdict, answer});
+        keep_worst(result, std::string(named.invariant->name), {index, judged_case.generated(), named.verdict, answer});
     }
   }
   result.violated += any_violated ? 1 : 0;
+}
+
+void Tally::name_counts() {
+  for (std::size_t f = 0; f < counts.size(); ++f) {
+    for (std::size_t i = 0; i < counts[f].size(); ++i) {
+      const Count& count = counts[f][i];
+      if (count.holds + count.violated + count.skipped > 0) {
+        Count& named = families[f].counts[std::string(all_invariants()[i].name)];
+        named.holds += count.holds;
+        named.violated += count.violated;
+        named.skipped += count.skipped;
+      }
+    }
+  }
+  counts.clear();
 }
 
 Tally& Tally::operator+=(const Tally& other) {

@@ -17,10 +17,14 @@ struct Tally {
   std::vector<FamilyResult> families;
   std::vector<float> digits;
   std::vector<double> nanoseconds_per_solve;  // of each task
+  std::vector<std::vector<Count>> counts;     // of each family and invariant of the catalogue, until they are named
 
   /// Adds what was found on one case of a family.
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
            const Judgement& judgement, const Claim& claim);
+
+  /// Adds the counts to those of the families, by name. To be called before the families' counts are read.
+  void name_counts();
 
   Tally& operator+=(const Tally& other);
 };

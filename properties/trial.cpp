@@ -9,8 +9,6 @@
 namespace carom::properties {
 namespace {
 
-using oracles::Rational;
-
 bool same_numbers(const Collision& left, const Collision& right) {
   bool same = left.a.immovable == right.a.immovable && left.b.immovable == right.b.immovable;
   if (same) {
@@ -86,7 +84,7 @@ const oracles::ExactCase* JudgedCase::related(const Collision& collision) const 
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-             std::optional<Matrix3<Rational>> collision_matrix, bool with_relations)
+             std::optional<oracles::LiftedMatrix> collision_matrix, bool with_relations)
     : judged_case_(&judged_case),
       claim_(&claim),
       answer_(std::move(answer)),
@@ -112,7 +110,7 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
   }
 }
 
-Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
+Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backward_error) const {
   if (answers.size() != questions_.size()) {
     throw std::invalid_argument("a trial needs one answer to each of its questions");
   }
@@ -124,7 +122,8 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   const bool has_truth = claim_->model != Model::any;
   if (outcome != nullptr && judged_case_->is_valid() && has_truth) {
-    judgement.accuracy = oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick);
+    judgement.accuracy =
+        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick, known_backward_error);
   }
   std::size_t next_question = 0;
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
@@ -164,7 +163,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers) const {
 }
 
 Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                   const std::optional<Matrix3<Rational>>& collision_matrix) {
+                   const std::optional<oracles::LiftedMatrix>& collision_matrix) {
   const Trial trial(judged_case, claim, solve(judged_case.generated().collision), collision_matrix);
   std::vector<ExactAnswer> answers;
   for (const Collision& question : trial.questions()) {
@@ -173,22 +172,15 @@ Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const Exac
   return trial.judge(answers);
 }
 
-std::optional<Matrix3<Rational>> shown_collision_matrix(const Subject& subject, const JudgedCase& judged_case) {
+std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject, const JudgedCase& judged_case) {
   if (!subject.collision_matrix || !judged_case.is_valid()) {
     return std::nullopt;
   }
   const Matrix3<long double> shown = subject.collision_matrix(judged_case.generated().collision);
-  Matrix3<Rational> lifted;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!std::isfinite(shown(i, j))) {
-        // A matrix that is not finite bounds nothing: shown as zero it violates `definite`.
-        return Matrix3<Rational>::Constant(Rational(0));
-      }
-      lifted(i, j) = oracles::lift(shown(i, j));
-    }
-  }
-  return lifted;
+  const bool is_finite =
+      std::all_of(shown.data(), shown.data() + shown.size(), [](long double x) { return std::isfinite(x); });
+  // A matrix that is not finite bounds nothing: shown as zero it violates `definite`.
+  return oracles::LiftedMatrix(is_finite ? shown : Matrix3<long double>(Matrix3<long double>::Zero()));
 }
 
 }  // namespace carom::properties

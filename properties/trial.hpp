@@ -63,19 +63,21 @@ class Trial {
   /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
   /// Without relations, the invariants that ask about further collisions are left out.
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-        std::optional<Matrix3<oracles::Rational>> collision_matrix, bool with_relations = true);
+        std::optional<oracles::LiftedMatrix> collision_matrix, bool with_relations = true);
 
   /// The related collisions that the claimed invariants ask about.
   [[nodiscard]] const std::vector<Collision>& questions() const { return questions_; }
 
+  /// Where the backward error is surely at most `known`, that of the judgement may be too large, but by no more than
+  /// `known`: a maximum over many judgements needs few of them (oracles::accuracy). The verdicts do not depend on it.
   /// Precondition: one answer to each question, in order.
-  [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers) const;
+  [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
 
  private:
   const JudgedCase* judged_case_;
   const Claim* claim_;
   ExactAnswer answer_;
-  std::optional<Matrix3<oracles::Rational>> collision_matrix_;
+  std::optional<oracles::LiftedMatrix> collision_matrix_;
   bool with_relations_;
   std::vector<Collision> questions_;
   std::vector<std::size_t> question_count_;  // of each claimed invariant
@@ -86,11 +88,11 @@ using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
 /// A whole trial of one case.
 [[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                                 const std::optional<Matrix3<oracles::Rational>>& collision_matrix = std::nullopt);
+                                 const std::optional<oracles::LiftedMatrix>& collision_matrix = std::nullopt);
 
 /// The collision matrix that the subject shows for a valid collision, lifted, zero where it is not finite; none where
 /// it shows none.
-[[nodiscard]] std::optional<Matrix3<oracles::Rational>> shown_collision_matrix(const Subject& subject,
-                                                                               const JudgedCase& judged_case);
+[[nodiscard]] std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject,
+                                                                          const JudgedCase& judged_case);
 
 }  // namespace carom::properties

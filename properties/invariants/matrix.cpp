@@ -8,6 +8,8 @@
 namespace carom::properties {
 namespace {
 
+using oracles::Approximation;
+using oracles::less_multiple_of_identity;
 using oracles::Rational;
 
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
@@ -26,21 +28,72 @@ Rational eigenvalue_rounding(const Evidence& e) {
   return e.allowance() > 0 ? Rational(e.allowance() * e.exact_case.collision_matrix_sensitivity()) : Rational(0);
 }
 
+bool may_be_filtered(const Evidence& e) {
+  return e.yardstick.uses_bounds() && e.exact_case.is_moderate();
+}
+
+template <class T>
+Matrix3<T> shown_matrix(const Evidence& e) {
+  return e.collision_matrix->reported().unaryExpr([](long double x) { return T(x); });
+}
+
+/// Whether bounds show that λI ⪯ C for the computed C, but for less rounding than is allowed. The exact C needs no
+/// check (`ExactCase::is_definite`).
+bool is_surely_definite(const Evidence& e) {
+  if (e.collision_matrix == nullptr) {
+    return true;
+  }
+  const double rounding = e.allowance() * e.exact_case.collision_matrix_sensitivity_below();
+  const auto is_surely_above = [&]<class T>(const T& lambda) {
+    return is_positive_semidefinite(less_multiple_of_identity<T>(shown_matrix<T>(e), lambda - T(rounding)))
+        .value_or(false);
+  };
+  if (e.allowance() >= oracles::least_allowance_for_approximations &&
+      is_surely_above(e.exact_case.approximate_inverse_mass())) {
+    count(oracles::Stage::approximation);
+    return true;
+  }
+  if (is_surely_above(e.exact_case.enclosed_inverse_mass())) {
+    count(oracles::Stage::enclosure);
+    return true;
+  }
+  return false;
+}
+
+/// Whether bounds show that C ⪯ 16 λI, without any rounding, for the exact C and for the computed one.
+bool is_surely_well_conditioned(const Evidence& e) {
+  const Approximation bound = Approximation(16) * e.exact_case.approximate_inverse_mass();
+  const auto is_below = [&](const Matrix3<Approximation>& matrix) {
+    return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-matrix, -bound)).value_or(false);
+  };
+  if (is_below(e.exact_case.approximate_collision_matrix()) &&
+      (e.collision_matrix == nullptr || is_below(shown_matrix<Approximation>(e)))) {
+    count(oracles::Stage::approximation);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Verdict check_definite(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("both bodies are immovable");
   }
+  if (may_be_filtered(e) && is_surely_definite(e)) {
+    return {};
+  }
   if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
     return beyond_range();
   }
   const Rational lambda = e.exact_case.inverse_mass();
+  count(oracles::Stage::rational);
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
-  if (e.collision_matrix != nullptr && !oracles::is_at_least(*e.collision_matrix, lambda - eigenvalue_rounding(e))) {
-    return bound_missed("the computed C and λI", *e.collision_matrix, lambda);
+  if (e.collision_matrix != nullptr &&
+      !oracles::is_at_least(e.collision_matrix->exact(), lambda - eigenvalue_rounding(e))) {
+    return bound_missed("the computed C and λI", e.collision_matrix->exact(), lambda);
   }
   return {};
 }
@@ -49,17 +102,21 @@ Verdict check_well_conditioned(const Evidence& e) {
   if (!e.convex_uniform || e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("the bodies are not known to be convex and uniform");
   }
+  if (may_be_filtered(e) && is_surely_well_conditioned(e)) {
+    return {};
+  }
   if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
     return beyond_range();
   }
+  count(oracles::Stage::rational);
   const Rational bound = 16 * e.exact_case.inverse_mass();
   // The bound is sharp, and the stored moments and lever arms are rounded.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
-  if (e.collision_matrix != nullptr && !oracles::is_at_most(*e.collision_matrix, bound + rounding)) {
-    return bound_missed("the computed C and 16 λI", *e.collision_matrix, bound);
+  if (e.collision_matrix != nullptr && !oracles::is_at_most(e.collision_matrix->exact(), bound + rounding)) {
+    return bound_missed("the computed C and 16 λI", e.collision_matrix->exact(), bound);
   }
   return {};
 }

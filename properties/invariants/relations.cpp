@@ -4,8 +4,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -42,26 +40,74 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
       const auto exactly = expected(first.exact());
       return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
     };
-    worst =
-        both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
-                                             e.allowance() * sensitivity[k], e.yardstick.filtered,
-                                             fmt::format("{}, as related and as computed", outcome_vector_names[k])));
+    worst = both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
+                                                 e.allowance() * sensitivity[k], e.yardstick.filtered,
+                                                 outcome_vector_names[k], "as related and as computed"));
   }
   return worst;
 }
 
+/// Whether approximations alone show that the outcomes agree within a lower bound of what is allowed.
+template <class Expected>
+bool surely_agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
+                  const oracles::LiftedOutcome& second, const oracles::Sensitivity& below) {
+  const auto left = expected(first.approximate());
+  const auto right = second.approximate();
+  for (std::size_t k = 0; k < below.size(); ++k) {
+    if (!oracles::norm_at_most(oracles::difference(*vectors(left)[k], *vectors(right)[k]), e.allowance() * below[k])
+             .value_or(false)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether lower bounds may decide: what is allowed is then surely a finite number.
+bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
+  return e.yardstick.uses_bounds() && exact_case.is_moderate() && outcome.is_moderate();
+}
+
+oracles::Sensitivity weighted_sum(double factor, const oracles::Sensitivity& first,
+                                  const oracles::Sensitivity& second) {
+  oracles::Sensitivity sum{};
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    sum[k] = factor * first[k] + second[k];
+  }
+  return sum;
+}
+
+bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
+  const auto x = vectors(left);
+  const auto y = vectors(right);
+  bool same = true;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    same = same && *x[k] == *y[k];
+  }
+  return same;
+}
+
 /// The relation maps the collision exactly, so the exact outcome is mapped exactly and both sensitivities are the same.
+/// `back` is exact in every arithmetic: it changes places, signs and exponents alone.
 template <class Back>
 Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
   const auto answer = outcome_of(related);
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {
     return *verdict;
   }
-  oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
-  for (double& of_both : sensitivity) {
-    of_both *= 2;
+  const oracles::LiftedOutcome& mapped = *std::get<const oracles::LiftedOutcome*>(answer);
+  if (is_surely_finite(e, e.exact_case, e.outcome) && mapped.is_moderate()) {
+    if (same_numbers(back(*mapped.reported()), *e.outcome.reported())) {
+      count(oracles::Stage::same_bits);
+      return {};
+    }
+    const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.model);
+    if (surely_agree(e, mapped, back, e.outcome, weighted_sum(1, below, below))) {
+      count(oracles::Stage::approximation);
+      return {};
+    }
   }
-  return agree(e, *std::get<const oracles::LiftedOutcome*>(answer), back, e.outcome, sensitivity);
+  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
 /// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
@@ -75,23 +121,23 @@ Verdict related_pair(const Evidence& e, double factor, const Expected& expected)
       return *verdict;
     }
   }
-  const auto sum = [factor](oracles::Sensitivity of_first, const oracles::Sensitivity& of_second) {
-    for (std::size_t k = 0; k < of_first.size(); ++k) {
-      of_first[k] = factor * of_first[k] + of_second[k];
-    }
-    return of_first;
-  };
   const oracles::ExactCase& first_case = e.related[0].exact_case;
   const oracles::ExactCase& second_case = e.related[1].exact_case;
-  const auto verdict = [&](const oracles::Sensitivity& sensitivity) {
-    return agree(e, *std::get<const oracles::LiftedOutcome*>(first), expected,
-                 *std::get<const oracles::LiftedOutcome*>(second), sensitivity);
-  };
-  if (verdict(sum(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))).status ==
-      Status::holds) {
-    return {};
+  const oracles::LiftedOutcome& first_outcome = *std::get<const oracles::LiftedOutcome*>(first);
+  const oracles::LiftedOutcome& second_outcome = *std::get<const oracles::LiftedOutcome*>(second);
+  if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
+    const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
+      return surely_agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, of_first, of_second));
+    };
+    if (agree_by(first_case.sensitivity_before(), second_case.sensitivity_before()) ||
+        agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
+      count(oracles::Stage::approximation);
+      return {};
+    }
   }
-  return verdict(sum(first_case.sensitivity(e.model, e.allowance()), second_case.sensitivity(e.model, e.allowance())));
+  return agree(e, first_outcome, expected, second_outcome,
+               weighted_sum(factor, first_case.sensitivity(e.model, e.allowance()),
+                            second_case.sensitivity(e.model, e.allowance())));
 }
 
 /// Applies `polar` to the vectors that a mirror reflects and `axial` to those that turn with it.
@@ -207,6 +253,8 @@ template <class T>
 const BasicCollision<T>& collision_in(const oracles::ExactCase& exact_case) {
   if constexpr (std::is_same_v<T, Rational>) {
     return exact_case.exact();
+  } else if constexpr (std::is_same_v<T, oracles::Approximation>) {
+    return exact_case.approximate();
   } else {
     return exact_case.enclosed();
   }

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include <carom/properties/invariant.hpp>
 
@@ -29,16 +32,22 @@ namespace carom::properties {
 }
 
 /// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as
-/// enclosures, and as functions that give them exactly where those do not decide.
+/// enclosures, and as functions that give them exactly where those do not decide. `relation` says what is compared of
+/// the vector.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
-                                    double allowed, bool filtered, const std::string& what) {
+                                    double allowed, bool filtered, std::string_view vector, const char* relation) {
   if (!std::isfinite(allowed)) {
     return beyond_range();
   }
   const auto violation = [&](const auto& left, const auto& right) {
-    Verdict verdict{Status::violated, what, oracles::norm(oracles::difference(left, right)), allowed, {}, {}};
+    Verdict verdict{Status::violated,
+                    fmt::format("{}, {}", vector, relation),
+                    oracles::norm(oracles::difference(left, right)),
+                    allowed,
+                    {},
+                    {}};
     for (int i = 0; i < 3; ++i) {
       verdict.left.push_back(oracles::rounded(left[i]));
       verdict.right.push_back(oracles::rounded(right[i]));
@@ -47,6 +56,7 @@ template <class Exact>
   };
   const std::optional<bool> within =
       filtered ? oracles::norm_at_most(oracles::difference(actual, expected), allowed) : std::nullopt;
+  count(within ? oracles::Stage::enclosure : oracles::Stage::rational);
   if (within) {
     return *within ? Verdict{} : violation(actual, expected);
   }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace carom::oracles {
+
+/// What decides: the cheapest that can.
+enum class Stage { same_bits, approximation, enclosure, rational };
+
+inline constexpr std::size_t stage_count = 4;
+
+/// How much each stage has decided, by the calling thread since it began: comparisons, of which a verdict takes one or
+/// more.
+using StageCounts = std::array<std::uint64_t, stage_count>;
+
+namespace detail {
+inline thread_local StageCounts stage_counts{};
+}  // namespace detail
+
+[[nodiscard]] inline const StageCounts& decided_by_stage() { return detail::stage_counts; }
+
+inline void count(Stage stage) { ++detail::stage_counts[static_cast<std::size_t>(stage)]; }
+
+/// Approximations carry bounds of a hundred or so times 2⁻⁶⁴ of the terms: they do not decide below this.
+inline constexpr double least_allowance_for_approximations = 0x1p-54;
+
+}  // namespace carom::oracles

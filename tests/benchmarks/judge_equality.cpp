@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
+// judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R]
+// N cases, two in three of the families in turn, one in three wild; the subjects take turns: the built-in ones, the
+// mutants, and outcomes planted at the edge of what is allowed. Relations are judged on every R-th case. Ends in 1
+// where anything differs.
+#include <atomic>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <carom/subjects/catalogue.hpp>
+
+#include "agreement.hpp"
+#include "mutants/catalogue.hpp"
+#include "planted.hpp"
+#include "wild.hpp"
+
+namespace {
+
+using namespace carom;
+using equality::Agreement;
+using equality::Relations;
+
+std::vector<Subject> subjects_in_turn() {
+  std::vector<Subject> subjects;
+  for (const Subject& subject : subjects::all_subjects()) {
+    if (subject.absent.empty()) {
+      subjects.push_back(subject);
+    }
+  }
+  for (const mutants::Mutant& mutant : mutants::all_mutants()) {
+    subjects.push_back(mutants::subject_of(mutant));
+  }
+  for (const Model model : models_with_truth) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+      // As often as all built-in subjects together.
+      for (int i = 0; i < 3; ++i) {
+        subjects.push_back(equality::planting_subject(model, precision));
+      }
+    }
+  }
+  return subjects;
+}
+
+struct Options {
+  std::uint64_t cases = 10000;
+  std::uint64_t seed = 1;
+  unsigned jobs = 1;
+  std::uint64_t relations_every = 10;
+};
+
+void compare(const Options& options, std::atomic<std::uint64_t>& next, Agreement& agreement) {
+  const auto families = properties::all_families();
+  const std::vector<Subject> subjects = subjects_in_turn();
+  std::vector<Session> sessions;
+  sessions.reserve(subjects.size());
+  for (const Subject& subject : subjects) {
+    sessions.push_back(subject.open());
+  }
+  for (std::uint64_t i = next++; i < options.cases; i = next++) {
+    properties::Stream stream = properties::case_stream(options.seed, "judge_equality", i);
+    const std::size_t family = stream.bits() % families.size();
+    const std::size_t subject = stream.bits() % subjects.size();
+    const bool is_wild = i % 3 == 2;
+    equality::compare_judges(is_wild ? equality::wild_case(stream) : families[family].generate(stream),
+                             subjects[subject], sessions[subject],
+                             i % options.relations_every == 0 ? Relations::judged : Relations::left_out,
+                             fmt::format("case {} ({})", i, is_wild ? "wild" : families[family].name), agreement);
+  }
+}
+
+double rate(std::uint64_t count, std::chrono::nanoseconds spent) {
+  return static_cast<double>(count) / std::chrono::duration<double>(spent).count();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Compares the filtered judge with the rational one");
+  app.add_option("--cases", options.cases);
+  app.add_option("--seed", options.seed);
+  app.add_option("--jobs", options.jobs);
+  app.add_option("--relations-every", options.relations_every)->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+  std::atomic<std::uint64_t> next = 0;
+  std::vector<Agreement> agreements(options.jobs);
+  {
+    std::vector<std::jthread> workers;
+    for (Agreement& agreement : agreements) {
+      workers.emplace_back([&] { compare(options, next, agreement); });
+    }
+  }
+  Agreement all;
+  for (const Agreement& agreement : agreements) {
+    all += agreement;
+  }
+  fmt::print("{:<24}{:>12}{:>12}{:>12}\n", "invariant, exactly", "holds", "violated", "skipped");
+  for (const auto& [name, count] : all.invariants) {
+    fmt::print("{:<24}{:>12}{:>12}{:>12}\n", name, count.holds, count.violated, count.skipped);
+  }
+  fmt::print("{} cases, {} verdicts, {} different\n", all.judgements, all.verdicts, all.differences.size());
+  fmt::print("rational {:.0f}, filtered {:.0f} judgements a second and thread: ratio {:.1f}\n",
+             rate(all.judgements, all.rational), rate(all.judgements, all.filtered),
+             rate(all.judgements, all.filtered) / rate(all.judgements, all.rational));
+  for (std::size_t i = 0; i < all.differences.size() && i < 50; ++i) {
+    fmt::print("{}\n", all.differences[i]);
+  }
+  return all.differences.empty() ? 0 : 1;
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Judgements a second and core: of the judge in rational numbers alone, and with its filters; generation of cases; the
+// whole gate, by threads. --benchmark_filter and --benchmark_format as ever; the last lines say the ratios and, by
+// invariant, what decided.
+#include <algorithm>
+#include <ctime>
+#include <map>
+#include <string>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <carom/oracles/stage.hpp>
+#include <carom/properties/answers.hpp>
+#include <carom/properties/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+namespace {
+
+using namespace carom;
+using properties::Claim;
+using properties::JudgedCase;
+using properties::Trial;
+
+constexpr std::uint64_t seed = 1;
+
+std::vector<Subject> sound_subjects() {
+  std::vector<Subject> subjects;
+  for (const Subject& subject : subjects::built_in_subjects()) {
+    if (subject.expected_to_pass) {
+      subjects.push_back(subject);
+    }
+  }
+  return subjects;
+}
+
+/// A subject's answers to a case and to all its questions.
+struct Asked {
+  Answer answer;
+  std::vector<Answer> related;
+};
+
+/// Cases with the answers of each subject, so that what is timed is the judge alone.
+struct Prepared {
+  std::vector<Subject> subjects;
+  std::vector<properties::Case> cases;
+  std::vector<std::vector<Asked>> asked;  // by subject and case
+};
+
+Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claims, const properties::Family& family,
+                  std::uint64_t count, bool with_relations) {
+  Prepared result{std::move(subjects), {}, {}};
+  for (std::uint64_t i = 0; i < count; ++i) {
+    properties::Stream stream = properties::case_stream(seed, family.name, i);
+    result.cases.push_back(family.generate(stream));
+  }
+  for (std::size_t s = 0; s < result.subjects.size(); ++s) {
+    const Subject& subject = result.subjects[s];
+    Session session = subject.open();
+    std::vector<Asked>& all = result.asked.emplace_back();
+    for (const properties::Case& one : result.cases) {
+      const JudgedCase judged(one);
+      Asked asked{properties::answers_of(session, std::span(&one.collision, 1)).front(), {}};
+      const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, with_relations);
+      if (!trial.questions().empty()) {
+        asked.related = properties::answers_of(session, trial.questions());
+      }
+      all.push_back(std::move(asked));
+    }
+  }
+  return result;
+}
+
+/// Judges each case by each subject, what is known of a case shared by the subjects as in the gate.
+std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, bool with_relations) {
+  std::uint64_t verdicts = 0;
+  std::vector<double> known(work.subjects.size(), 0);
+  for (std::size_t i = 0; i < work.cases.size(); ++i) {
+    const JudgedCase judged(work.cases[i]);
+    for (std::size_t s = 0; s < work.subjects.size(); ++s) {
+      const Asked& asked = work.asked[s][i];
+      const Trial trial(judged, claims[s], properties::lift(asked.answer),
+                        properties::shown_collision_matrix(work.subjects[s], judged), with_relations);
+      const properties::Judgement judgement = trial.judge(
+          with_relations ? properties::lifted(asked.related) : std::vector<properties::ExactAnswer>{}, known[s]);
+      verdicts += judgement.verdicts.size();
+      if (judgement.accuracy && judgement.accuracy->is_decided) {
+        known[s] = std::max(known[s], judgement.accuracy->backward_error(claims[s].yardstick.unit_roundoff));
+      }
+    }
+  }
+  return verdicts;
+}
+
+std::vector<Claim> claims_of(const std::vector<Subject>& subjects, bool filtered) {
+  oracles::Yardstick yardstick;
+  yardstick.filtered = filtered;
+  std::vector<Claim> claims;
+  for (const Subject& subject : subjects) {
+    claims.push_back(properties::claim_of(subject, yardstick));
+  }
+  return claims;
+}
+
+std::map<std::string, double>& rates() {
+  static std::map<std::string, double> all;
+  return all;
+}
+
+void judge(benchmark::State& state, const std::string& name, const std::vector<Subject>& subjects,
+           std::vector<const properties::Family*> families, std::uint64_t cases, bool filtered, bool with_relations) {
+  const std::vector<Claim> claims = claims_of(subjects, filtered);
+  std::vector<Prepared> work;
+  for (const properties::Family* family : families) {
+    work.push_back(prepared(subjects, claims, *family, cases, with_relations));
+  }
+  std::uint64_t judgements = 0;
+  std::uint64_t verdicts = 0;
+  const std::clock_t start = std::clock();  // of the process: what else the machine does is no matter
+  for ([[maybe_unused]] const auto _ : state) {
+    for (const Prepared& one : work) {
+      verdicts += judge_all(one, claims, with_relations);
+      judgements += one.cases.size() * subjects.size();
+    }
+  }
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  rates()[name] = static_cast<double>(judgements) / seconds;
+  state.counters["judgements/s"] = benchmark::Counter(static_cast<double>(judgements), benchmark::Counter::kIsRate);
+  state.counters["verdicts/s"] = benchmark::Counter(static_cast<double>(verdicts), benchmark::Counter::kIsRate);
+}
+
+void generate(benchmark::State& state) {
+  std::uint64_t made = 0;
+  for ([[maybe_unused]] const auto _ : state) {
+    for (const properties::Family& family : properties::all_families()) {
+      properties::Stream stream = properties::case_stream(seed, family.name, made);
+      benchmark::DoNotOptimize(family.generate(stream));
+      ++made;
+    }
+  }
+  state.counters["cases/s"] = benchmark::Counter(static_cast<double>(made), benchmark::Counter::kIsRate);
+}
+
+void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, unsigned jobs,
+                std::uint64_t relations_every) {
+  properties::GateOptions options;
+  options.cases = 100;
+  options.jobs = jobs;
+  options.relations_every = relations_every;
+  for (const properties::Family& family : properties::all_families()) {
+    options.families.push_back(&family);
+  }
+  std::uint64_t judgements = 0;
+  for ([[maybe_unused]] const auto _ : state) {
+    benchmark::DoNotOptimize(run_gate(subjects, options));
+    judgements += options.cases * options.families.size() * subjects.size();
+  }
+  state.counters["judgements/s"] = benchmark::Counter(static_cast<double>(judgements), benchmark::Counter::kIsRate);
+}
+
+/// What decided the comparisons of each invariant, over every family and sound subject.
+void print_shares() {
+  constexpr std::uint64_t cases = 20;
+  fmt::print("\nwhat decided, of the comparisons of each invariant [%]\n{:<24}{:>12}{:>14}{:>14}{:>11}{:>10}\n",
+             "invariant", "comparisons", "same bits", "approximation", "enclosure", "rational");
+  const std::vector<Subject> subjects = sound_subjects();
+  std::map<std::string_view, oracles::StageCounts> shares;
+  for (const Subject& subject : subjects) {
+    for (const properties::Invariant& invariant : properties::all_invariants()) {
+      Claim claim = properties::claim_of(subject, {});
+      const bool is_claimed = std::erase_if(claim.invariants, [&](const auto* one) { return one != &invariant; }) <
+                              properties::all_invariants().size();
+      if (!is_claimed || claim.invariants.empty()) {
+        continue;
+      }
+      // The truth and backward error are judged with every invariant: theirs are counted once, as backward_error.
+      for (const properties::Family& family : properties::all_families()) {
+        const Prepared work = prepared({subject}, {claim}, family, cases, true);
+        const oracles::StageCounts before = oracles::decided_by_stage();
+        judge_all(work, {claim}, true);
+        const oracles::StageCounts after = oracles::decided_by_stage();
+        Claim without = claim;
+        without.invariants.clear();
+        judge_all(work, {without}, false);
+        const oracles::StageCounts base = oracles::decided_by_stage();
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          const std::uint64_t of_accuracy = base[i] - after[i];
+          shares[invariant.name][i] +=
+              invariant.name == "backward_error" ? of_accuracy : after[i] - before[i] - of_accuracy;
+        }
+      }
+    }
+  }
+  for (const auto& [name, counts] : shares) {
+    double sum = 0;
+    for (const std::uint64_t one : counts) {
+      sum += static_cast<double>(one);
+    }
+    if (sum > 0) {
+      const auto share = [&](oracles::Stage stage) {
+        return 100 * static_cast<double>(counts[static_cast<std::size_t>(stage)]) / sum;
+      };
+      fmt::print("{:<24}{:>12}{:>14.2f}{:>14.2f}{:>11.2f}{:>10.2f}\n", name, sum, share(oracles::Stage::same_bits),
+                 share(oracles::Stage::approximation), share(oracles::Stage::enclosure),
+                 share(oracles::Stage::rational));
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Subject> sound = sound_subjects();
+  std::vector<const properties::Family*> families;
+  for (const properties::Family& family : properties::all_families()) {
+    families.push_back(&family);
+  }
+  for (const bool with_relations : {false, true}) {
+    for (const bool filtered : {false, true}) {
+      const std::string kind =
+          std::string(filtered ? "filtered" : "rational") + (with_relations ? "/relations" : "/one_outcome");
+      const std::uint64_t cases = filtered ? 50 : 4;
+      const std::string all = kind + "/all";
+      benchmark::RegisterBenchmark(("judge/" + all).c_str(), [=](benchmark::State& state) {
+        judge(state, all, sound, families, cases, filtered, with_relations);
+      })->Unit(benchmark::kMillisecond);
+      for (const Subject& subject : sound) {
+        const std::string name = kind + "/alone/" + subject.name;
+        benchmark::RegisterBenchmark(("judge/" + name).c_str(), [=](benchmark::State& state) {
+          judge(state, name, {subject}, families, cases, filtered, with_relations);
+        })->Unit(benchmark::kMillisecond);
+      }
+      for (const properties::Family* family : families) {
+        const std::string name = kind + "/family/" + std::string(family->name);
+        benchmark::RegisterBenchmark(("judge/" + name).c_str(), [=](benchmark::State& state) {
+          judge(state, name, sound, {family}, cases, filtered, with_relations);
+        })->Unit(benchmark::kMillisecond);
+      }
+    }
+  }
+  benchmark::RegisterBenchmark("generate", generate);
+  for (const unsigned jobs : {1U, 2U, 4U}) {
+    for (const std::uint64_t relations_every : {1U, 1000000U}) {
+      benchmark::RegisterBenchmark(fmt::format("gate/jobs:{}/relations_every:{}", jobs, relations_every).c_str(),
+                                   [=](benchmark::State& state) { whole_gate(state, sound, jobs, relations_every); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  fmt::print("\nratio of the filtered judge to the rational one, same run\n");
+  for (const auto& [name, rate] : rates()) {
+    if (name.starts_with("filtered")) {
+      const auto rational = rates().find("rational" + name.substr(8));
+      if (rational != rates().end()) {
+        fmt::print("{:<58}{:>12.0f}/s{:>10.1f}\n", name.substr(9), rate, rate / rational->second);
+      }
+    }
+  }
+  print_shares();
+}

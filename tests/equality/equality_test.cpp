@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/subjects/catalogue.hpp>
+
+#include "agreement.hpp"
+#include "mutants/catalogue.hpp"
+#include "planted.hpp"
+#include "wild.hpp"
+
+/// The filters change no verdict: what they decide is held against the judge in rational numbers alone. The program
+/// `judge_equality` does the same on as many cases as there is time for.
+namespace carom::equality {
+namespace {
+
+constexpr std::uint64_t seed = 4;
+
+std::string joined(const Agreement& agreement) {
+  std::string text;
+  for (const std::string& difference : agreement.differences) {
+    text += difference + '\n';
+  }
+  return text;
+}
+
+/// So many cases of each family, and as many wild ones for each fifth family.
+void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relations, Agreement& agreement) {
+  Session session = subject.open();
+  for (const properties::Family& family : properties::all_families()) {
+    for (std::uint64_t index = 0; index < cases; ++index) {
+      properties::Stream of_family = properties::case_stream(seed, family.name, index);
+      compare_judges(family.generate(of_family), subject, session, relations,
+                     std::string(family.name) + ' ' + std::to_string(index), agreement);
+      if ((index + family.name.size()) % 5 != 0) {
+        continue;
+      }
+      const std::string wild = "wild " + std::string(family.name);
+      properties::Stream of_wild = properties::case_stream(seed, wild, index);
+      compare_judges(wild_case(of_wild), subject, session, relations, wild + ' ' + std::to_string(index), agreement);
+    }
+  }
+}
+
+TEST(JudgeEquality, OfBuiltInSubjects) {
+  Agreement agreement;
+  for (const Subject& subject : subjects::all_subjects()) {
+    if (subject.absent.empty()) {
+      compare_on_all(subject, 1, Relations::judged, agreement);
+    }
+  }
+  EXPECT_EQ(joined(agreement), "");
+  EXPECT_GT(agreement.verdicts, 10000U);
+}
+
+TEST(JudgeEquality, OfMutants) {
+  Agreement agreement;
+  for (const mutants::Mutant& mutant : mutants::all_mutants()) {
+    compare_on_all(mutants::subject_of(mutant), 1, Relations::left_out, agreement);
+  }
+  EXPECT_EQ(joined(agreement), "");
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    const bool is_relation = invariant.questions != nullptr;
+    EXPECT_EQ(agreement.invariants.contains(std::string(invariant.name)), !is_relation) << invariant.name;
+  }
+}
+
+/// Here the bounds are tight: verdicts come out both ways within a factor of two of what is allowed.
+TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
+  Agreement agreement;
+  for (const Model model : models_with_truth) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+      const Subject subject = planting_subject(model, precision);
+      compare_on_all(subject, 3, Relations::left_out, agreement);
+      compare_on_all(subject, 1, Relations::judged, agreement);
+    }
+  }
+  EXPECT_EQ(joined(agreement), "");
+  for (const char* name : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "reflection_plane",
+                           "frictionless_direction", "separating_untouched", "swap", "rotation"}) {
+    EXPECT_GT(agreement.invariants[name].violated, 0U) << name;
+    EXPECT_GT(agreement.invariants[name].holds, 0U) << name;
+  }
+}
+
+}  // namespace
+}  // namespace carom::equality

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planted.hpp"
+
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include <carom/collision/validate.hpp>
+
+namespace carom::equality {
+namespace {
+
+long double to_precision(long double number, Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return static_cast<long double>(static_cast<float>(number));
+    case Precision::binary64:
+      return static_cast<long double>(static_cast<double>(number));
+    case Precision::extended:
+      break;
+  }
+  return number;
+}
+
+/// The nearest extended number but for an ulp.
+long double to_extended(const oracles::Rational& number) {
+  const double high = oracles::to_double(number);
+  if (!std::isfinite(high)) {
+    return static_cast<long double>(high);
+  }
+  return static_cast<long double>(high) +
+         static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
+}
+
+}  // namespace
+
+ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
+                                double allowance, properties::Stream& stream) {
+  ReportedOutcome outcome = map_outcome<long double>(exact_case.truth(model).outcome,
+                                                     [&](const oracles::Rational& x) { return to_extended(x); });
+  const auto k = static_cast<std::size_t>(stream.integer(0, 3));
+  const double near_the_limit = std::exp2(stream.between(-1, 1));
+  const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));
+  const Vector3<double> direction = stream.direction();
+  const double sensitivity = exact_case.sensitivity(model, allowance)[k];
+  if (std::isfinite(sensitivity)) {
+    *vectors(outcome)[k] += (direction / direction.norm() * (times * allowance * sensitivity)).cast<long double>();
+  }
+  return map_outcome<long double>(outcome, [&](long double x) { return to_precision(x, precision); });
+}
+
+Subject planting_subject(Model model, Precision precision) {
+  Subject subject;
+  subject.name = "planted-" + std::string(name_of(model)) + '-' + std::string(name_of(precision));
+  subject.model = model;
+  subject.precision = precision;
+  subject.open = [=] {
+    return Session([=](std::span<const Collision> collisions) {
+      const double allowance = oracles::default_limit_ulps * unit_roundoff(precision);
+      std::vector<Answer> answers;
+      for (const Collision& collision : collisions) {
+        if (!validate(collision).empty()) {
+          answers.emplace_back(Refused{"invalid"});
+          continue;
+        }
+        std::uint64_t seed = 0;
+        for_each_number(
+            [&](const FieldPath&, const double& x) { seed = seed * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
+            collision);
+        properties::Stream stream = properties::stream_from(seed);
+        answers.emplace_back(planted_outcome(oracles::ExactCase(collision), model, precision, allowance, stream));
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+}  // namespace carom::equality

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wild.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <carom/collision/validate.hpp>
+
+namespace carom::equality {
+namespace {
+
+using properties::Stream;
+
+double scaled(double number, int most, Stream& stream) { return std::ldexp(number, stream.integer(-most, most)); }
+
+/// Each field by a power of two of its own.
+Collision scaled_fields(Collision c, int most, Stream& stream) {
+  const auto factor = [&] { return scaled(1, most, stream); };
+  for (Body* body : {&c.a, &c.b}) {
+    body->mass *= factor();
+    body->principal_inertia *= factor();
+    body->orientation *= factor();
+    body->position *= factor();
+    body->velocity *= factor();
+    body->angular_velocity *= factor();
+  }
+  c.point *= factor();
+  c.normal *= factor();
+  return c;
+}
+
+/// Each number drawn anew by `draw`, brought into its field's range.
+template <class Draw>
+Collision drawn(Collision c, const Draw& draw, Stream& stream) {
+  for_each_number(
+      [&](const FieldPath& path, double& number) {
+        if (path.field == "friction" || path.field == "tangential_restitution") {
+          return;
+        }
+        const double value = stream.chance(12) ? 0 : draw();
+        if (path.field == "restitution") {
+          number = std::min(1.0, std::abs(value));
+        } else if (path.field == "mass" || path.field == "principal_inertia") {
+          number = value == 0 ? 1 : std::abs(value);
+        } else {
+          number = value;
+        }
+      },
+      c);
+  return c;
+}
+
+double random_bits(Stream& stream) {
+  for (;;) {
+    const auto number = std::bit_cast<double>(stream.bits());
+    if (std::isfinite(number)) {
+      return number;
+    }
+  }
+}
+
+}  // namespace
+
+properties::Case wild_case(Stream& stream) {
+  const auto families = properties::all_families();
+  // Seldom extreme: one such collision can cost the rational judge seconds.
+  constexpr std::array moderate{4, 8, 16, 40};
+  constexpr std::array extreme{100, 200, 300, 1000};
+  for (;;) {
+    const properties::Family& family =
+        families[static_cast<std::size_t>(stream.integer(0, static_cast<int>(families.size()) - 1))];
+    properties::Case one = family.generate(stream);
+    one.convex_uniform = false;
+    const bool is_extreme = stream.chance(64);
+    const int most = (is_extreme ? extreme : moderate).at(static_cast<std::size_t>(stream.integer(0, 3)));
+    switch (stream.integer(0, is_extreme ? 3 : 2)) {
+      case 0:
+      case 1:
+        one.collision = scaled_fields(one.collision, most, stream);
+        break;
+      case 2:
+        one.collision = drawn(
+            one.collision, [&] { return scaled(stream.signed_unit(), most, stream); }, stream);
+        break;
+      default:
+        one.collision = drawn(
+            one.collision, [&] { return random_bits(stream); }, stream);
+    }
+    if (validate(one.collision).empty()) {
+      return one;
+    }
+  }
+}
+
+}  // namespace carom::equality

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/properties/families/family.hpp>
+
+/// Collisions that no family draws.
+namespace carom::equality {
+
+/// A valid collision of one of three kinds: one of a family with each field scaled by its own power of two up to
+/// 2^±k, k itself drawn up to 1000; numbers that are each of such an exponent; random bit patterns. Zeros and subnormal
+/// numbers come up. One in 64 is extreme.
+[[nodiscard]] properties::Case wild_case(properties::Stream& stream);
+
+}  // namespace carom::equality
