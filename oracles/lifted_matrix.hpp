@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <carom/oracles/rational.hpp>
 
@@ -13,14 +14,17 @@ class LiftedMatrix {
   /// Precondition: every number is finite.
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
 
-  [[nodiscard]] const Matrix3<long double>& reported() const { return reported_; }
+  explicit LiftedMatrix(Matrix3<Rational> exact) : exact_(std::move(exact)) {}
+
+  /// As it was reported; nullptr where it was given exactly.
+  [[nodiscard]] const Matrix3<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 
   [[nodiscard]] const Matrix3<Rational>& exact() const {
     if (!exact_) {
       exact_.emplace();
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-          (*exact_)(i, j) = lift(reported_(i, j));
+          (*exact_)(i, j) = lift((*reported_)(i, j));
         }
       }
     }
@@ -28,7 +32,7 @@ class LiftedMatrix {
   }
 
  private:
-  Matrix3<long double> reported_;
+  std::optional<Matrix3<long double>> reported_;
   mutable std::optional<Matrix3<Rational>> exact_;
 };
 

@@ -8,13 +8,6 @@
 namespace carom::properties {
 namespace {
 
-/// `oracles::turned` with its division left to the end: the cases of a seed are pinned to the last bit.
-Vector3<double> turned_by_division(const Quaternion<double>& q, const Vector3<double>& v) {
-  const Quaternion<double> pure{0, v[0], v[1], v[2]};
-  const Quaternion<double> twice = oracles::product<double>(oracles::product<double>(q, pure), oracles::conjugate(q));
-  return Vector3<double>(twice.tail<3>()) / q.dot(q);
-}
-
 double restitution(Stream& stream) {
   switch (stream.integer(0, 3)) {
     case 0:
@@ -75,7 +68,7 @@ Body convex_body(Stream& stream, const Vector3<double>& point) {
   body.mass = mass(stream);
   body.principal_inertia = moments(body.mass, shape.second_moments);
   body.orientation = stream.quaternion();
-  body.position = point - turned_by_division(body.orientation, shape.point);
+  body.position = point - oracles::turned<double>(body.orientation, shape.point);
   set_velocities(stream, body, size);
   return body;
 }

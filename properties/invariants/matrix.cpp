@@ -29,12 +29,13 @@ Rational eigenvalue_rounding(const Evidence& e) {
 }
 
 bool may_be_filtered(const Evidence& e) {
-  return e.yardstick.uses_bounds() && e.exact_case.is_moderate();
+  const bool is_reported = e.collision_matrix == nullptr || e.collision_matrix->reported() != nullptr;
+  return is_reported && e.yardstick.uses_bounds() && e.exact_case.is_moderate();
 }
 
 template <class T>
 Matrix3<T> shown_matrix(const Evidence& e) {
-  return e.collision_matrix->reported().unaryExpr([](long double x) { return T(x); });
+  return e.collision_matrix->reported()->unaryExpr([](long double x) { return T(x); });
 }
 
 /// Whether bounds show that λI ⪯ C for the computed C, but for less rounding than is allowed. The exact C needs no

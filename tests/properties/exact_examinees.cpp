@@ -25,11 +25,11 @@ Examinee exactly(std::string name, Model model, Outcome<Rational> (*solver)(cons
     }
     return oracles::LiftedOutcome(solver(contact_of(collision)));
   };
-  examinee.collision_matrix = [](const JudgedCase& judged_case) -> std::optional<Matrix3<Rational>> {
+  examinee.collision_matrix = [](const JudgedCase& judged_case) -> std::optional<oracles::LiftedMatrix> {
     if (!judged_case.is_valid()) {
       return std::nullopt;
     }
-    return impulse::collision_matrix(contact_of(judged_case.generated().collision));
+    return oracles::LiftedMatrix(impulse::collision_matrix(contact_of(judged_case.generated().collision)));
   };
   return examinee;
 }

@@ -17,7 +17,7 @@ struct Examinee {
   Model model = Model::any;
   oracles::Yardstick yardstick;
   ExactSolve solve;
-  std::function<std::optional<Matrix3<oracles::Rational>>(const JudgedCase&)> collision_matrix;
+  std::function<std::optional<oracles::LiftedMatrix>(const JudgedCase&)> collision_matrix;
 };
 
 /// How GoogleTest prints it.
