@@ -13,19 +13,21 @@ import json
 import statistics
 import subprocess
 import sys
+import tempfile
 
 
 def times_of(program, flags):
     """Nanoseconds of each benchmark of one run, the median of its repetitions."""
-    command = [program, "--benchmark_format=json", *flags]
-    done = subprocess.run(command, stdout=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        print(f"compare: {program} ended with status {done.returncode}", file=sys.stderr)
-        sys.exit(2)
-    text = done.stdout
+    with tempfile.NamedTemporaryFile(suffix=".json") as out:
+        command = [program, f"--benchmark_out={out.name}", "--benchmark_out_format=json", *flags]
+        done = subprocess.run(command, stdout=subprocess.DEVNULL)
+        if done.returncode != 0:
+            print(f"compare: {program} ended with status {done.returncode}", file=sys.stderr)
+            sys.exit(2)
+        record = json.load(out)
     units = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
     repetitions = {}
-    for run in json.loads(text[text.index("{"):])["benchmarks"]:
+    for run in record["benchmarks"]:
         if run.get("run_type") == "iteration":
             repetitions.setdefault(run["run_name"], []).append(run["real_time"] * units[run["time_unit"]])
     return {name: statistics.median(times) for name, times in repetitions.items()}

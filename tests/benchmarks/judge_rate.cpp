@@ -163,9 +163,10 @@ void print_shares() {
   constexpr std::uint64_t cases = 20;
   fmt::print("\nwhat decided, of the comparisons of each invariant [%]\n{:<24}{:>12}{:>14}{:>14}{:>11}{:>10}\n",
              "invariant", "comparisons", "same bits", "approximation", "enclosure", "rational");
-  const std::vector<Subject> subjects = sound_subjects();
   std::map<std::string_view, oracles::StageCounts> shares;
-  for (const Subject& subject : subjects) {
+  for (const char* name : {"frictionless-float", "frictionless-double", "frictionless-long-double", "reflection-float",
+                           "reflection-double", "reflection-long-double"}) {
+    const Subject subject = subjects::subject_named(name).value();
     for (const properties::Invariant& invariant : properties::all_invariants()) {
       Claim claim = properties::claim_of(subject, {});
       const bool is_claimed = std::erase_if(claim.invariants, [&](const auto* one) { return one != &invariant; }) <
@@ -258,5 +259,7 @@ int main(int argc, char** argv) {
       }
     }
   }
-  print_shares();
+  if (!rates().empty()) {
+    print_shares();
+  }
 }
