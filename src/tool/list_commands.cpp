@@ -71,7 +71,7 @@ int list_subjects(const std::string& format) {
                       {"expected_to_pass", subject.expected_to_pass},
                       {"absent", subject.absent}});
     } else {
-      fmt::print("{:32} {:13} {:9} {}\n    {}\n", subject.name, name_of(subject.model), name_of(subject.precision),
+      fmt::print("{:40} {:13} {:9} {}\n    {}\n", subject.name, name_of(subject.model), name_of(subject.precision),
                  expectation(subject), subject.summary);
     }
   }

@@ -72,7 +72,7 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   const std::string status = status_of(result);
   const std::string verdict = status == "violated" ? fmt::format("{} violated", violated) : status;
   std::string line =
-      fmt::format("{:32} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
+      fmt::format("{:40} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
                   worst.backward_error, worst.family, digits_text(result), result.nanoseconds_per_solve);
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
@@ -128,7 +128,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
     text += "INTERRUPTED: what follows is what was judged until then\n\n";
   }
   text += coverage_table(report);
-  const std::string heading = fmt::format("\n{:32} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
+  const std::string heading = fmt::format("\n{:40} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
                                           "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");
   text += heading + subject_table(run, true);
   const std::string expected = subject_table(run, false);
@@ -136,7 +136,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
     text += "\nexpected to fail, not counted\n" + expected;
   }
   for (const Subject& subject : run.absent) {
-    text += fmt::format("{:32} absent: {}\n", subject.name, subject.absent);
+    text += fmt::format("{:40} absent: {}\n", subject.name, subject.absent);
   }
   for (const bool counts : {true, false}) {
     for (std::size_t s = 0; s < report.results.size(); ++s) {

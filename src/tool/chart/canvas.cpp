@@ -50,7 +50,8 @@ void place_labels(std::vector<Label>& labels, const std::vector<Place>& to_keep_
   }
   constexpr int directions = 16;
   for (Label& label : labels) {
-    const double width = letter * letter_width * static_cast<double>(label.text.size());
+    // Half a letter more, so that two numbers are not read as one.
+    const double width = letter * (letter_width * static_cast<double>(label.text.size()) + 0.5);
     const double height = letter * letter_height;
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : {1.0, 1.5, 2.0, 2.6, 3.3, 4.0, 4.8, 5.6}) {
