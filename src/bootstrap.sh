@@ -92,6 +92,7 @@ bench)
 compare)
   revision=${1:?bootstrap: compare needs a REVISION}
   shift
+  install_packages python3 git
   build carom_benchmarks
   [ -e build-compare/source ] && git worktree remove --force build-compare/source
   git worktree add --quiet --force --detach build-compare/source "$revision"

@@ -15,22 +15,6 @@ using properties::Stream;
 
 double scaled(double number, int most, Stream& stream) { return std::ldexp(number, stream.integer(-most, most)); }
 
-/// Each field by a power of two of its own.
-Collision scaled_fields(Collision c, int most, Stream& stream) {
-  const auto factor = [&] { return scaled(1, most, stream); };
-  for (Body* body : {&c.a, &c.b}) {
-    body->mass *= factor();
-    body->principal_inertia *= factor();
-    body->orientation *= factor();
-    body->position *= factor();
-    body->velocity *= factor();
-    body->angular_velocity *= factor();
-  }
-  c.point *= factor();
-  c.normal *= factor();
-  return c;
-}
-
 /// Each number drawn anew by `draw`, brought into its field's range.
 template <class Draw>
 Collision drawn(Collision c, const Draw& draw, Stream& stream) {
@@ -62,6 +46,21 @@ double random_bits(Stream& stream) {
 }
 
 }  // namespace
+
+Collision scaled_fields(Collision c, int most, properties::Stream& stream) {
+  const auto factor = [&] { return scaled(1, most, stream); };
+  for (Body* body : {&c.a, &c.b}) {
+    body->mass *= factor();
+    body->principal_inertia *= factor();
+    body->orientation *= factor();
+    body->position *= factor();
+    body->velocity *= factor();
+    body->angular_velocity *= factor();
+  }
+  c.point *= factor();
+  c.normal *= factor();
+  return c;
+}
 
 properties::Case wild_case(Stream& stream) {
   const auto families = properties::all_families();

@@ -6,6 +6,9 @@
 /// Collisions that no family draws.
 namespace carom::equality {
 
+/// The collision with each field times its own power of two, from 2^−most to 2^most.
+[[nodiscard]] Collision scaled_fields(Collision collision, int most, properties::Stream& stream);
+
 /// A valid collision of one of three kinds: one of a family with each field scaled by its own power of two up to
 /// 2^±k, k itself drawn up to 1000; numbers that are each of such an exponent; random bit patterns. Zeros and subnormal
 /// numbers come up. One in 64 is extreme.

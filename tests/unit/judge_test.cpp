@@ -9,6 +9,7 @@
 
 #include <carom/oracles/judge.hpp>
 
+#include "equality/wild.hpp"
 #include "exact.hpp"
 
 namespace carom::oracles {
@@ -212,19 +213,8 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
 
 /// A valid collision whose fields have exponents up to `most`, each its own.
 Collision extreme_collision(properties::Stream& stream, int most) {
-  Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
-  const auto factor = [&] { return std::ldexp(1.0, stream.integer(-most, most)); };
-  for (Body* body : {&c.a, &c.b}) {
-    body->mass *= factor();
-    body->principal_inertia *= factor();
-    body->orientation *= factor();
-    body->position *= factor();
-    body->velocity *= factor();
-    body->angular_velocity *= factor();
-  }
-  c.point *= factor();
-  c.normal *= factor();
-  return c;
+  const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
+  return equality::scaled_fields(c, most, stream);
 }
 
 /// Judges so many collisions with exponents up to `most`, and leaves with 0 if the filter made no difference.

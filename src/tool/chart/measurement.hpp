@@ -50,7 +50,7 @@ struct MethodMeasurement {
 
   /// Whether it fails on any case of any family.
   [[nodiscard]] bool fails() const;
-  /// Over the cases of all families.
+  /// Over the cases of all families; of the backward error the worst alone.
   [[nodiscard]] Exactness over_all_families() const;
   /// The median family, the quickest and the slowest.
   [[nodiscard]] Spread nanoseconds_over_all_families() const;
