@@ -11,6 +11,7 @@
 #include <carom/oracles/laws.hpp>
 #include <carom/oracles/moderate.hpp>
 #include <carom/oracles/refined_truth.hpp>
+#include <carom/oracles/sensitivity.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -51,68 +52,6 @@ bool is_zero(const Vector3<Approximation>& approximate, const Exactly& exactly) 
   return exact[0] == 0 && exact[1] == 0 && exact[2] == 0;
 }
 
-double as_double(double number) { return number; }
-double as_double(const Rational& number) { return to_double(number); }
-double as_double(const Enclosure& number) { return number.magnitude_above(); }
-
-/// Σ_j ‖∂y/∂x_j‖ |x_j| for the components y.
-template <class S, std::size_t N>
-double sensitivity_of(std::initializer_list<const Dual<S, N>*> components, const std::vector<double>& magnitude) {
-  double sum = 0;
-  for (std::size_t j = 0; j < magnitude.size(); ++j) {
-    double norm = 0;
-    for (const auto* component : components) {
-      norm = std::hypot(norm, as_double(component->derivative[j]));
-    }
-    // A number that is zero cannot be perturbed relatively, however steep the law is there.
-    sum += magnitude[j] == 0 ? 0 : norm * magnitude[j];
-  }
-  return sum;
-}
-
-/// ‖y_k⁻‖.
-Sensitivity norms_before(const Collision& collision) {
-  const Outcome<double> before = unchanged(collision);
-  const auto parts = vectors(before);
-  return {parts[0]->stableNorm(), parts[1]->stableNorm(), parts[2]->stableNorm(), parts[3]->stableNorm()};
-}
-
-template <class S, class Convert>
-Sensitivity colliding_sensitivity(const Collision& collision, Model model, Convert&& convert) {
-  const auto inputs = dual_inputs<S, collision_inputs>(collision, convert);
-  const auto truth = colliding_truth(inputs.collision, model);
-  Sensitivity result = norms_before(collision);
-  const auto parts = vectors(truth.outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
-  }
-  return result;
-}
-
-/// The same in enclosures, from above; none where it is not known to ten digits.
-std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
-  using T = Dual<Enclosure, collision_inputs>;
-  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
-  const Truth<T> truth = colliding_truth(inputs.collision, model);
-  Sensitivity result = norms_before(collision);
-  const auto parts = vectors(truth.outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    double unknown = 0;
-    for (int i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-        const double radius = (*parts[k])[i].derivative[j].radius();
-        unknown += inputs.magnitude[j] == 0 ? 0 : radius * inputs.magnitude[j];
-      }
-    }
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
-    // Written so that what is no number is not known.
-    if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
-      return std::nullopt;
-    }
-  }
-  return result;
-}
-
 /// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
 /// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
 double condition_bound(const Matrix3<Approximation>& matrix) {
@@ -121,6 +60,12 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   const Vector3<Approximation> c1 = matrix.col(1);
   const Vector3<Approximation> c2 = matrix.col(2);
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
+}
+
+/// And hence its sign, where it is not zero.
+template <class T>
+bool is_known_to_six_digits(const T& x) {
+  return x.radius() < 0x1p-20 * x.magnitude_below();
 }
 
 /// λ = 1/m_A + 1/m_B.
@@ -200,8 +145,10 @@ const std::array<double, 4>& ExactCase::norms_before() const {
 const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
   if (!normal_velocity_) {
     const Approximation approximately = normal_velocity_before(approximate());
-    if (const std::optional<int> sign = approximately.sign()) {
-      normal_velocity_ = {approximately.middle(), *sign};
+    if (is_known_to_six_digits(approximately)) {
+      normal_velocity_ = {approximately.middle(), *approximately.sign()};
+    } else if (const Enclosure closely = normal_velocity_before(enclosed()); is_known_to_six_digits(closely)) {
+      normal_velocity_ = {closely.middle(), *closely.sign()};
     } else {
       const Rational exactly = normal_velocity_before(exact());
       normal_velocity_ = {to_double(exactly), sign_of(exactly)};
@@ -247,19 +194,11 @@ const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
   std::optional<Truth<Enclosure>>& known = of(model).enclosed_truth;
   if (!known) {
     if (is_moderate() && approach() == Approach::colliding) {
-      known = refined_truth(enclosed(), approximate(), model, approximate_truth(model), approximate_collision_matrix());
+      known = refined_truth(collision_, enclosed(), approximate(), model, approximate_response());
     }
     if (!known || !is_bounded(*known)) {
       known = truth_of(enclosed(), model, approach());
     }
-  }
-  return *known;
-}
-
-const Truth<Approximation>& ExactCase::approximate_truth(Model model) const {
-  std::optional<Truth<Approximation>>& known = of(model).approximate_truth;
-  if (!known) {
-    known = truth_of(approximate(), model, approach());
   }
   return *known;
 }
@@ -287,24 +226,19 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in enclosures,
   // and where these do not keep them either, in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  const bool in_double =
-      model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned;
-  Sensitivity result{};
-  if (in_double) {
-    result = colliding_sensitivity<double>(collision_, model, [](double x) { return x; });
-  }
-  bool usable = in_double;
-  for (const double sum : result) {
-    usable = usable && std::isfinite(sum);
-  }
-  if (!usable) {
-    if (const auto enclosed = enclosed_sensitivity(collision_, model)) {
-      known = enclosed;
+  if (model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned) {
+    known = is_moderate() ? colliding_sensitivity(collision_, model) : std::nullopt;
+    if (!known) {
+      known = colliding_sensitivity_in<double>(collision_, model);
+    }
+    if (std::all_of(known->begin(), known->end(), [](double sum) { return std::isfinite(sum); })) {
       return *known;
     }
-    result = colliding_sensitivity<Rational>(collision_, model, [](double x) { return Rational(x); });
   }
-  known = result;
+  known = enclosed_sensitivity(collision_, model);
+  if (!known) {
+    known = colliding_sensitivity_in<Rational>(collision_, model);
+  }
   return *known;
 }
 
@@ -315,10 +249,10 @@ const Sensitivity& ExactCase::sensitivity_below(Model model) const {
   }
   known = norms_before();
   if (approach() == Approach::colliding) {
-    const Outcome<Approximation>& outcome = approximate_truth(model).outcome;
+    const Outcome<Enclosure>& outcome = enclosed_truth(model).outcome;
     const auto parts = vectors(outcome);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const Vector3<Approximation>& y = *parts[k];
+      const Vector3<Enclosure>& y = *parts[k];
       const double half =
           std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
                     y[2].magnitude_below() * y[2].magnitude_below()) /
@@ -346,12 +280,14 @@ double ExactCase::collision_matrix_sensitivity() const {
   return *collision_matrix_sensitivity_;
 }
 
-const Matrix3<Approximation>& ExactCase::approximate_collision_matrix() const {
-  if (!approximate_collision_matrix_) {
-    approximate_collision_matrix_ = response_matrix(approximate());
+const ApproximateResponse& ExactCase::approximate_response() const {
+  if (!approximate_response_) {
+    approximate_response_.emplace(approximate());
   }
-  return *approximate_collision_matrix_;
+  return *approximate_response_;
 }
+
+const Matrix3<Approximation>& ExactCase::approximate_collision_matrix() const { return approximate_response().matrix; }
 
 Approximation ExactCase::approximate_inverse_mass() const { return inverse_mass_of(approximate()); }
 
@@ -394,21 +330,41 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
 }
 
 bool ExactCase::is_collinear() const {
-  const BasicCollision<Approximation>& near = approximate();
-  const auto is_along_normal = [&](const BasicBody<Approximation>& body, const auto& exact_body) {
-    return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
-                                     [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
-  };
-  return is_along_normal(
-             near.a, [&]() -> const auto& { return exact().a; }) &&
-         is_along_normal(
-             near.b, [&]() -> const auto& { return exact().b; });
+  if (!is_collinear_) {
+    const BasicCollision<Approximation>& near = approximate();
+    const auto is_along_normal = [&](const BasicBody<Approximation>& body, const auto& exact_body) {
+      return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
+                                       [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
+    };
+    is_collinear_ = is_along_normal(near.a, [&]() -> const auto& { return exact().a; }) &&
+                    is_along_normal(near.b, [&]() -> const auto& { return exact().b; });
+  }
+  return *is_collinear_;
 }
 
 bool ExactCase::is_head_on() const {
-  const BasicCollision<Approximation>& near = approximate();
-  return is_zero(near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))),
-                 [&] { return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact()))); });
+  if (!is_head_on_) {
+    const BasicCollision<Approximation>& near = approximate();
+    is_head_on_ = is_zero(near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))), [&] {
+      return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact())));
+    });
+  }
+  return *is_head_on_;
+}
+
+const std::array<Matrix3<double>, 2>& ExactCase::inertia_tensors() const {
+  if (!inertia_tensors_) {
+    inertia_tensors_.emplace();
+    const auto find = [](const Body& body, Matrix3<double>& tensor) {
+      tensor.setZero();
+      for (int i = 0; i < 3 && !body.immovable; ++i) {
+        tensor.col(i) = apply_inertia<double>(body, Vector3<double>::Unit(i));
+      }
+    };
+    find(collision_.a, (*inertia_tensors_)[0]);
+    find(collision_.b, (*inertia_tensors_)[1]);
+  }
+  return *inertia_tensors_;
 }
 
 Rational ExactCase::inverse_mass() const { return inverse_mass_of(exact()); }

@@ -6,16 +6,10 @@
 
 #include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/refined_truth.hpp>
+#include <carom/oracles/sensitivity.hpp>
 
 namespace carom::oracles {
-
-/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|, and ‖y_k⁻‖: the
-/// denominator of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻
-/// + Δy_k, which no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that
-/// hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §1.5.
-using Sensitivity = std::array<double, 4>;
 
 /// The laws that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a case.
 enum class AffineLaw {
@@ -72,9 +66,6 @@ class ExactCase {
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const;
 
-  /// The same to about 50 bits.
-  [[nodiscard]] const Truth<Approximation>& approximate_truth(Model model) const;
-
   /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs
   /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
@@ -110,6 +101,21 @@ class ExactCase {
   /// Whether K ⪯ bound I, decided exactly.
   [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
+  /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
+  [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors()[0]; }
+  [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors()[1]; }
+
+  /// The kinetic-energy norm of the change of the velocities by the law, rounded; worked out by `from_truth` when first
+  /// asked for.
+  template <class FromTruth>
+  [[nodiscard]] double energy_norm_of_change(Model model, const FromTruth& from_truth) const {
+    std::optional<double>& known = of(model).energy_norm_of_change;
+    if (!known) {
+      known = from_truth();
+    }
+    return *known;
+  }
+
   /// Whether r × N = 0 for each movable body, exactly.
   [[nodiscard]] bool is_collinear() const;
 
@@ -127,9 +133,9 @@ class ExactCase {
   struct OfModel {
     std::optional<Truth<Rational>> truth;
     std::optional<Truth<Enclosure>> enclosed_truth;
-    std::optional<Truth<Approximation>> approximate_truth;
     std::optional<Sensitivity> colliding_sensitivity;
     std::optional<Sensitivity> sensitivity_below;
+    std::optional<double> energy_norm_of_change;
   };
   struct NormalVelocity {
     double value;  // rounded
@@ -138,7 +144,9 @@ class ExactCase {
 
   [[nodiscard]] OfModel& of(Model model) const { return of_model_[static_cast<std::size_t>(model)]; }
   [[nodiscard]] const NormalVelocity& normal_velocity() const;
+  [[nodiscard]] const ApproximateResponse& approximate_response() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
+  [[nodiscard]] const std::array<Matrix3<double>, 2>& inertia_tensors() const;
 
   Collision collision_;
   mutable std::optional<bool> is_moderate_;
@@ -153,9 +161,12 @@ class ExactCase {
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;
   mutable std::optional<double> collision_matrix_sensitivity_;
-  mutable std::optional<Matrix3<Approximation>> approximate_collision_matrix_;
+  mutable std::optional<ApproximateResponse> approximate_response_;
   mutable std::optional<double> collision_matrix_sensitivity_below_;
   mutable std::optional<bool> is_definite_;
+  mutable std::optional<bool> is_collinear_;
+  mutable std::optional<bool> is_head_on_;
+  mutable std::optional<std::array<Matrix3<double>, 2>> inertia_tensors_;
 };
 
 /// The residuals of the defining equations for a given outcome; each is exactly zero where the outcome is the law's.

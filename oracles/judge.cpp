@@ -7,35 +7,43 @@
 namespace carom::oracles {
 namespace {
 
-/// m v² + wᵀ J w of a movable body, twice the kinetic energy; only compared as a ratio.
-double energy_norm_squared(const BasicBody<double>& body, const BodyVelocity<double>& change) {
-  if (body.immovable) {
-    return 0;
-  }
-  return body.mass * change.velocity.squaredNorm() +
-         change.angular_velocity.dot(apply_inertia<double>(body, change.angular_velocity));
+/// The square root of twice the kinetic energy, m v² + wᵀ J w over the movable bodies; only compared as a ratio.
+double energy_norm(const ExactCase& exact_case, const Outcome<double>& change) {
+  const auto squared = [](const Body& body, const BodyVelocity<double>& of_body, const Matrix3<double>& inertia) {
+    const Vector3<double>& w = of_body.angular_velocity;
+    return body.immovable ? 0 : body.mass * of_body.velocity.squaredNorm() + w.dot(inertia * w);
+  };
+  const Collision& c = exact_case.collision();
+  return std::sqrt(squared(c.a, change.a, exact_case.inertia_of_a()) +
+                   squared(c.b, change.b, exact_case.inertia_of_b()));
 }
 
-double energy_norm(const Collision& collision, const Outcome<double>& change) {
-  return std::sqrt(energy_norm_squared(collision.a, change.a) + energy_norm_squared(collision.b, change.b));
+/// At least ‖x‖; zero only where x is.
+template <class T>
+double norm_above(const Components<T>& x) {
+  constexpr double least = 0x1p-500;  // more than squares lose below the range of binary64
+  double squares = 0;
+  bool is_zero = true;
+  for (const T& component : x) {
+    const double above = component.magnitude_above();
+    squares += above * above;
+    is_zero = is_zero && above == 0;
+  }
+  return is_zero ? 0 : std::sqrt(squares) * (1 + 0x1p-45) + least;
 }
 
 /// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show
 /// it.
 template <class T>
-std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, const BasicCollision<T>& collision,
+std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, Model model, const BasicCollision<T>& collision,
                                     const Truth<T>& truth, const Outcome<T>& outcome, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick) {
   Accuracy result;
   result.sensitivity = sensitivity;
-  const Outcome<T> before = unchanged(collision);
   const auto computed = vectors(outcome);
   const auto exact = vectors(truth.outcome);
-  const auto initial = vectors(before);
   Outcome<double> deviation;
-  Outcome<double> change;
   const auto of_deviation = vectors(deviation);
-  const auto of_change = vectors(change);
   for (std::size_t k = 0; k < computed.size(); ++k) {
     const auto error = difference(*computed[k], *exact[k]);
     const std::optional<bool> allowed = norm_at_most(error, yardstick.allowance() * sensitivity[k]);
@@ -54,14 +62,23 @@ std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, const BasicColl
         }
       }
       (*of_deviation[k])[i] = rounded(component);
-      (*of_change[k])[i] = rounded(T((*exact[k])[i] - (*initial[k])[i]));
     }
     result.error[k] = of_deviation[k]->stableNorm();
+    if constexpr (!std::is_same_v<T, Rational>) {
+      result.error_above[k] = norm_above(error);
+    }
   }
-  const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
   const bool is_exact = std::all_of(result.error.begin(), result.error.end(), [](double error) { return error == 0; });
   if (!is_exact) {
-    const double norm_of_change = energy_norm(exact_case.collision(), change);
+    const double norm_of_deviation = energy_norm(exact_case, deviation);
+    const double norm_of_change = exact_case.energy_norm_of_change(model, [&] {
+      const Outcome<T> before = unchanged(collision);
+      Outcome<double> change;
+      for (std::size_t k = 0; k < exact.size(); ++k) {
+        *vectors(change)[k] = Vector3<T>(*exact[k] - *vectors(before)[k]).unaryExpr([](const T& x) { return rounded(x); });
+      }
+      return energy_norm(exact_case, change);
+    });
     const double ratio = norm_of_deviation / norm_of_change;
     // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
@@ -150,7 +167,7 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
                   double known) {
   const bool filtered = yardstick.filtered && yardstick.allowance() > 0;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
-    return accuracy_in(exact_case, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed(),
+    return accuracy_in(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed(),
                        sensitivity, yardstick);
   };
   // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
@@ -179,7 +196,7 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     }
   }
   count(Stage::rational);
-  return *accuracy_in(exact_case, exact_case.exact(), exact_case.truth(model), outcome.exact(), sensitivity, yardstick);
+  return *accuracy_in(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact(), sensitivity, yardstick);
 }
 
 }  // namespace carom::oracles

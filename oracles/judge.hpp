@@ -265,6 +265,7 @@ template <class Law>
 /// How far an outcome is from the truth.
 struct Accuracy {
   std::array<double, 4> error{};                        // ‖ŷ_k − y_k‖
+  std::array<double, 4> error_above = infinite;         // at least the error; infinite where the judge is not filtered
   Sensitivity sensitivity{};                            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
   bool is_decided = true;                               // false where the sensitivity leaves the range of numbers
   std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick
@@ -276,6 +277,9 @@ struct Accuracy {
 
   /// Correct digits of the change of the velocities; at most 40, which stands for exact.
   [[nodiscard]] double digits() const;
+
+ private:
+  static constexpr std::array<double, 4> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
 /// Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most `known`, by a

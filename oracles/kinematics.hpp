@@ -8,26 +8,20 @@
 /// The mechanics that the defining equations are written in, for any field T: rationals, dual numbers.
 namespace carom::oracles {
 
-/// The Hamilton product p q.
-template <class T>
-[[nodiscard]] Quaternion<T> product(const Quaternion<T>& p, const Quaternion<T>& q) {
-  const Vector3<T> u = p.template tail<3>();
-  const Vector3<T> v = q.template tail<3>();
-  const Vector3<T> imaginary = p[0] * v + q[0] * u + u.cross(v);
-  return {p[0] * q[0] - u.dot(v), imaginary[0], imaginary[1], imaginary[2]};
-}
-
 template <class T>
 [[nodiscard]] Quaternion<T> conjugate(const Quaternion<T>& q) {
   return {q[0], -q[1], -q[2], -q[3]};
 }
 
-/// q v q* / ‖q‖²: v turned by the rotation that q stands for.
+/// q v q* / ‖q‖²: v turned by the rotation that q stands for. The products of Hamilton, without what is multiplied by
+/// the zero that is the real part of v: q v = (−u·v, t) with t = w v + u × v, and its product with q* = (w, −u).
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
-  const Quaternion<T> pure{T(0), v[0], v[1], v[2]};
+  const T& w = q[0];
+  const Vector3<T> u = q.template tail<3>();
+  const Vector3<T> t = w * v + u.cross(v);
   const T inverse_squared_length = T(1) / q.dot(q);  // one division in place of three
-  return Vector3<T>(product<T>(product<T>(q, pure), conjugate(q)).template tail<3>()) * inverse_squared_length;
+  return Vector3<T>(u.dot(v) * u + w * t + u.cross(t)) * inverse_squared_length;
 }
 
 /// J x: turned into the body frame, times the principal moments, and back. Precondition: the body is movable.

@@ -8,9 +8,9 @@
 namespace carom::oracles {
 
 /// What decides: the cheapest that can.
-enum class Stage { same_bits, approximation, enclosure, rational };
+enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
-inline constexpr std::size_t stage_count = 4;
+inline constexpr std::size_t stage_count = 5;
 
 /// How much each stage has decided, by the calling thread since it began: comparisons, of which a verdict takes one or
 /// more.
@@ -24,7 +24,7 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[static_cast<std::size_t>(stage)]; }
 
-/// Approximations carry bounds of a hundred or so times 2⁻⁶⁴ of the terms: they do not decide below this.
-inline constexpr double least_allowance_for_approximations = 0x1p-54;
+/// Approximations carry bounds of a hundred or so times 2⁻⁵³ of the terms of a law: they do not decide below this.
+inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

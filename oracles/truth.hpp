@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <stdexcept>
 
 #include <carom/collision/model.hpp>
@@ -42,16 +43,32 @@ template <class T>
           response<T>(collision.b, collision.point, Vector3<T>(-impulse))};
 }
 
-/// The collision matrix by its meaning: column i is the change of relative velocity by a unit impulse along axis i.
+/// The changes of all velocities by the unit impulse along each axis.
 template <class T>
-[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision) {
-  Matrix3<T> matrix;
+[[nodiscard]] std::array<Outcome<T>, 3> unit_responses(const BasicCollision<T>& collision) {
+  std::array<Outcome<T>, 3> responses;
   for (int i = 0; i < 3; ++i) {
     Vector3<T> unit{T(0), T(0), T(0)};
     unit[i] = T(1);
-    matrix.col(i) = relative_velocity<T>(collision, response<T>(collision, unit));
+    responses[static_cast<std::size_t>(i)] = response<T>(collision, unit);
+  }
+  return responses;
+}
+
+/// The collision matrix by its meaning: column i is the change of relative velocity by a unit impulse along axis i.
+template <class T>
+[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision,
+                                         const std::array<Outcome<T>, 3>& responses) {
+  Matrix3<T> matrix;
+  for (int i = 0; i < 3; ++i) {
+    matrix.col(i) = relative_velocity<T>(collision, responses[static_cast<std::size_t>(i)]);
   }
   return matrix;
+}
+
+template <class T>
+[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision) {
+  return response_matrix<T>(collision, unit_responses(collision));
 }
 
 /// The solution of M x = b by Cramer's rule. Precondition: M is regular.
@@ -74,8 +91,9 @@ template <class T>
   const Vector3<T>& n = collision.normal;
   switch (model) {
     case Model::frictionless: {
-      const T per_unit = n.dot(relative_velocity<T>(collision, response<T>(collision, n)));
-      return n * T(n.dot(change) / per_unit);
+      const Vector3<T> answer = matrix != nullptr ? Vector3<T>(*matrix * n)
+                                                  : relative_velocity<T>(collision, response<T>(collision, n));
+      return n * T(n.dot(change) / n.dot(answer));
     }
     case Model::reflection:
       return cramer<T>(matrix != nullptr ? *matrix : response_matrix(collision), change);
@@ -87,10 +105,15 @@ template <class T>
 
 /// The change of relative velocity that both laws ask for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
 template <class T>
-[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& collision) {
-  const Vector3<T>& n = collision.normal;
-  const T wanted = -(T(1) + collision.restitution) * n.dot(relative_velocity<T>(collision, unchanged(collision)));
+[[nodiscard]] Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution, const Vector3<T>& velocity_before) {
+  const T wanted = -(T(1) + restitution) * n.dot(velocity_before);
   return n * T(wanted / n.dot(n));
+}
+
+template <class T>
+[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& collision) {
+  return wanted_change<T>(collision.normal, collision.restitution,
+                          relative_velocity<T>(collision, unchanged(collision)));
 }
 
 template <class T>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
+#include <carom/oracles/closeness.hpp>
 #include <carom/oracles/judge.hpp>
 #include <carom/oracles/lifted_matrix.hpp>
 
@@ -52,6 +53,7 @@ struct Evidence {
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
   const oracles::Accuracy* accuracy;              // of the outcome; nullptr for models without a truth
+  const oracles::Closeness& closeness;            // of the outcome to the truth
   const oracles::LiftedMatrix* collision_matrix;  // as the subject computed it; nullptr where it shows none
   std::span<const Related> related;               // the answers to the invariant's own questions
 

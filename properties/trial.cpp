@@ -49,6 +49,15 @@ Verdict invalid_refused(const Collision& collision, const ExactAnswer& answer) {
   return violated("an invalid collision was answered");
 }
 
+oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& claim,
+                                const oracles::LiftedOutcome* outcome,
+                                const std::optional<oracles::Accuracy>& accuracy) {
+  const bool is_bounded = accuracy && accuracy->is_decided && claim.yardstick.uses_bounds() &&
+                          judged_case.exact().is_moderate() && outcome->is_moderate();
+  return is_bounded ? oracles::Closeness(judged_case.exact(), *outcome, *accuracy, claim.yardstick.allowance())
+                    : oracles::Closeness();
+}
+
 }  // namespace
 
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
@@ -125,6 +134,8 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
     judgement.accuracy =
         oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick, known_backward_error);
   }
+  const oracles::Closeness closeness = closeness_of(*judged_case_, *claim_, outcome, judgement.accuracy);
+  judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];
@@ -155,6 +166,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
                             claim_->yardstick,
                             *outcome,
                             judgement.accuracy ? &*judgement.accuracy : nullptr,
+                            closeness,
                             collision_matrix_ ? &*collision_matrix_ : nullptr,
                             related};
     judgement.verdicts.push_back({&invariant, invariant.check(evidence)});

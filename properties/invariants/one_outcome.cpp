@@ -25,6 +25,10 @@ bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::i
 template <class Law>
 Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law,
                   std::optional<AffineLaw> name = std::nullopt) {
+  if (name && e.closeness.shows(*name)) {
+    count(oracles::Stage::closeness);
+    return {};
+  }
   return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick, name), what);
 }
 
@@ -59,9 +63,13 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
                        "after and before");
 }
 
-/// Whether approximations show that these vectors are untouched within a lower bound of what is allowed of each, which
-/// is then surely a finite number.
+/// Whether the closeness to the truth, or approximations, show that these vectors, which the truth leaves untouched,
+/// are so within a lower bound of what is allowed of each, which is then surely a finite number.
 bool is_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
+  if (e.closeness.shows_untouched(which)) {
+    count(oracles::Stage::closeness);
+    return true;
+  }
   if (!e.yardstick.uses_bounds() || !e.exact_case.is_moderate() || !e.outcome.is_moderate()) {
     return false;
   }
@@ -239,6 +247,10 @@ Verdict check_reflection_plane(const Evidence& e) {
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
+  }
+  if (e.closeness.shows_energy()) {
+    count(oracles::Stage::closeness);
+    return {};
   }
   return law_holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall",
                    [](const auto& c, const auto& y) { return oracles::energy(c, y); });

@@ -22,15 +22,15 @@ struct Both {
 
 int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
 
-/// |x − value| ≤ error, and what follows from it for the size and the sign of x.
+/// |x − middle| ≤ radius, and what follows from it for the size and the sign of x.
 testing::AssertionResult contains(const Both& both) {
   const Approximation& x = both.approximate;
-  if (!std::isfinite(x.error()) || !std::isfinite(x.value())) {
+  if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
     return x.sign() ? testing::AssertionFailure() << "the sign of no number" : testing::AssertionSuccess();
   }
   const Rational magnitude = CGAL::abs(both.exact);
-  if (CGAL::abs(both.exact - lift(x.value())) > Rational(x.error())) {
-    return testing::AssertionFailure() << "off by more than " << x.error();
+  if (CGAL::abs(both.exact - Rational(x.middle())) > Rational(x.radius())) {
+    return testing::AssertionFailure() << "off by more than " << x.radius();
   }
   if (std::isfinite(x.magnitude_above()) && Rational(x.magnitude_above()) < magnitude) {
     return testing::AssertionFailure() << "magnitude_above " << x.magnitude_above();
@@ -125,8 +125,8 @@ TEST(RefinedTruth, ContainsTheTruth) {
     }
     for (const Model model : models_with_truth) {
       const Truth<Enclosure> refined =
-          refined_truth(exact_case.enclosed(), exact_case.approximate(), model, exact_case.approximate_truth(model),
-                        exact_case.approximate_collision_matrix());
+          refined_truth(one.collision, exact_case.enclosed(), exact_case.approximate(), model,
+                        ApproximateResponse(exact_case.approximate()));
       const auto enclosed = vectors(refined.outcome);
       const auto exact = vectors(exact_case.truth(model).outcome);
       for (std::size_t k = 0; k < enclosed.size(); ++k) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/inputs.hpp>
+#include <carom/oracles/sensitivity.hpp>
 
 #include "exact.hpp"
 
@@ -143,6 +146,32 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
       }
     }
   }
+}
+
+/// The quick way and the whole law differentiated, in the same arithmetic: to what either may lose where κ(K) < 2^20.
+TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
+  constexpr double relative = 0x1p-26;
+  std::size_t compared = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
+      continue;
+    }
+    const Matrix3<double> k = exact_case.approximate_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
+    for (const Model model : models_with_truth) {
+      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model);
+      if (!quick || (model == Model::reflection && k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant())) {
+        continue;
+      }
+      ++compared;
+      const Sensitivity whole = colliding_sensitivity_in<double>(one.collision, model);
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_NEAR((*quick)[i], whole[i], relative * whole[i])
+            << family << ' ' << name_of(model) << ' ' << outcome_vector_names[i];
+      }
+    }
+  }
+  EXPECT_GT(compared, 400U);
 }
 
 /// A thin body, κ(K) = 2^60: there the sums are taken in rationals, and are good to a few roundings.

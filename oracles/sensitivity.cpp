@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include <carom/oracles/inputs.hpp>
+#include <carom/oracles/rational.hpp>
+#include <carom/oracles/sensitivity.hpp>
+#include <carom/oracles/truth.hpp>
+
+namespace carom::oracles {
+namespace {
+
+/// The derivatives of a vector by all numbers of a collision.
+using Jacobian = Eigen::Matrix<double, 3, collision_inputs, Eigen::RowMajor>;
+using Magnitudes = Eigen::Array<double, 1, collision_inputs>;
+
+/// Where the numbers of a collision stand among its inputs.
+struct Places {
+  struct OfBody {
+    Eigen::Index position = 0;  // behind mass, principal inertia and orientation, where the body has them
+    [[nodiscard]] Eigen::Index velocity() const { return position + 3; }
+    [[nodiscard]] Eigen::Index angular_velocity() const { return position + 6; }
+  };
+  OfBody a;
+  OfBody b;
+  Eigen::Index point = 0;
+  Eigen::Index normal = 0;
+  Eigen::Index restitution = 0;
+  Magnitudes magnitude = Magnitudes::Zero();  // |x_j|
+
+  explicit Places(const Collision& collision) {
+    const auto numbers_of = [](const Body& body) { return body.immovable ? 9 : 17; };
+    constexpr Eigen::Index after_position = 9;
+    a.position = numbers_of(collision.a) - after_position;
+    b.position = numbers_of(collision.a) + numbers_of(collision.b) - after_position;
+    point = b.position + after_position;
+    normal = point + 3;
+    restitution = normal + 3;
+    Eigen::Index next = 0;
+    for_each_number([&](const FieldPath&, const double& x) { magnitude[next++] = std::abs(x); }, collision);
+  }
+};
+
+template <std::size_t N>
+Vector3<Dual<double, N>> inputs(const Vector3<double>& numbers, std::size_t first) {
+  Vector3<Dual<double, N>> result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = Dual<double, N>::input(numbers[i], first + static_cast<std::size_t>(i));
+  }
+  return result;
+}
+
+template <std::size_t N>
+Vector3<double> value(const Vector3<Dual<double, N>>& numbers) {
+  return {numbers[0].value, numbers[1].value, numbers[2].value};
+}
+
+/// The derivatives by `Count` inputs from this one on.
+template <int Count, std::size_t N>
+Eigen::Matrix<double, 3, Count> derivatives(const Vector3<Dual<double, N>>& numbers, std::size_t first) {
+  Eigen::Matrix<double, 3, Count> result;
+  for (int i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < Count; ++j) {
+      result(i, static_cast<Eigen::Index>(j)) = numbers[i].derivative[first + j];
+    }
+  }
+  return result;
+}
+
+/// How one body answers to impulses at the contact point: not at all where it is immovable.
+struct BodyResponse {
+  // Columns: the answers to unit impulses.
+  Matrix3<double> velocity = Matrix3<double>::Zero();
+  Matrix3<double> angular_velocity = Matrix3<double>::Zero();
+  Matrix3<double> at_point = Matrix3<double>::Zero();
+  // The derivatives of the answer to the given impulse, which itself stays as it is.
+  Jacobian d_velocity = Jacobian::Zero();
+  Jacobian d_angular_velocity = Jacobian::Zero();
+  Jacobian d_at_point = Jacobian::Zero();
+};
+
+BodyResponse response_of(const Body& body, const Vector3<double>& point, const Vector3<double>& impulse,
+                         const Places::OfBody& place, Eigen::Index point_place) {
+  BodyResponse result;
+  if (body.immovable) {
+    return result;
+  }
+  const Vector3<double> arm = lever_arm(body, point);
+  for (int i = 0; i < 3; ++i) {
+    const BodyVelocity<double> answer = response<double>(body, point, Vector3<double>::Unit(i));
+    result.velocity.col(i) = answer.velocity;
+    result.angular_velocity.col(i) = answer.angular_velocity;
+    result.at_point.col(i) = point_velocity<double>(answer, arm);
+  }
+  // Mass, three moments, four numbers of the orientation and three of the position; three of the contact point.
+  constexpr int own = 11;
+  using T = Dual<double, own + 3>;
+  BasicBody<T> dual;
+  std::size_t next = 0;
+  auto as_input = [&](const FieldPath&, const double& from, T& to) {
+    to = next < own ? T::input(from, next) : T(from);
+    ++next;
+  };
+  carom::detail::for_each_body_number("", as_input, body, dual);
+  const Vector3<T> at = inputs<own + 3>(point, own);
+  const BodyVelocity<T> answer = response<T>(dual, at, impulse.unaryExpr([](double x) { return T(x); }));
+  const auto spread = [&](const Vector3<T>& from, Jacobian& to) {
+    to.middleCols<own>(place.velocity() - own) = derivatives<own>(from, 0);
+    to.middleCols<3>(point_place) = derivatives<3>(from, own);
+  };
+  spread(answer.velocity, result.d_velocity);
+  spread(answer.angular_velocity, result.d_angular_velocity);
+  spread(point_velocity<T>(answer, lever_arm<T>(dual, at)), result.d_at_point);
+  return result;
+}
+
+/// The change that the law asks for, and its derivatives.
+struct Wanted {
+  Vector3<double> change;
+  Jacobian derivative = Jacobian::Zero();
+};
+
+/// By the chain rule through the relative velocity before the impulse.
+Wanted wanted_of(const Collision& c, const Places& places) {
+  Wanted result;
+  Jacobian d_velocity = Jacobian::Zero();
+  Vector3<double> velocity{0, 0, 0};
+  const auto add_body = [&](const Body& body, const Places::OfBody& place, double sign) {
+    constexpr std::size_t own = 9;  // position, velocity, angular velocity; and the contact point
+    using T = Dual<double, own + 3>;
+    const Vector3<T> arm = inputs<own + 3>(c.point, own) - inputs<own + 3>(body.position, 0);
+    const Vector3<T> at_point =
+        point_velocity<T>({inputs<own + 3>(body.velocity, 3), inputs<own + 3>(body.angular_velocity, 6)}, arm);
+    velocity += sign * value(at_point);
+    d_velocity.middleCols<own>(place.position) += sign * derivatives<own>(at_point, 0);
+    d_velocity.middleCols<3>(places.point) += sign * derivatives<3>(at_point, own);
+  };
+  add_body(c.a, places.a, 1);
+  add_body(c.b, places.b, -1);
+  using T = Dual<double, 7>;  // normal, restitution, relative velocity
+  const Vector3<T> wanted =
+      wanted_change<T>(inputs<7>(c.normal, 0), T::input(c.restitution, 3), inputs<7>(velocity, 4));
+  result.change = value(wanted);
+  result.derivative = derivatives<3>(wanted, 4) * d_velocity;
+  result.derivative.middleCols<4>(places.normal) += derivatives<4>(wanted, 0);
+  return result;
+}
+
+/// The derivatives of the impulse that the law gives. F satisfies K F = b, or, along the normal, F = φ N and
+/// N·(K F − b) = 0; both are differentiated. `left` is dK F − db at that impulse, K the response matrix.
+Jacobian derivative_of_impulse(Model model, const Vector3<double>& impulse, const Vector3<double>& normal,
+                               const Vector3<double>& wanted, const Matrix3<double>& k, const Jacobian& left,
+                               Eigen::Index normal_place) {
+  if (model == Model::reflection) {
+    return -k.inverse() * left;
+  }
+  const double per_normal = normal.dot(impulse) / normal.dot(normal);  // φ
+  Eigen::Matrix<double, 1, collision_inputs> of_condition = normal.transpose() * left;
+  of_condition.segment<3>(normal_place) += (per_normal * k.transpose() * normal + k * impulse - wanted).transpose();
+  Jacobian derivative = normal * (of_condition / -normal.dot(k * normal));
+  derivative.middleCols<3>(normal_place) += per_normal * Matrix3<double>::Identity();
+  return derivative;
+}
+
+/// Σ_j ‖∂y/∂x_j‖ |x_j|; not a number where squares may have left the range of binary64.
+double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
+  const double sum = (jacobian.array().square().colwise().sum().sqrt() * magnitude).sum();
+  if (sum == 0 && (jacobian.array().abs().colwise().sum() * magnitude == 0).all()) {
+    return 0;
+  }
+  constexpr double smallest = 0x1p-400;
+  constexpr double largest = 0x1p+400;
+  return sum >= smallest && sum <= largest ? sum : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Sensitivity norms_before(const Collision& collision) {
+  const Outcome<double> before = unchanged(collision);
+  const auto parts = vectors(before);
+  return {parts[0]->stableNorm(), parts[1]->stableNorm(), parts[2]->stableNorm(), parts[3]->stableNorm()};
+}
+
+std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model) {
+  const Places places(c);
+  const Wanted wanted = wanted_of(c, places);
+  const Vector3<double> impulse = impulse_for<double>(c, model, wanted.change);
+  const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
+  const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
+  const Jacobian d_impulse =
+      derivative_of_impulse(model, impulse, c.normal, wanted.change, a.at_point + b.at_point,
+                            a.d_at_point - b.d_at_point - wanted.derivative, places.normal);
+  Sensitivity result = norms_before(c);
+  const auto add = [&](std::size_t k, const Jacobian& at_fixed_impulse, const Matrix3<double>& per_impulse,
+                       Eigen::Index before) {
+    Jacobian derivative = at_fixed_impulse + per_impulse * d_impulse;
+    derivative.middleCols<3>(before) += Matrix3<double>::Identity();
+    result[k] += weighted_norm(derivative, places.magnitude);
+  };
+  add(0, a.d_velocity, a.velocity, places.a.velocity());
+  add(1, a.d_angular_velocity, a.angular_velocity, places.a.angular_velocity());
+  add(2, b.d_velocity, -b.velocity, places.b.velocity());
+  add(3, b.d_angular_velocity, -b.angular_velocity, places.b.angular_velocity());
+  const bool is_known = std::all_of(result.begin(), result.end(), [](double sum) { return std::isfinite(sum); });
+  return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
+}
+
+template <class S>
+Sensitivity colliding_sensitivity_in(const Collision& collision, Model model) {
+  const auto inputs = dual_inputs<S, collision_inputs>(collision, [](double x) { return S(x); });
+  const auto truth = colliding_truth(inputs.collision, model);
+  Sensitivity result = norms_before(collision);
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+  }
+  return result;
+}
+
+template Sensitivity colliding_sensitivity_in<double>(const Collision&, Model);
+template Sensitivity colliding_sensitivity_in<Rational>(const Collision&, Model);
+
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
+  using T = Dual<Enclosure, collision_inputs>;
+  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
+  const Truth<T> truth = colliding_truth(inputs.collision, model);
+  Sensitivity result = norms_before(collision);
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    double unknown = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
+        const double radius = (*parts[k])[i].derivative[j].radius();
+        unknown += inputs.magnitude[j] == 0 ? 0 : radius * inputs.magnitude[j];
+      }
+    }
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    // Written so that what is no number is not known.
+    if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+}  // namespace carom::oracles
