@@ -23,8 +23,9 @@ Closeness::Closeness(const ExactCase& exact_case, const LiftedOutcome& outcome, 
   // Where something is missed, the scale has then a part above 2⁻⁹⁰⁰: slopes of moderate numbers are zero or more than
   // 2⁻⁴⁰⁰.
   constexpr double smallest = 0x1p-500;
+  const std::array<double, 4> norms = outcome.norms();
   for (std::size_t k = 0; k < is_close_.size(); ++k) {
-    sizes_[k] = outcome.norms()[k] + exact_case.norms_before()[k];
+    sizes_[k] = norms[k] + exact_case.norms_before()[k];
     is_close_[k] = error_above_[k] == 0 ||
                    (error_above_[k] <= less_a_millionth * allowance * sizes_[k] && sizes_[k] >= smallest);
   }

@@ -62,7 +62,17 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// And hence its sign, where it is not zero.
+/// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|: N·v and N·(w × (P − X)) of each body, by the inequality of Cauchy and Schwarz.
+double normal_velocity_sensitivity_above(const Collision& c) {
+  double sum = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    const double arms = 2 * lever_arm(*body, c.point).norm() + c.point.norm() + body->position.norm();
+    sum += 2 * body->velocity.norm() + body->angular_velocity.norm() * arms;
+  }
+  return c.normal.norm() * sum;
+}
+
+/// And so is its sign.
 template <class T>
 bool is_known_to_six_digits(const T& x) {
   return x.radius() < 0x1p-20 * x.magnitude_below();
@@ -172,6 +182,9 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
+  if (is_moderate() && std::abs(normal_velocity().value) > 2 * allowance * normal_velocity_sensitivity_above(collision_)) {
+    return false;  // the factor is for the rounding of both
+  }
   if (!normal_velocity_sensitivity_) {
     const auto inputs = dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; });
     const auto velocity = normal_velocity_before(inputs.collision);
@@ -249,10 +262,12 @@ const Sensitivity& ExactCase::sensitivity_below(Model model) const {
   }
   known = norms_before();
   if (approach() == Approach::colliding) {
-    const Outcome<Enclosure>& outcome = enclosed_truth(model).outcome;
+    const Vector3<Approximation> impulse = impulse_for<Approximation>(
+        approximate(), model, wanted_change(approximate()), &approximate_response().matrix);
+    const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     const auto parts = vectors(outcome);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const Vector3<Enclosure>& y = *parts[k];
+      const Vector3<Approximation>& y = *parts[k];
       const double half =
           std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
                     y[2].magnitude_below() * y[2].magnitude_below()) /
@@ -291,7 +306,12 @@ const Matrix3<Approximation>& ExactCase::approximate_collision_matrix() const { 
 
 Approximation ExactCase::approximate_inverse_mass() const { return inverse_mass_of(approximate()); }
 
-Enclosure ExactCase::enclosed_inverse_mass() const { return inverse_mass_of(enclosed()); }
+const Enclosure& ExactCase::enclosed_inverse_mass() const {
+  if (!enclosed_inverse_mass_) {
+    enclosed_inverse_mass_ = inverse_mass_of(enclosed());
+  }
+  return *enclosed_inverse_mass_;
+}
 
 double ExactCase::collision_matrix_sensitivity_below() const {
   if (!collision_matrix_sensitivity_below_) {

@@ -85,7 +85,7 @@ class ExactCase {
   /// K and λ with bounds.
   [[nodiscard]] const Matrix3<Approximation>& approximate_collision_matrix() const;
   [[nodiscard]] Approximation approximate_inverse_mass() const;
-  [[nodiscard]] Enclosure enclosed_inverse_mass() const;
+  [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
   /// A lower bound of `collision_matrix_sensitivity`: K is homogeneous of degree −1 in the masses and moments, so the
   /// sum over these alone is at least ‖K‖_F (Euler), and that over the masses alone at least λ. The first is given only
@@ -163,6 +163,7 @@ class ExactCase {
   mutable std::optional<double> collision_matrix_sensitivity_;
   mutable std::optional<ApproximateResponse> approximate_response_;
   mutable std::optional<double> collision_matrix_sensitivity_below_;
+  mutable std::optional<Enclosure> enclosed_inverse_mass_;
   mutable std::optional<bool> is_definite_;
   mutable std::optional<bool> is_collinear_;
   mutable std::optional<bool> is_head_on_;

@@ -32,57 +32,73 @@ double norm_above(const Components<T>& x) {
   return is_zero ? 0 : std::sqrt(squares) * (1 + 0x1p-45) + least;
 }
 
-/// What of the accuracy follows from an outcome and the truth in one arithmetic; none where it cannot decide or show
-/// it.
+/// An outcome's deviation from the truth, in one arithmetic, and what of the accuracy follows from it alone.
 template <class T>
-std::optional<Accuracy> accuracy_in(const ExactCase& exact_case, Model model, const BasicCollision<T>& collision,
-                                    const Truth<T>& truth, const Outcome<T>& outcome, const Sensitivity& sensitivity,
-                                    const Yardstick& yardstick) {
-  Accuracy result;
-  result.sensitivity = sensitivity;
+struct Deviation {
+  std::array<Components<T>, 4> of_vector;
+  Accuracy accuracy;
+};
+
+template <class T>
+Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicCollision<T>& collision,
+                          const Truth<T>& truth, const Outcome<T>& outcome) {
+  Deviation<T> result;
+  Accuracy& accuracy = result.accuracy;
   const auto computed = vectors(outcome);
   const auto exact = vectors(truth.outcome);
   Outcome<double> deviation;
   const auto of_deviation = vectors(deviation);
   for (std::size_t k = 0; k < computed.size(); ++k) {
-    const auto error = difference(*computed[k], *exact[k]);
-    const std::optional<bool> allowed = norm_at_most(error, yardstick.allowance() * sensitivity[k]);
-    if (!allowed) {
-      return std::nullopt;
-    }
-    result.allowed[k] = *allowed;
+    const Components<T>& error = result.of_vector[k] = difference(*computed[k], *exact[k]);
     for (int i = 0; i < 3; ++i) {
-      const T& component = error[static_cast<std::size_t>(i)];
-      if constexpr (!std::is_same_v<T, Rational>) {
-        // Good for print where it is known to a thousandth, or is no thousandth of what is allowed.
-        constexpr double thousandth = 0x1p-10;
-        if (component.radius() >
-            thousandth * std::max(component.magnitude_below(), yardstick.allowance() * sensitivity[k])) {
-          return std::nullopt;
-        }
-      }
-      (*of_deviation[k])[i] = rounded(component);
+      (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
     }
-    result.error[k] = of_deviation[k]->stableNorm();
+    accuracy.error[k] = of_deviation[k]->stableNorm();
     if constexpr (!std::is_same_v<T, Rational>) {
-      result.error_above[k] = norm_above(error);
+      accuracy.error_above[k] = norm_above(error);
     }
   }
-  const bool is_exact = std::all_of(result.error.begin(), result.error.end(), [](double error) { return error == 0; });
-  if (!is_exact) {
+  if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
     const double norm_of_deviation = energy_norm(exact_case, deviation);
     const double norm_of_change = exact_case.energy_norm_of_change(model, [&] {
       const Outcome<T> before = unchanged(collision);
       Outcome<double> change;
       for (std::size_t k = 0; k < exact.size(); ++k) {
-        *vectors(change)[k] = Vector3<T>(*exact[k] - *vectors(before)[k]).unaryExpr([](const T& x) { return rounded(x); });
+        *vectors(change)[k] =
+            Vector3<T>(*exact[k] - *vectors(before)[k]).unaryExpr([](const T& x) { return rounded(x); });
       }
       return energy_norm(exact_case, change);
     });
     const double ratio = norm_of_deviation / norm_of_change;
     // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
-    result.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
+    accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
+  }
+  return result;
+}
+
+/// The accuracy by this sensitivity; none where the arithmetic cannot decide or show it.
+template <class T>
+std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
+                                    const Yardstick& yardstick) {
+  Accuracy result = deviation.accuracy;
+  result.sensitivity = sensitivity;
+  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+    const double allowance = yardstick.allowance() * sensitivity[k];
+    const std::optional<bool> allowed = norm_at_most(deviation.of_vector[k], allowance);
+    if (!allowed) {
+      return std::nullopt;
+    }
+    result.allowed[k] = *allowed;
+    if constexpr (!std::is_same_v<T, Rational>) {
+      // Good for print where it is known to a thousandth, or is no thousandth of what is allowed.
+      constexpr double thousandth = 0x1p-10;
+      for (const T& component : deviation.of_vector[k]) {
+        if (component.radius() > thousandth * std::max(component.magnitude_below(), allowance)) {
+          return std::nullopt;
+        }
+      }
+    }
   }
   return result;
 }
@@ -165,10 +181,13 @@ double Accuracy::digits() const {
 
 Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
                   double known) {
-  const bool filtered = yardstick.filtered && yardstick.allowance() > 0;
+  std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
-    return accuracy_in(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed(),
-                       sensitivity, yardstick);
+    if (!enclosed) {
+      enclosed = deviation_of(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model),
+                              outcome.enclosed());
+    }
+    return accuracy_by(*enclosed, sensitivity, yardstick);
   };
   // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
   // are the same either way, so that what is reported does not depend on what is known.
@@ -189,14 +208,16 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
       return undecided;
     }
   }
-  if (filtered) {
+  if (yardstick.filtered && yardstick.allowance() > 0) {
     if (const auto decided = by_enclosures(sensitivity)) {
       count(Stage::enclosure);
       return *decided;
     }
   }
   count(Stage::rational);
-  return *accuracy_in(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact(), sensitivity, yardstick);
+  const auto exactly =
+      deviation_of(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact());
+  return *accuracy_by(exactly, sensitivity, yardstick);
 }
 
 }  // namespace carom::oracles

@@ -170,8 +170,9 @@ template <class Law>
                                map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
                            0);
     });
+    const std::array<double, 4> norms = outcome.norms();
     for (std::size_t k = 0; k < slopes.size(); ++k) {
-      part += slopes[k] * (outcome.norms()[k] + exact_case.norms_before()[k]);
+      part += slopes[k] * (norms[k] + exact_case.norms_before()[k]);
     }
     part *= 1 - 0x1p-40;
   } else {

@@ -55,21 +55,21 @@ class LiftedOutcome {
   }
 
   /// ‖ŷ_k‖, but for a few roundings, of a moderate outcome.
-  [[nodiscard]] const std::array<double, 4>& norms() const { return norms_; }
+  [[nodiscard]] std::array<double, 4> norms() const {
+    const auto parts = vectors(rounded_);
+    return {parts[0]->norm(), parts[1]->norm(), parts[2]->norm(), parts[3]->norm()};
+  }
 
  private:
   void find_size() {
-    const auto parts = vectors(rounded_);
     is_moderate_ = reported_.has_value();
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      norms_[k] = parts[k]->norm();
-      is_moderate_ = is_moderate_ && norms_[k] <= largest_moderate;
+    for (const Vector3<double>* part : vectors(std::as_const(rounded_))) {
+      is_moderate_ = is_moderate_ && part->squaredNorm() <= largest_moderate * largest_moderate;
     }
   }
 
   std::optional<ReportedOutcome> reported_;
   Outcome<double> rounded_;
-  std::array<double, 4> norms_{};
   bool is_moderate_ = false;
   mutable std::optional<Outcome<Enclosure>> enclosed_;
   mutable std::optional<Outcome<Rational>> exact_;

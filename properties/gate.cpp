@@ -56,7 +56,8 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   std::vector<Trial> trials = trials_of(!batch.failure);
   std::vector<Collision> questions;
   for (const Trial& trial : trials) {
-    questions.insert(questions.end(), trial.questions().begin(), trial.questions().end());
+    const std::vector<Collision> of_trial = trial.questions();
+    questions.insert(questions.end(), of_trial.begin(), of_trial.end());
   }
   const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
   if (related.failure) {
@@ -65,7 +66,7 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   const std::vector<ExactAnswer> replies = lifted(related.failure ? std::vector<Answer>{} : related.answers);
   std::span<const ExactAnswer> rest(replies);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const std::size_t count = trials[i].questions().size();
+    const std::size_t count = trials[i].question_count();
     tally.add(family, first + i, cases[i], batch.answers[i],
               trials[i].judge(rest.first(count), tally.families[family].worst_backward_error), claim);
     rest = rest.subspan(count);

@@ -69,8 +69,12 @@ struct Invariant {
   std::string_view domain;    // the collisions that it speaks of
   std::vector<Model> models;  // that it is claimed for
   Verdict (*check)(const Evidence&);
-  /// Further collisions to put to the subject, made from the collision and the outcome; nullptr where none are needed.
-  std::vector<Collision> (*questions)(const Collision&, const Outcome<double>&) = nullptr;
+  /// Further collisions to put to the subject, made from the collision alone or with the outcome: at most one of these
+  /// is given, none where no further collision is needed.
+  std::vector<Collision> (*questions)(const Collision&) = nullptr;
+  std::vector<Collision> (*questions_by_outcome)(const Collision&, const Outcome<double>&) = nullptr;
+
+  [[nodiscard]] bool asks() const { return questions != nullptr || questions_by_outcome != nullptr; }
 
   [[nodiscard]] bool claimed_for(Model model) const;
 };

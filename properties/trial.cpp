@@ -9,12 +9,17 @@
 namespace carom::properties {
 namespace {
 
-bool same_numbers(const Collision& left, const Collision& right) {
-  bool same = left.a.immovable == right.a.immovable && left.b.immovable == right.b.immovable;
-  if (same) {
-    for_each_number([&](const FieldPath&, const double& x, const double& y) { same = same && x == y; }, left, right);
+/// What is exactly known of each collision; none where one is not valid.
+std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collisions) {
+  std::vector<oracles::ExactCase> cases;
+  cases.reserve(collisions.size());
+  for (const Collision& collision : collisions) {
+    if (!validate(collision).empty()) {
+      return {};
+    }
+    cases.emplace_back(collision);
   }
-  return same;
+  return cases;
 }
 
 Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
@@ -79,17 +84,12 @@ JudgedCase::JudgedCase(const Case& generated) : generated_(generated) {
   }
 }
 
-const oracles::ExactCase* JudgedCase::related(const Collision& collision) const {
-  for (const auto& known : related_) {
-    if (same_numbers(known->collision(), collision)) {
-      return known.get();
-    }
+std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
+  const auto [known, is_new] = questions_.try_emplace(&invariant);
+  if (is_new) {
+    known->second = exact_cases(invariant.questions(generated_.collision));
   }
-  if (!validate(collision).empty()) {
-    return nullptr;
-  }
-  related_.push_back(std::make_unique<oracles::ExactCase>(collision));
-  return related_.back().get();
+  return known->second;
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
@@ -99,28 +99,44 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       answer_(std::move(answer)),
       collision_matrix_(std::move(collision_matrix)),
       with_relations_(with_relations),
-      question_count_(claim.invariants.size(), 0) {
+      questions_(claim.invariants.size()) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
-  if (outcome == nullptr || !judged_case.is_valid()) {
+  if (outcome == nullptr || !judged_case.is_valid() || !with_relations) {
     return;
   }
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
-    if (claim.invariants[i]->questions == nullptr || !with_relations) {
-      continue;
-    }
-    const std::vector<Collision> asked =
-        claim.invariants[i]->questions(judged_case.exact().collision(), outcome->rounded());
-    const bool all_valid =
-        std::all_of(asked.begin(), asked.end(), [&](const Collision& c) { return judged_case.related(c) != nullptr; });
-    if (all_valid) {
-      question_count_[i] = asked.size();
-      questions_.insert(questions_.end(), asked.begin(), asked.end());
+    const Invariant& invariant = *claim.invariants[i];
+    if (invariant.questions != nullptr) {
+      questions_[i] = judged_case.questions_of(invariant);
+    } else if (invariant.questions_by_outcome != nullptr) {
+      by_outcome_.push_back(
+          exact_cases(invariant.questions_by_outcome(judged_case.exact().collision(), outcome->rounded())));
+      questions_[i] = by_outcome_.back();
     }
   }
 }
 
+std::vector<Collision> Trial::questions() const {
+  std::vector<Collision> all;
+  all.reserve(question_count());
+  for (const auto& of_invariant : questions_) {
+    for (const oracles::ExactCase& question : of_invariant) {
+      all.push_back(question.collision());
+    }
+  }
+  return all;
+}
+
+std::size_t Trial::question_count() const {
+  std::size_t count = 0;
+  for (const auto& of_invariant : questions_) {
+    count += of_invariant.size();
+  }
+  return count;
+}
+
 Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backward_error) const {
-  if (answers.size() != questions_.size()) {
+  if (answers.size() != question_count()) {
     throw std::invalid_argument("a trial needs one answer to each of its questions");
   }
   Judgement judgement;
@@ -137,6 +153,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
   const oracles::Closeness closeness = closeness_of(*judged_case_, *claim_, outcome, judgement.accuracy);
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
+  std::vector<Related> related;  // of one invariant
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];
     if (invariant.check == nullptr) {
@@ -148,14 +165,14 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
       }
       continue;
     }
-    if (outcome == nullptr || !judged_case_->is_valid() || (invariant.questions != nullptr && !with_relations_)) {
+    if (outcome == nullptr || !judged_case_->is_valid() || (invariant.asks() && !with_relations_)) {
       continue;
     }
-    std::vector<Related> related;
-    for (std::size_t q = 0; q < question_count_[i]; ++q, ++next_question) {
-      related.push_back({*judged_case_->related(questions_[next_question]), answers[next_question]});
+    related.clear();
+    for (const oracles::ExactCase& question : questions_[i]) {
+      related.push_back({question, answers[next_question++]});
     }
-    if (invariant.questions != nullptr && related.empty()) {
+    if (invariant.asks() && related.empty()) {
       judgement.verdicts.push_back(
           {&invariant, {Status::skipped, "the related collision is out of range", 0, 0, {}, {}}});
       continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,14 +35,15 @@ class JudgedCase {
   /// Precondition: is_valid().
   [[nodiscard]] const oracles::ExactCase& exact() const { return *exact_; }
 
-  /// What is exactly known of a collision related to this one; remembered, since most subjects are asked the same.
-  /// nullptr where the collision is not valid (an extreme case that the relation takes out of range).
-  [[nodiscard]] const oracles::ExactCase* related(const Collision& collision) const;
+  /// The collisions that an invariant of the catalogue asks about whatever the outcome, and what is exactly known of
+  /// them; remembered, since every subject is asked the same. None where one is not valid (an extreme case that the
+  /// relation takes out of range). Preconditions: is_valid(); the invariant has `questions`.
+  [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
  private:
   Case generated_;
   std::optional<oracles::ExactCase> exact_;
-  mutable std::vector<std::unique_ptr<oracles::ExactCase>> related_;
+  mutable std::map<const Invariant*, std::vector<oracles::ExactCase>> questions_;
 };
 
 /// The verdict of one invariant.
@@ -65,8 +67,16 @@ class Trial {
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
         std::optional<oracles::LiftedMatrix> collision_matrix, bool with_relations = true);
 
+  // It refers to questions that it holds itself.
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+  Trial(Trial&&) = default;
+  Trial& operator=(Trial&&) = default;
+  ~Trial() = default;
+
   /// The related collisions that the claimed invariants ask about.
-  [[nodiscard]] const std::vector<Collision>& questions() const { return questions_; }
+  [[nodiscard]] std::vector<Collision> questions() const;
+  [[nodiscard]] std::size_t question_count() const;
 
   /// Where the backward error is surely at most `known`, that of the judgement may be too large, but by no more than
   /// `known`: a maximum over many judgements needs few of them (oracles::accuracy). The verdicts do not depend on it.
@@ -79,8 +89,8 @@ class Trial {
   ExactAnswer answer_;
   std::optional<oracles::LiftedMatrix> collision_matrix_;
   bool with_relations_;
-  std::vector<Collision> questions_;
-  std::vector<std::size_t> question_count_;  // of each claimed invariant
+  std::vector<std::vector<oracles::ExactCase>> by_outcome_;      // of the invariants whose questions depend on it
+  std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };
 
 /// Answers as exactly as it computes: lets solvers in ℚ be judged as well.

@@ -81,7 +81,7 @@ AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, 
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
   const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
   const std::vector<ExactAnswer> replies =
-      trial.questions().empty() ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
+      trial.question_count() == 0 ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
   return {answer, trial.judge(replies)};
 }
 

@@ -105,7 +105,7 @@ const std::array invariants{
         "the bodies of valid collisions, meeting head-on without spin", with_truth, check_continuous, ask_continuous},
     Invariant{"repeat", "A second impulse on the outcome does nothing.",
               R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
-              "colliding contacts with ε > 0", with_truth, check_repeat, ask_repeat},
+              "colliding contacts with ε > 0", with_truth, check_repeat, nullptr, ask_repeat},
 };
 
 }  // namespace

@@ -28,22 +28,21 @@ namespace carom::properties {
 
 // What relates the outcomes of several collisions (relations.cpp).
 [[nodiscard]] Verdict check_swap(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_swap(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_swap(const Collision& collision);
 [[nodiscard]] Verdict check_galilean(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_galilean(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_galilean(const Collision& collision);
 [[nodiscard]] Verdict check_translation(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_translation(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_translation(const Collision& collision);
 [[nodiscard]] Verdict check_rotation(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_rotation(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_rotation(const Collision& collision);
 [[nodiscard]] Verdict check_reflection_symmetry(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_reflection_symmetry(const Collision& collision,
-                                                             const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_reflection_symmetry(const Collision& collision);
 [[nodiscard]] Verdict check_unit_scaling(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_unit_scaling(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_unit_scaling(const Collision& collision);
 [[nodiscard]] Verdict check_homogeneous(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_homogeneous(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_homogeneous(const Collision& collision);
 [[nodiscard]] Verdict check_continuous(const Evidence& evidence);
-[[nodiscard]] std::vector<Collision> ask_continuous(const Collision& collision, const Outcome<double>& outcome);
+[[nodiscard]] std::vector<Collision> ask_continuous(const Collision& collision);
 [[nodiscard]] Verdict check_repeat(const Evidence& evidence);
 [[nodiscard]] std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<double>& outcome);
 

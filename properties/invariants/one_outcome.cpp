@@ -63,27 +63,13 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
                        "after and before");
 }
 
-/// Whether the closeness to the truth, or approximations, show that these vectors, which the truth leaves untouched,
-/// are so within a lower bound of what is allowed of each, which is then surely a finite number.
-bool is_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
+/// Whether the closeness to the truth, which leaves these vectors untouched, or bounds show that they are so.
+bool are_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);
     return true;
   }
-  if (!e.yardstick.uses_bounds() || !e.exact_case.is_moderate() || !e.outcome.is_moderate()) {
-    return false;
-  }
-  const auto after = e.outcome.approximate();
-  const auto before = unchanged(e.exact_case.approximate());
-  const oracles::Sensitivity& below = e.exact_case.sensitivity_before();
-  for (const std::size_t k : which) {
-    if (!oracles::norm_at_most(oracles::difference(*vectors(after)[k], *vectors(before)[k]), e.allowance() * below[k])
-             .value_or(false)) {
-      return false;
-    }
-  }
-  count(oracles::Stage::approximation);
-  return true;
+  return is_surely_untouched(e.exact_case, e.outcome, e.yardstick, which);
 }
 
 }  // namespace
@@ -203,7 +189,7 @@ Verdict check_separating_untouched(const Evidence& e) {
     }
     return both(untouched_body(e, true), untouched_body(e, false));
   }
-  if (is_surely_untouched(e, {0, 1, 2, 3})) {
+  if (are_surely_untouched(e, {0, 1, 2, 3})) {
     return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
@@ -263,7 +249,7 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (!e.exact_case.is_collinear()) {
     return outside_domain("a lever arm is not along the normal");
   }
-  if (is_surely_untouched(e, {1, 3})) {
+  if (are_surely_untouched(e, {1, 3})) {
     return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());

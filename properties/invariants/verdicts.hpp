@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +66,43 @@ template <class Exact>
   return oracles::norm_at_most(oracles::difference(exact_actual, exact_expected), allowed)
              ? Verdict{}
              : violation(exact_actual, exact_expected);
+}
+
+/// Approximations of outcomes in binary64 decide by how much these differ down to here.
+inline constexpr double least_allowance_for_differences = 0x1p-50;
+
+/// Whether bounds show that these vectors of two outcomes differ by no more than `allowance` times `scale`.
+template <class T>
+[[nodiscard]] bool surely_near(const Outcome<T>& left, const Outcome<T>& right, double allowance,
+                               const oracles::Sensitivity& scale,
+                               std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
+  const auto x = vectors(left);
+  const auto y = vectors(right);
+  return std::all_of(which.begin(), which.end(), [&](std::size_t k) {
+    return oracles::norm_at_most(oracles::difference(*x[k], *y[k]), allowance * scale[k]).value_or(false);
+  });
+}
+
+/// Whether bounds show that these vectors of an outcome are as before the impulse, each to within the allowance times
+/// its own size: less than any law allows, and surely a finite number.
+[[nodiscard]] inline bool is_surely_untouched(const oracles::ExactCase& exact_case,
+                                              const oracles::LiftedOutcome& outcome,
+                                              const oracles::Yardstick& yardstick,
+                                              std::initializer_list<std::size_t> which) {
+  const double allowance = yardstick.allowance();
+  if (!yardstick.uses_bounds() || !exact_case.is_moderate() || !outcome.is_moderate()) {
+    return false;
+  }
+  const oracles::Sensitivity& below = exact_case.sensitivity_before();
+  const bool by_approximations = allowance >= least_allowance_for_differences;
+  const bool is_untouched =
+      by_approximations
+          ? surely_near(outcome.approximate(), unchanged(exact_case.approximate()), allowance, below, which)
+          : surely_near(outcome.enclosed(), unchanged(exact_case.enclosed()), allowance, below, which);
+  if (is_untouched) {
+    count(by_approximations ? oracles::Stage::approximation : oracles::Stage::enclosure);
+  }
+  return is_untouched;
 }
 
 /// Both must hold: the worse of two verdicts, a violation before a pass before a skip.

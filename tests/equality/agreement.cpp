@@ -49,7 +49,7 @@ Answers answers_of(const properties::Case& one, const Claim& claim, Session& ses
   const JudgedCase judged_case(one);
   const properties::Trial trial(judged_case, claim, properties::lift(answers.first), std::nullopt,
                                 relations == Relations::judged);
-  if (!trial.questions().empty()) {
+  if (trial.question_count() > 0) {
     answers.related = properties::answers_of(session, trial.questions());
   }
   return answers;
