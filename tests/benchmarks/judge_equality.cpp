@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
-// judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R]
-// N cases, two in three of the families in turn, one in three wild; the subjects take turns: the built-in ones, the
+// judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W]
+// N cases of the families, one in W wild (three by default); each is put to all subjects: the built-in ones, the
 // mutants, and outcomes planted at the edge of what is allowed. Relations are judged on every R-th case. Ends in 1
 // where anything differs.
 #include <atomic>
@@ -23,24 +23,22 @@ namespace {
 
 using namespace carom;
 using equality::Agreement;
+using equality::Examined;
 using equality::Relations;
 
-std::vector<Subject> subjects_in_turn() {
-  std::vector<Subject> subjects;
+std::vector<Examined> all_examined() {
+  std::vector<Examined> subjects;
   for (const Subject& subject : subjects::all_subjects()) {
     if (subject.absent.empty()) {
-      subjects.push_back(subject);
+      subjects.emplace_back(subject);
     }
   }
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
-    subjects.push_back(mutants::subject_of(mutant));
+    subjects.emplace_back(mutants::subject_of(mutant));
   }
   for (const Model model : models_with_truth) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-      // As often as all built-in subjects together.
-      for (int i = 0; i < 3; ++i) {
-        subjects.push_back(equality::planting_subject(model, precision));
-      }
+      subjects.emplace_back(equality::planting_subject(model, precision));
     }
   }
   return subjects;
@@ -51,25 +49,19 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = 1;
   std::uint64_t relations_every = 10;
+  std::uint64_t wild_every = 3;
 };
 
 void compare(const Options& options, std::atomic<std::uint64_t>& next, Agreement& agreement) {
   const auto families = properties::all_families();
-  const std::vector<Subject> subjects = subjects_in_turn();
-  std::vector<Session> sessions;
-  sessions.reserve(subjects.size());
-  for (const Subject& subject : subjects) {
-    sessions.push_back(subject.open());
-  }
+  std::vector<Examined> subjects = all_examined();
   for (std::uint64_t i = next++; i < options.cases; i = next++) {
     properties::Stream stream = properties::case_stream(options.seed, "judge_equality", i);
-    const std::size_t family = stream.bits() % families.size();
-    const std::size_t subject = stream.bits() % subjects.size();
-    const bool is_wild = i % 3 == 2;
-    equality::compare_judges(is_wild ? equality::wild_case(stream) : families[family].generate(stream),
-                             subjects[subject], sessions[subject],
+    const properties::Family& family = families[stream.bits() % families.size()];
+    const bool is_wild = i % options.wild_every == options.wild_every - 1;
+    equality::compare_judges(is_wild ? equality::wild_case(stream) : family.generate(stream), subjects,
                              i % options.relations_every == 0 ? Relations::judged : Relations::left_out,
-                             fmt::format("case {} ({})", i, is_wild ? "wild" : families[family].name), agreement);
+                             fmt::format("case {} ({})", i, is_wild ? "wild" : family.name), agreement);
   }
 }
 
@@ -86,6 +78,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed);
   app.add_option("--jobs", options.jobs);
   app.add_option("--relations-every", options.relations_every)->check(CLI::PositiveNumber);
+  app.add_option("--wild-every", options.wild_every)->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);
@@ -103,7 +96,7 @@ int main(int argc, char** argv) {
   for (const auto& [name, count] : all.invariants) {
     fmt::print("{:<24}{:>12}{:>12}{:>12}\n", name, count.holds, count.violated, count.skipped);
   }
-  fmt::print("{} cases, {} verdicts, {} different\n", all.judgements, all.verdicts, all.differences.size());
+  fmt::print("{} cases, {} outcomes, {} verdicts, {} different\n", all.cases, all.judgements, all.verdicts, all.differences.size());
   fmt::print("rational {:.0f}, filtered {:.0f} judgements a second and thread: ratio {:.1f}\n",
              rate(all.judgements, all.rational), rate(all.judgements, all.filtered),
              rate(all.judgements, all.filtered) / rate(all.judgements, all.rational));

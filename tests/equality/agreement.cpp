@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "agreement.hpp"
 
-#include <cmath>
+#include <limits>
 
 #include <carom/properties/answers.hpp>
 
@@ -32,21 +32,30 @@ struct Answers {
   std::vector<Answer> related;
 };
 
-Judgement judged(const properties::Case& one, const Subject& subject, const Claim& claim, Relations relations,
-                 const Answers& answers, std::chrono::nanoseconds& spent) {
-  const auto start = std::chrono::steady_clock::now();
-  const JudgedCase judged_case(one);
-  const properties::Trial trial(judged_case, claim, properties::lift(answers.first),
-                                properties::shown_collision_matrix(subject, judged_case),
-                                relations == Relations::judged);
-  Judgement judgement = trial.judge(properties::lifted(answers.related));
-  spent += std::chrono::steady_clock::now() - start;
-  return judgement;
-}
+/// One of the two judges, and what it knows of the case.
+class Judge {
+ public:
+  Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
 
-Answers answers_of(const properties::Case& one, const Claim& claim, Session& session, Relations relations) {
-  Answers answers{properties::answers_of(session, std::span(&one.collision, 1)).front(), {}};
-  const JudgedCase judged_case(one);
+  Judgement operator()(const Subject& subject, Claim claim, Relations relations, const Answers& answers,
+                       double known_backward_error, std::chrono::nanoseconds& spent) const {
+    claim.yardstick.filtered = filtered_;
+    const auto collision_matrix = properties::shown_collision_matrix(subject, judged_case_);
+    const auto start = std::chrono::steady_clock::now();
+    const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), collision_matrix,
+                                  relations == Relations::judged);
+    Judgement judgement = trial.judge(properties::lifted(answers.related), known_backward_error);
+    spent += std::chrono::steady_clock::now() - start;
+    return judgement;
+  }
+
+ private:
+  JudgedCase judged_case_;
+  bool filtered_;
+};
+
+Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& session, Relations relations) {
+  Answers answers{properties::answers_of(session, std::span(&judged_case.generated().collision, 1)).front(), {}};
   const properties::Trial trial(judged_case, claim, properties::lift(answers.first), std::nullopt,
                                 relations == Relations::judged);
   if (trial.question_count() > 0) {
@@ -55,35 +64,9 @@ Answers answers_of(const properties::Case& one, const Claim& claim, Session& ses
   return answers;
 }
 
-}  // namespace
-
-Agreement& Agreement::operator+=(const Agreement& other) {
-  judgements += other.judgements;
-  verdicts += other.verdicts;
-  for (const auto& [name, counts] : other.invariants) {
-    Outcomes& into = invariants[name];
-    into.holds += counts.holds;
-    into.violated += counts.violated;
-    into.skipped += counts.skipped;
-  }
-  differences.insert(differences.end(), other.differences.begin(), other.differences.end());
-  filtered += other.filtered;
-  rational += other.rational;
-  return *this;
-}
-
-void compare_judges(const properties::Case& one, const Subject& subject, Session& session, Relations relations,
-                    const std::string& origin, Agreement& agreement) {
-  const Claim claim = properties::claim_of(subject, {});
-  Claim by_rationals = claim;
-  by_rationals.yardstick.filtered = false;
-  const Answers answers = answers_of(one, claim, session, relations);
-  const Judgement fast = judged(one, subject, claim, relations, answers, agreement.filtered);
-  const Judgement exact = judged(one, subject, by_rationals, relations, answers, agreement.rational);
+void compare(const Judgement& fast, const Judgement& exact, const std::string& origin, Agreement& agreement) {
   ++agreement.judgements;
-  const auto differs = [&](const std::string& what) {
-    agreement.differences.push_back(origin + ", " + subject.name + ": " + what);
-  };
+  const auto differs = [&](const std::string& what) { agreement.differences.push_back(origin + ": " + what); };
   if (fast.verdicts.size() != exact.verdicts.size()) {
     differs("another number of verdicts");
     return;
@@ -98,6 +81,41 @@ void compare_judges(const properties::Case& one, const Subject& subject, Session
       differs(name + ' ' + std::string(name_of(fast.verdicts[i].verdict.status)) + ", exactly " +
               std::string(name_of(status)) + ": " + exact.verdicts[i].verdict.detail);
     }
+  }
+}
+
+}  // namespace
+
+Agreement& Agreement::operator+=(const Agreement& other) {
+  cases += other.cases;
+  judgements += other.judgements;
+  verdicts += other.verdicts;
+  for (const auto& [name, counts] : other.invariants) {
+    Outcomes& into = invariants[name];
+    into.holds += counts.holds;
+    into.violated += counts.violated;
+    into.skipped += counts.skipped;
+  }
+  differences.insert(differences.end(), other.differences.begin(), other.differences.end());
+  filtered += other.filtered;
+  rational += other.rational;
+  return *this;
+}
+
+void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
+                    const std::string& origin, Agreement& agreement) {
+  ++agreement.cases;
+  const JudgedCase judged_case(one);
+  const Judge fast(one, true);
+  const Judge exact(one, false);
+  for (Examined& examined : subjects) {
+    const Claim claim = properties::claim_of(examined.subject, {});
+    const Answers answers = answers_of(judged_case, claim, examined.session, relations);
+    // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
+    const double known = agreement.judgements % 2 == 0 ? 0 : std::numeric_limits<double>::infinity();
+    compare(fast(examined.subject, claim, relations, answers, known, agreement.filtered),
+            exact(examined.subject, claim, relations, answers, 0, agreement.rational),
+            origin + ", " + examined.subject.name, agreement);
   }
 }
 

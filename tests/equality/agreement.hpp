@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <carom/properties/trial.hpp>
@@ -22,6 +24,7 @@ struct Outcomes {
 
 /// What came of comparing.
 struct Agreement {
+  std::uint64_t cases = 0;
   std::uint64_t judgements = 0;  // of one subject's outcome of one case
   std::uint64_t verdicts = 0;    // of one invariant each
   std::map<std::string, Outcomes> invariants;
@@ -35,9 +38,17 @@ struct Agreement {
 /// Whether relations are judged as well.
 enum class Relations { left_out, judged };
 
-/// Puts the case to the subject once, with all further questions, and judges the answers by both judges, each with what
-/// it knows of the case worked out by itself. `origin` says in a difference where the case is from.
-void compare_judges(const properties::Case& one, const Subject& subject, Session& session, Relations relations,
+/// A subject and its session.
+struct Examined {
+  explicit Examined(Subject of) : subject(std::move(of)), session(subject.open()) {}
+
+  Subject subject;
+  Session session;
+};
+
+/// Puts the case to each subject once, with all further questions, and judges the answers by both judges, each with
+/// what it knows of the case worked out by itself. `origin` says in a difference where the case is from.
+void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);
 
 }  // namespace carom::equality

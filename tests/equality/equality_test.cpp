@@ -28,18 +28,18 @@ std::string joined(const Agreement& agreement) {
 
 /// So many cases of each family, and as many wild ones for each fifth family.
 void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relations, Agreement& agreement) {
-  Session session = subject.open();
+  std::vector<Examined> examined{Examined(subject)};
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t index = 0; index < cases; ++index) {
       properties::Stream of_family = properties::case_stream(seed, family.name, index);
-      compare_judges(family.generate(of_family), subject, session, relations,
+      compare_judges(family.generate(of_family), examined, relations,
                      std::string(family.name) + ' ' + std::to_string(index), agreement);
       if ((index + family.name.size()) % 5 != 0) {
         continue;
       }
       const std::string wild = "wild " + std::string(family.name);
       properties::Stream of_wild = properties::case_stream(seed, wild, index);
-      compare_judges(wild_case(of_wild), subject, session, relations, wild + ' ' + std::to_string(index), agreement);
+      compare_judges(wild_case(of_wild), examined, relations, wild + ' ' + std::to_string(index), agreement);
     }
   }
 }
