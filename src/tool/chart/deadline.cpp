@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -36,7 +38,7 @@ std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> meth
 
 Picture deadline(std::span<const MethodMeasurement> methods) {
   const std::string model(name_of(methods.front().model));
-  Picture picture("deadline-" + model, 1100, 680, 17);
+  Picture picture("deadline-" + model, 1320, 680, 17);
   double longest = 0;
   double shortest = 1e9;
   for (const MethodMeasurement& method : methods) {
@@ -50,6 +52,7 @@ Picture deadline(std::span<const MethodMeasurement> methods) {
   constexpr std::array<std::string_view, deadline_digits.size()> colours{sky_blue, orange,     purple,
                                                                          green,    vermillion, blue};
   std::vector<Label> labels;
+  std::map<double, std::string> methods_behind;  // by time
   for (std::size_t i = 0; i < deadline_digits.size(); ++i) {
     const std::vector<DeadlineStep> steps = deadline_steps(methods, deadline_digits[i]);
     if (steps.empty()) {
@@ -58,19 +61,28 @@ Picture deadline(std::span<const MethodMeasurement> methods) {
     std::vector<std::vector<double>> points{{steps.front().nanoseconds, 0}};
     for (const DeadlineStep& step : steps) {
       points.push_back({step.nanoseconds, step.share});
+      methods_behind.emplace(step.nanoseconds, step.method);
     }
     points.push_back({panel.x.high, steps.back().share});
     picture.curve(points, fmt::format("using 1:2 with steps lw 3 dt {} lc rgb '{}'", i % 2 + 1, colours[i]));
     labels.push_back({fmt::format("{} digits", deadline_digits[i]), panel.place_of(panel.x.high, steps.back().share),
                       std::string(colours[i])});
   }
-  // Beside the ends of their curves, one below the other where these end together.
+  // One below the other, each joined with the end of its curve.
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.names.y > b.names.y; });
-  double above = panel.y.last_pixel + 30;
+  double above = panel.y.last_pixel + 50;
   for (Label& label : labels) {
-    const double y = std::min(label.names.y, above - 22);
-    picture.write(label.text, {panel.x.last_pixel + 12, y}, label.colour);
-    above = y;
+    label.at = {panel.x.last_pixel + 90, std::min(label.names.y, above - 26)};
+    above = label.at.y;
+  }
+  picture.write(labels, 17);
+  // The methods that the steps are by.
+  double y = std::min(above - 60, panel.y.first_pixel + 24 * static_cast<double>(methods_behind.size()) + 24);
+  picture.write("the steps are by", {panel.x.last_pixel + 30, y}, "#555555");
+  for (const auto& [nanoseconds, method] : methods_behind) {
+    y -= 24;
+    picture.write(in_three_digits(nanoseconds) + " ns", {panel.x.last_pixel + 100, y}, "#555555", "right", 0.9);
+    picture.write(method, {panel.x.last_pixel + 110, y}, "#555555", "left", 0.9);
   }
   picture.end();
   return picture;

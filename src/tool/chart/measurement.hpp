@@ -60,6 +60,7 @@ struct MethodMeasurement {
 struct SweepLine {
   std::string method;
   Model model;
+  Precision precision;
   std::vector<double> quantity;
   std::vector<Exactness> exactness;  // at each quantity
 

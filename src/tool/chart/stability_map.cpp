@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "chart/colours.hpp"
 #include "chart/diagrams.hpp"
 
 namespace carom::tool::chart {
@@ -13,20 +14,24 @@ namespace {
 constexpr double least_error = 0.01;
 constexpr double most_error = 1e22;  // also what is not finite
 
-constexpr std::size_t most_labels = 8;
-
 struct Style {
   std::string_view colour;
   int dash;
   int point;
 };
 
-/// The first seven differ in colour and mark, further ones in the dash as well.
-Style style_of(std::size_t index) {
-  constexpr std::array colours{vermillion, blue, green, purple, orange, sky_blue, black};
+/// The colour of the precision; methods of one precision differ in dash and mark.
+Style style_of(const SweepLine& line, std::size_t index) {
   constexpr std::array points{7, 5, 9, 13, 11, 4, 6};
-  return {colours[index % colours.size()], static_cast<int>(index / colours.size() % 4) + 1,
-          points[index % points.size()]};
+  return {colour_of(line.precision), static_cast<int>(index / points.size() % 4) + 1, points[index % points.size()]};
+}
+
+/// Whether the end of a line keeps away from all others.
+bool stands_alone(Place end, const std::vector<Place>& ends) {
+  constexpr double near = 18;
+  return std::count_if(ends.begin(), ends.end(), [&](const Place& other) {
+           return std::hypot(other.x - end.x, other.y - end.y) < near;
+         }) <= 1;
 }
 
 std::vector<std::vector<double>> points_of(const SweepLine& line) {
@@ -60,13 +65,13 @@ Picture stability_map(const SweepMeasurement& sweep, Model model, double limit_u
                 {panel.x.last_pixel - 8, panel.y.pixel_of(limit_ulps) + 13}, "#333333", "right");
 
   std::vector<Label> labels;
-  std::vector<Place> to_keep_free;
+  std::vector<Place> ends;
   std::size_t staying = 0;
   std::size_t leaving = 0;
-  double y = 690;
-  constexpr double key_left = 860;
-  constexpr double row = 24;
-  picture.write("leaves the limit at", {key_left + 400, y}, "#555555");
+  double y = 695;
+  constexpr double key_left = 880;
+  const double row = std::min(24.0, (y - 10) / static_cast<double>(lines.size() + 5));
+  picture.write("leaves it at", {key_left + 390, y}, "#555555");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::optional<double> at = lines[i].leaves_limit_at();
     if (!at) {
@@ -74,28 +79,29 @@ Picture stability_map(const SweepMeasurement& sweep, Model model, double limit_u
       picture.curve(points_of(lines[i]), "using 1:2 with lines lw 1 lc rgb '#aaaaaa'");
       continue;
     }
-    const Style style = style_of(leaving++);
+    const Style style = style_of(lines[i], leaving++);
     const auto points = points_of(lines[i]);
     picture.curve(points, fmt::format("using 1:2 with linespoints lw 2 dt {} pt {} ps 0.6 lc rgb '{}'", style.dash,
                                       style.point, style.colour));
-    for (const auto& point : points) {
-      to_keep_free.push_back(panel.place_of(point[0], point[1]));
-      if (point[0] == *at) {
-        labels.push_back({std::to_string(i + 1), to_keep_free.back(), std::string(style.colour)});
-      }
-    }
+    ends.push_back(panel.place_of(points.back()[0], points.back()[1]));
+    labels.push_back({std::to_string(i + 1), ends.back(), std::string(style.colour)});
     y -= row;
     picture.swatch({key_left + 20, y}, style.colour, style.dash, style.point);
     picture.write(std::to_string(i + 1), {key_left + 66, y}, style.colour, "right");
     picture.write(lines[i].method, {key_left + 74, y}, style.colour);
-    picture.write(fmt::format("{:.0e}", *at), {key_left + 400, y}, style.colour);
+    picture.write(fmt::format("{:.0e}", *at), {key_left + 390, y}, style.colour);
   }
   y -= 1.5 * row;
   picture.write(fmt::format("grey: {} methods that stay below it everywhere", staying), {key_left, y}, "#777777");
-  if (labels.size() > most_labels) {
-    labels.clear();  // many leave together: the list tells them apart
+  y -= row;
+  picture.write("orange: binary32 · blue: binary64 · green: more", {key_left, y}, "#777777");
+  y -= row;
+  picture.write("at 10²²: no digit is right, or the outcome is not finite", {key_left, y}, "#777777");
+  // The list tells apart what ends together.
+  std::erase_if(labels, [&](const Label& label) { return !stands_alone(label.names, ends); });
+  for (Label& label : labels) {
+    label.at = {label.names.x + 18, label.names.y};
   }
-  place_labels(labels, to_keep_free, 15, panel);
   picture.write(labels, 15);
   picture.end();
   return picture;

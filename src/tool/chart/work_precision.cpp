@@ -7,6 +7,7 @@
 
 #include <carom/oracles/yardstick.hpp>
 
+#include "chart/colours.hpp"
 #include "chart/diagrams.hpp"
 
 namespace carom::tool::chart {
@@ -15,17 +16,11 @@ namespace {
 constexpr double most_digits = 21;  // an exact outcome has more; it is drawn here
 constexpr double least_digits = 0;
 
-std::string_view colour_of(Precision precision) {
-  switch (precision) {
-    case Precision::binary32:
-      return orange;
-    case Precision::binary64:
-      return blue;
-    case Precision::extended:
-      break;
-  }
-  return green;
-}
+constexpr std::pair<std::string_view, std::string_view> key_of_colours[] = {{"binary32", orange},
+                                                                            {"binary64", blue},
+                                                                            {"more than binary64", green},
+                                                                            {"x: fails", vermillion},
+                                                                            {"grey: Pareto line", grey}};
 
 /// One mark.
 struct Mark {
@@ -118,10 +113,8 @@ void write_key(Picture& picture, std::span<const MethodMeasurement> methods, Pla
          families_text(failing, method.families.size()), failing > 0 ? vermillion : colour_of(method.precision));
   }
   y -= row / 2;
-  const std::pair<std::string_view, std::string_view> remarks[] = {
-      {"binary32", orange}, {"binary64", blue}, {"more than binary64", green}};
   double x = top_left.x + 34;
-  for (const auto& [text, colour] : remarks) {
+  for (const auto& [text, colour] : std::span(key_of_colours).first<3>()) {
     picture.write(text, {x, y}, colour, "left", size);
     x += 110;
   }
@@ -170,14 +163,14 @@ Picture work_precision_of_families(std::span<const MethodMeasurement> methods) {
   constexpr std::size_t columns = 3;
   const std::size_t rows = (count + columns - 1) / columns;
   constexpr double cell_width = 500;
-  constexpr double cell_height = 330;
-  const double height = cell_height * static_cast<double>(rows) + 80;
+  constexpr double cell_height = 370;
+  const double height = cell_height * static_cast<double>(rows) + 110;
   Picture picture("work-precision-" + model + "-families", columns * cell_width, height, 20);
   for (std::size_t f = 0; f < count; ++f) {
     const double left = cell_width * static_cast<double>(f % columns);
-    const double bottom = height - 70 - cell_height * static_cast<double>(f / columns + 1);
+    const double bottom = height - 100 - cell_height * static_cast<double>(f / columns + 1);
     const Panel panel{time_axis(methods, left + 75, left + cell_width - 20),
-                      {least_digits, most_digits + 0.5, false, bottom + 60, bottom + cell_height - 40}};
+                      {least_digits, most_digits + 0.5, false, bottom + 100, bottom + cell_height - 40}};
     picture.begin(panel, methods.front().families[f].family, f + columns >= count ? "ns for each contact" : "",
                   f % columns == 0 ? "correct digits" : "");
     picture.add(time_tics(panel.x));
@@ -190,10 +183,13 @@ Picture work_precision_of_families(std::span<const MethodMeasurement> methods) {
     }
     if (f == 0) {
       picture.write(
-          fmt::format("{}: time against accuracy, family by family. Grey: Pareto line; ×: fails; numbers as in "
-                      "work-precision-{}.svg",
-                      model, model),
-          {20, height - 30}, black);
+          fmt::format("{}: time against accuracy, family by family; numbers as in work-precision-{}.svg", model, model),
+          {20, height - 25}, black);
+      double x = 20;
+      for (const auto& [text, colour] : key_of_colours) {
+        picture.write(text, {x, height - 55}, colour);
+        x += 20 + 11 * static_cast<double>(text.size());
+      }
     }
     draw(picture, panel, marks, 0.6, 19, [](const Mark& mark, bool is_on_line) { return mark.fails || is_on_line; });
     picture.end();

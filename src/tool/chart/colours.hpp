@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include <carom/collision/precision.hpp>
+
+#include "chart/canvas.hpp"
+
+namespace carom::tool::chart {
+
+/// The colour of a method's precision, the same in all pictures.
+[[nodiscard]] constexpr std::string_view colour_of(Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return orange;
+    case Precision::binary64:
+      return blue;
+    case Precision::extended:
+      break;
+  }
+  return green;
+}
+
+}  // namespace carom::tool::chart
