@@ -96,11 +96,18 @@ struct Adjustable {
   if (collision.a.immovable && collision.b.immovable) {
     return outcome;
   }
-  while (detail::all_finite(outcome) && normal_velocity_sign(collision, outcome) < 0) {
-    const double missing = -exact_normal_velocity(collision, outcome).approximately();
+  while (detail::all_finite(outcome)) {
+    const detail::RoundedNormalVelocity<double> roughly(collision, outcome, detail::unit_roundoff_of_double);
+    if (roughly.value > roughly.bound) {
+      break;
+    }
+    const NormalVelocity velocity = known_normal_velocity(collision, outcome);
+    if (velocity.sign >= 0) {
+      break;
+    }
     const auto [component, slope, ulp] = detail::most_effective_component(collision, outcome);
     // At least one ulp, so that N·V grows each time; more where the law itself was evaluated badly.
-    *component += std::copysign(std::fmax(missing / std::abs(slope), ulp), slope);
+    *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulp), slope);
   }
   return outcome;
 }
