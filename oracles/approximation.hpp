@@ -8,8 +8,8 @@
 
 namespace carom::oracles {
 
-/// A real number known to within a radius: |x − middle| ≤ radius. Binary64 with a bound that is carried along, a tenth of
-/// the work of an `Enclosure`: running error analysis, J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
+/// A real number known to within a radius: |x − middle| ≤ radius. Binary64 with a bound that is carried along, a tenth
+/// of the work of an `Enclosure`: running error analysis, J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
 /// Algorithms, §3.3. The rounded result ẑ of an operation is off by at most u |ẑ|, or by the least number where it
 /// underflows. Each operation on the bound is rounded up: the few roundings of 2⁻⁵³ each are less than `up`, and what
 /// underflows is less than `least`. Where a bound overflows it is infinite or no number, and nothing is decided.

@@ -26,8 +26,8 @@ Closeness::Closeness(const ExactCase& exact_case, const LiftedOutcome& outcome, 
   const std::array<double, 4> norms = outcome.norms();
   for (std::size_t k = 0; k < is_close_.size(); ++k) {
     sizes_[k] = norms[k] + exact_case.norms_before()[k];
-    is_close_[k] = error_above_[k] == 0 ||
-                   (error_above_[k] <= less_a_millionth * allowance * sizes_[k] && sizes_[k] >= smallest);
+    is_close_[k] =
+        error_above_[k] == 0 || (error_above_[k] <= less_a_millionth * allowance * sizes_[k] && sizes_[k] >= smallest);
   }
 }
 
@@ -112,8 +112,8 @@ bool Closeness::shows_energy() const {
 
 bool Closeness::shows_untouched(std::initializer_list<std::size_t> which) const {
   return exact_case_ != nullptr && std::all_of(which.begin(), which.end(), [&](std::size_t k) {
-    return error_above_[k] <= less_a_millionth * allowance_ * exact_case_->norms_before()[k];
-  });
+           return error_above_[k] <= less_a_millionth * allowance_ * exact_case_->norms_before()[k];
+         });
 }
 
 }  // namespace carom::oracles

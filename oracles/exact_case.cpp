@@ -182,7 +182,8 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
-  if (is_moderate() && std::abs(normal_velocity().value) > 2 * allowance * normal_velocity_sensitivity_above(collision_)) {
+  if (is_moderate() &&
+      std::abs(normal_velocity().value) > 2 * allowance * normal_velocity_sensitivity_above(collision_)) {
     return false;  // the factor is for the rounding of both
   }
   if (!normal_velocity_sensitivity_) {
@@ -262,8 +263,8 @@ const Sensitivity& ExactCase::sensitivity_below(Model model) const {
   }
   known = norms_before();
   if (approach() == Approach::colliding) {
-    const Vector3<Approximation> impulse = impulse_for<Approximation>(
-        approximate(), model, wanted_change(approximate()), &approximate_response().matrix);
+    const Vector3<Approximation> impulse =
+        impulse_for<Approximation>(approximate(), model, wanted_change(approximate()), &approximate_response().matrix);
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     const auto parts = vectors(outcome);
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -356,8 +357,10 @@ bool ExactCase::is_collinear() const {
       return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
                                        [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
     };
-    is_collinear_ = is_along_normal(near.a, [&]() -> const auto& { return exact().a; }) &&
-                    is_along_normal(near.b, [&]() -> const auto& { return exact().b; });
+    is_collinear_ = is_along_normal(
+                        near.a, [&]() -> const auto& { return exact().a; }) &&
+                    is_along_normal(
+                        near.b, [&]() -> const auto& { return exact().b; });
   }
   return *is_collinear_;
 }

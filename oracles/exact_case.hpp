@@ -6,26 +6,11 @@
 
 #include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/judged_laws.hpp>
 #include <carom/oracles/refined_truth.hpp>
 #include <carom/oracles/sensitivity.hpp>
 
 namespace carom::oracles {
-
-/// The laws that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a case.
-enum class AffineLaw {
-  linear_momentum,
-  angular_momentum_of_a,
-  angular_momentum_of_b,
-  total_angular_momentum,
-  restitution,
-  non_penetration,
-  push,
-  frictionless_direction,
-  reflection_plane,
-  untouched_a,
-  untouched_b,
-};
-inline constexpr std::size_t affine_law_count = 11;
 
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
 class ExactCase {

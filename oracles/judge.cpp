@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <carom/oracles/judge.hpp>
+#include <carom/oracles/stage.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -184,8 +185,8 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed = deviation_of(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model),
-                              outcome.enclosed());
+      enclosed =
+          deviation_of(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed());
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
@@ -215,8 +216,7 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     }
   }
   count(Stage::rational);
-  const auto exactly =
-      deviation_of(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact());
+  const auto exactly = deviation_of(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact());
   return *accuracy_by(exactly, sensitivity, yardstick);
 }
 

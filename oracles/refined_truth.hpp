@@ -26,8 +26,8 @@ struct ApproximateResponse {
     Outcome<Approximation> answer;
     const auto into = vectors(answer);
     for (std::size_t k = 0; k < into.size(); ++k) {
-      *into[k] = *vectors(units[0])[k] * impulse[0] + *vectors(units[1])[k] * impulse[1] +
-                 *vectors(units[2])[k] * impulse[2];
+      *into[k] =
+          *vectors(units[0])[k] * impulse[0] + *vectors(units[1])[k] * impulse[1] + *vectors(units[2])[k] * impulse[2];
     }
     return answer;
   }
@@ -61,8 +61,8 @@ struct ApproximateResponse {
     // What is along the normal is small, the rest is not and is not asked for.
     rest = n * Enclosure(n.dot(rest) / n.dot(n));
   }
-  const Vector3<Approximation> second = impulse_for<Approximation>(
-      approximate, model, rest.unaryExpr(&approximation_of), &approximate_response.matrix);
+  const Vector3<Approximation> second =
+      impulse_for<Approximation>(approximate, model, rest.unaryExpr(&approximation_of), &approximate_response.matrix);
   const Outcome<Enclosure> correction = map_outcome<Enclosure>(approximate_response(second), &enclosure_of);
   return {impulse + second.unaryExpr(&enclosure_of), sum(sum(unchanged(enclosed), answer), correction)};
 }

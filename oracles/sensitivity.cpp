@@ -190,9 +190,8 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model
   const Vector3<double> impulse = impulse_for<double>(c, model, wanted.change);
   const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
   const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
-  const Jacobian d_impulse =
-      derivative_of_impulse(model, impulse, c.normal, wanted.change, a.at_point + b.at_point,
-                            a.d_at_point - b.d_at_point - wanted.derivative, places.normal);
+  const Jacobian d_impulse = derivative_of_impulse(model, impulse, c.normal, wanted.change, a.at_point + b.at_point,
+                                                   a.d_at_point - b.d_at_point - wanted.derivative, places.normal);
   Sensitivity result = norms_before(c);
   const auto add = [&](std::size_t k, const Jacobian& at_fixed_impulse, const Matrix3<double>& per_impulse,
                        Eigen::Index before) {

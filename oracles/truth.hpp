@@ -91,8 +91,8 @@ template <class T>
   const Vector3<T>& n = collision.normal;
   switch (model) {
     case Model::frictionless: {
-      const Vector3<T> answer = matrix != nullptr ? Vector3<T>(*matrix * n)
-                                                  : relative_velocity<T>(collision, response<T>(collision, n));
+      const Vector3<T> answer =
+          matrix != nullptr ? Vector3<T>(*matrix * n) : relative_velocity<T>(collision, response<T>(collision, n));
       return n * T(n.dot(change) / n.dot(answer));
     }
     case Model::reflection:

@@ -89,7 +89,7 @@ class Trial {
   ExactAnswer answer_;
   std::optional<oracles::LiftedMatrix> collision_matrix_;
   bool with_relations_;
-  std::vector<std::vector<oracles::ExactCase>> by_outcome_;      // of the invariants whose questions depend on it
+  std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // of the invariants whose questions depend on it
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };
 

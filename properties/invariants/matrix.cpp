@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <carom/oracles/definiteness.hpp>
+#include <carom/oracles/stage.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <carom/oracles/stage.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
 namespace {
 
-using oracles::AffineLaw;
+namespace law = oracles::law;
 using oracles::Approach;
 using oracles::compare;
 using oracles::Rational;
@@ -21,34 +22,22 @@ bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::c
 
 bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
 
-/// The verdict of one law of laws.hpp.
+/// The verdict of one law.
 template <class Law>
-Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law,
-                  std::optional<AffineLaw> name = std::nullopt) {
+Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law) {
+  const std::optional<oracles::AffineLaw> name = law.name();
   if (name && e.closeness.shows(*name)) {
     count(oracles::Stage::closeness);
     return {};
   }
-  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick, name), what);
+  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick), what);
 }
 
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
 
-template <class T>
-const BasicBody<T>& body_of(const BasicCollision<T>& collision, bool a) {
-  return a ? collision.a : collision.b;
-}
-
-template <class T>
-const BodyVelocity<T>& motion_of(const Outcome<T>& outcome, bool a) {
-  return a ? outcome.a : outcome.b;
-}
-
 Verdict untouched_body(const Evidence& e, bool a) {
-  return law_holds(
-      e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
-      [a](const auto& c, const auto& y) { return oracles::untouched(body_of(c, a), motion_of(y, a)); },
-      a ? AffineLaw::untouched_a : AffineLaw::untouched_b);
+  return law_holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
+                   law::Untouched{a});
 }
 
 /// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
@@ -111,9 +100,7 @@ Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
     return outside_domain("a body is immovable");
   }
-  return law_holds(
-      e, Relation::equal, "m_A Δv_A and −m_B Δv_B",
-      [](const auto& c, const auto& y) { return oracles::linear_momentum(c, y); }, AffineLaw::linear_momentum);
+  return law_holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B", law::LinearMomentum{});
 }
 
 Verdict check_angular_momentum(const Evidence& e) {
@@ -121,20 +108,14 @@ Verdict check_angular_momentum(const Evidence& e) {
   for (const bool a : {true, false}) {
     if (!body(e, a).immovable) {
       worst = both(std::move(worst),
-                   law_holds(
-                       e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
-                       [a](const auto& c, const auto& y) {
-                         return oracles::angular_momentum(body_of(c, a), c.point, motion_of(y, a));
-                       },
-                       a ? AffineLaw::angular_momentum_of_a : AffineLaw::angular_momentum_of_b));
+                   law_holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
+                             law::AngularMomentum{a}));
     }
   }
   if (!body(e, true).immovable && !body(e, false).immovable) {
-    worst =
-        both(std::move(worst), law_holds(
-                                   e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
-                                   [](const auto& c, const auto& y) { return oracles::total_angular_momentum(c, y); },
-                                   AffineLaw::total_angular_momentum));
+    worst = both(std::move(worst),
+                 law_holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
+                           law::TotalAngularMomentum{}));
   }
   return worst;
 }
@@ -143,28 +124,21 @@ Verdict check_restitution(const Evidence& e) {
   if (!collides(e)) {
     return outside_domain("the contact is not colliding");
   }
-  return law_holds(
-      e, Relation::equal, "N·V⁺ and −ε N·V⁻", [](const auto& c, const auto& y) { return oracles::restitution(c, y); },
-      AffineLaw::restitution);
+  return law_holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻", law::Restitution{});
 }
 
 Verdict check_non_penetration(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(
-      e, Relation::at_least, "N·V⁺ and 0", [](const auto& c, const auto& y) { return oracles::non_penetration(c, y); },
-      AffineLaw::non_penetration);
+  return law_holds(e, Relation::at_least, "N·V⁺ and 0", law::NonPenetration{});
 }
 
 Verdict check_push(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  const bool off_a = e.exact_case.reads_impulse_off_a();
-  Verdict verdict = law_holds(
-      e, Relation::at_least, "N·F and 0", [off_a](const auto& c, const auto& y) { return oracles::push(c, y, off_a); },
-      AffineLaw::push);
+  Verdict verdict = law_holds(e, Relation::at_least, "N·F and 0", law::Push{e.exact_case.reads_impulse_off_a()});
   // A residual over the outputs alone knows nothing of the inputs' rounding, which decides the sign of N·V⁻ there.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
@@ -214,20 +188,14 @@ Verdict check_frictionless_direction(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  const bool off_a = e.exact_case.reads_impulse_off_a();
-  return law_holds(
-      e, Relation::equal, "N × F and 0",
-      [off_a](const auto& c, const auto& y) { return oracles::frictionless_direction(c, y, off_a); },
-      AffineLaw::frictionless_direction);
+  return law_holds(e, Relation::equal, "N × F and 0", law::FrictionlessDirection{e.exact_case.reads_impulse_off_a()});
 }
 
 Verdict check_reflection_plane(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(
-      e, Relation::equal, "N × V⁺ and N × V⁻",
-      [](const auto& c, const auto& y) { return oracles::reflection_plane(c, y); }, AffineLaw::reflection_plane);
+  return law_holds(e, Relation::equal, "N × V⁺ and N × V⁻", law::ReflectionPlane{});
 }
 
 Verdict check_energy(const Evidence& e) {
@@ -238,8 +206,7 @@ Verdict check_energy(const Evidence& e) {
     count(oracles::Stage::closeness);
     return {};
   }
-  return law_holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall",
-                   [](const auto& c, const auto& y) { return oracles::energy(c, y); });
+  return law_holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", law::Energy{});
 }
 
 Verdict check_collinear_spin(const Evidence& e) {

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <carom/oracles/stage.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -447,9 +448,7 @@ Verdict check_repeat(const Evidence& e) {
   }
   const auto untouched = [&](bool a) {
     return verdict_of(
-        oracles::compare([a](const auto& c,
-                             const auto& y) { return a ? oracles::untouched(c.a, y.a) : oracles::untouched(c.b, y.b); },
-                         oracles::Relation::equal, second.exact_case, after, e.yardstick),
+        oracles::compare(oracles::law::Untouched{a}, oracles::Relation::equal, second.exact_case, after, e.yardstick),
         a ? "velocities of A, after a second impulse and before it"
           : "velocities of B, after a second impulse and before it");
   };

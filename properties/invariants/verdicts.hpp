@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/oracles/stage.hpp>
 #include <carom/properties/invariant.hpp>
 
 /// How checks make and join verdicts.

@@ -96,7 +96,8 @@ int main(int argc, char** argv) {
   for (const auto& [name, count] : all.invariants) {
     fmt::print("{:<24}{:>12}{:>12}{:>12}\n", name, count.holds, count.violated, count.skipped);
   }
-  fmt::print("{} cases, {} outcomes, {} verdicts, {} different\n", all.cases, all.judgements, all.verdicts, all.differences.size());
+  fmt::print("{} cases, {} outcomes, {} verdicts, {} different\n", all.cases, all.judgements, all.verdicts,
+             all.differences.size());
   fmt::print("rational {:.0f}, filtered {:.0f} judgements a second and thread: ratio {:.1f}\n",
              rate(all.judgements, all.rational), rate(all.judgements, all.filtered),
              rate(all.judgements, all.filtered) / rate(all.judgements, all.rational));

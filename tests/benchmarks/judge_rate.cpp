@@ -62,7 +62,8 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
     for (const properties::Case& one : result.cases) {
       const JudgedCase judged(one);
       Asked asked{properties::answers_of(session, std::span(&one.collision, 1)).front(),
-                  properties::shown_collision_matrix(subject, judged), {}};
+                  properties::shown_collision_matrix(subject, judged),
+                  {}};
       const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, with_relations);
       if (trial.question_count() > 0) {
         asked.related = properties::answers_of(session, trial.questions());
@@ -203,7 +204,8 @@ void print_shares() {
         return 100 * static_cast<double>(counts[static_cast<std::size_t>(stage)]) / sum;
       };
       fmt::print("{:<24}{:>12}{:>11.2f}{:>11.2f}{:>15.2f}{:>11.2f}{:>10.2f}\n", name, sum,
-                 share(oracles::Stage::same_bits), share(oracles::Stage::closeness), share(oracles::Stage::approximation), share(oracles::Stage::enclosure),
+                 share(oracles::Stage::same_bits), share(oracles::Stage::closeness),
+                 share(oracles::Stage::approximation), share(oracles::Stage::enclosure),
                  share(oracles::Stage::rational));
     }
   }

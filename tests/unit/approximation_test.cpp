@@ -124,9 +124,8 @@ TEST(RefinedTruth, ContainsTheTruth) {
       continue;
     }
     for (const Model model : models_with_truth) {
-      const Truth<Enclosure> refined =
-          refined_truth(one.collision, exact_case.enclosed(), exact_case.approximate(), model,
-                        ApproximateResponse(exact_case.approximate()));
+      const Truth<Enclosure> refined = refined_truth(one.collision, exact_case.enclosed(), exact_case.approximate(),
+                                                     model, ApproximateResponse(exact_case.approximate()));
       const auto enclosed = vectors(refined.outcome);
       const auto exact = vectors(exact_case.truth(model).outcome);
       for (std::size_t k = 0; k < enclosed.size(); ++k) {

@@ -69,24 +69,21 @@ void expect_same_verdicts(const ExactCase& exact_case, const LiftedOutcome& outc
     expect_same_verdict(name, law, relation, exact_case, outcome, yardstick, counts);
   };
   if (!collision.a.immovable && !collision.b.immovable) {
-    hold("linear_momentum", Relation::equal, [](const auto& c, const auto& y) { return linear_momentum(c, y); });
-    hold("total_angular_momentum", Relation::equal,
-         [](const auto& c, const auto& y) { return total_angular_momentum(c, y); });
+    hold("linear_momentum", Relation::equal, law::LinearMomentum{});
+    hold("total_angular_momentum", Relation::equal, law::TotalAngularMomentum{});
   }
   if (!collision.a.immovable) {
-    hold("angular_momentum", Relation::equal,
-         [](const auto& c, const auto& y) { return angular_momentum(c.a, c.point, y.a); });
+    hold("angular_momentum", Relation::equal, law::AngularMomentum{true});
   }
-  hold("untouched", Relation::equal, [](const auto& c, const auto& y) { return untouched(c.b, y.b); });
-  hold("restitution", Relation::equal, [](const auto& c, const auto& y) { return restitution(c, y); });
-  hold("non_penetration", Relation::at_least, [](const auto& c, const auto& y) { return non_penetration(c, y); });
-  hold("reflection_plane", Relation::equal, [](const auto& c, const auto& y) { return reflection_plane(c, y); });
+  hold("untouched", Relation::equal, law::Untouched{false});
+  hold("restitution", Relation::equal, law::Restitution{});
+  hold("non_penetration", Relation::at_least, law::NonPenetration{});
+  hold("reflection_plane", Relation::equal, law::ReflectionPlane{});
   if (exact_case.approach() != Approach::inert) {
     const bool off_a = exact_case.reads_impulse_off_a();
-    hold("push", Relation::at_least, [off_a](const auto& c, const auto& y) { return push(c, y, off_a); });
-    hold("frictionless_direction", Relation::equal,
-         [off_a](const auto& c, const auto& y) { return frictionless_direction(c, y, off_a); });
-    hold("energy", Relation::at_most, [](const auto& c, const auto& y) { return energy(c, y); });
+    hold("push", Relation::at_least, law::Push{off_a});
+    hold("frictionless_direction", Relation::equal, law::FrictionlessDirection{off_a});
+    hold("energy", Relation::at_most, law::Energy{});
   }
 }
 
@@ -167,8 +164,8 @@ TEST(Compare, AllowsWhatTheScaleSays) {
                                                                              {-allowed * 1.01, false}}) {
     ReportedOutcome outcome;
     outcome.a.velocity = {0, 1 + static_cast<long double>(deviation), 0};
-    const Comparison comparison = compare([](const auto& x, const auto& y) { return restitution(x, y); },
-                                          Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+    const Comparison comparison =
+        compare(law::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
     EXPECT_EQ(comparison.holds, holds) << deviation;
     if (!holds) {
       EXPECT_NEAR(comparison.allowed, allowed, 0x1p-40 * allowed);
@@ -184,7 +181,7 @@ TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
   c.b.immovable = true;
   const ExactCase exact_case(c);
   Outcome<Rational> outcome = exact_case.truth(Model::frictionless).outcome;
-  const auto law = [](const auto& x, const auto& y) { return restitution(x, y); };
+  const law::Restitution law;
   EXPECT_TRUE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
   outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
   EXPECT_FALSE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
@@ -195,7 +192,7 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
   c.a.velocity = {0, -1, 0};
   c.b.immovable = true;
   const ExactCase exact_case(c);
-  const auto law = [](const auto& x, const auto& y) { return non_penetration(x, y); };
+  const law::NonPenetration law;
   for (const bool filtered : {false, true}) {
     Yardstick yardstick;
     yardstick.unit_roundoff = 0x1p-53;

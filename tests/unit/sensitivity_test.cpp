@@ -157,7 +157,8 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
     if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
       continue;
     }
-    const Matrix3<double> k = exact_case.approximate_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
+    const Matrix3<double> k =
+        exact_case.approximate_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
     for (const Model model : models_with_truth) {
       const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model);
       if (!quick || (model == Model::reflection && k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant())) {

@@ -112,7 +112,8 @@ std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& argum
     chart::SweepMeasurement measurement{
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
     for (const Method& method : methods) {
-      measurement.lines.push_back({method.subject.name, method.subject.model, method.subject.precision, quantities_of(sweep), {}});
+      measurement.lines.push_back(
+          {method.subject.name, method.subject.model, method.subject.precision, quantities_of(sweep), {}});
     }
     for (const double quantity : quantities_of(sweep)) {
       const std::vector<Collision> collisions =

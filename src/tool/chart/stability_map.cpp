@@ -29,9 +29,8 @@ Style style_of(const SweepLine& line, std::size_t index) {
 /// Whether the end of a line keeps away from all others.
 bool stands_alone(Place end, const std::vector<Place>& ends) {
   constexpr double near = 18;
-  return std::count_if(ends.begin(), ends.end(), [&](const Place& other) {
-           return std::hypot(other.x - end.x, other.y - end.y) < near;
-         }) <= 1;
+  return std::count_if(ends.begin(), ends.end(),
+                       [&](const Place& other) { return std::hypot(other.x - end.x, other.y - end.y) < near; }) <= 1;
 }
 
 std::vector<std::vector<double>> points_of(const SweepLine& line) {
