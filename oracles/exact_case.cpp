@@ -75,7 +75,7 @@ double normal_velocity_sensitivity_above(const Collision& c) {
 /// And so is its sign.
 template <class T>
 bool is_known_to_six_digits(const T& x) {
-  return x.radius() < 0x1p-20 * x.magnitude_below();
+  return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
 }
 
 /// λ = 1/m_A + 1/m_B.
@@ -240,7 +240,7 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in enclosures,
   // and where these do not keep them either, in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  if (model == Model::frictionless || condition_bound(approximate_collision_matrix()) < well_conditioned) {
+  if (condition_bound(approximate_collision_matrix()) < well_conditioned) {
     known = is_moderate() ? colliding_sensitivity(collision_, model) : std::nullopt;
     if (!known) {
       known = colliding_sensitivity_in<double>(collision_, model);

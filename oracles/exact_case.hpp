@@ -27,7 +27,7 @@ class ExactCase {
   /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
   [[nodiscard]] bool is_moderate() const;
 
-  /// ‖y_k⁻‖.
+  /// ‖y_k⁻‖; also a lower bound of any `sensitivity`, of which it is a term.
   [[nodiscard]] const std::array<double, 4>& norms_before() const;
 
   /// The norms of the derivatives of an affine law by the vectors of an outcome; worked out by `differentiate` when
@@ -55,10 +55,7 @@ class ExactCase {
   /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity` that costs next to nothing: ‖y_k⁻‖, one of its terms.
-  [[nodiscard]] const Sensitivity& sensitivity_before() const { return norms_before(); }
-
-  /// A better lower bound, at a small part of the cost of the sensitivity: where the contact collides ‖y_k⁻‖ + ½ ‖y_k‖.
+  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides ‖y_k⁻‖ + ½ ‖y_k‖.
   /// The law's answer is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖
   /// (Euler); the half covers the rounding of the sum. Elsewhere ‖y_k⁻‖, whether grazing or not.
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
@@ -91,10 +88,10 @@ class ExactCase {
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors()[1]; }
 
   /// The kinetic-energy norm of the change of the velocities by the law, rounded; worked out by `from_truth` when first
-  /// asked for.
+  /// asked for, once for each of the two judges: bounds may leave it unknown.
   template <class FromTruth>
-  [[nodiscard]] double energy_norm_of_change(Model model, const FromTruth& from_truth) const {
-    std::optional<double>& known = of(model).energy_norm_of_change;
+  [[nodiscard]] double energy_norm_of_change(Model model, bool exactly, const FromTruth& from_truth) const {
+    std::optional<double>& known = of(model).energy_norm_of_change[exactly ? 1 : 0];
     if (!known) {
       known = from_truth();
     }
@@ -120,7 +117,7 @@ class ExactCase {
     std::optional<Truth<Enclosure>> enclosed_truth;
     std::optional<Sensitivity> colliding_sensitivity;
     std::optional<Sensitivity> sensitivity_below;
-    std::optional<double> energy_norm_of_change;
+    std::array<std::optional<double>, 2> energy_norm_of_change;
   };
   struct NormalVelocity {
     double value;  // rounded

@@ -8,15 +8,39 @@
 namespace carom::oracles {
 namespace {
 
-/// The square root of twice the kinetic energy, m v² + wᵀ J w over the movable bodies; only compared as a ratio.
-double energy_norm(const ExactCase& exact_case, const Outcome<double>& change) {
-  const auto squared = [](const Body& body, const BodyVelocity<double>& of_body, const Matrix3<double>& inertia) {
-    const Vector3<double>& w = of_body.angular_velocity;
-    return body.immovable ? 0 : body.mass * of_body.velocity.squaredNorm() + w.dot(inertia * w);
+/// Twice the kinetic energy, m v² + Σ I_i w_i² over the movable bodies, w along the body axes: a sum without
+/// cancellation.
+template <class T>
+T twice_energy(const BasicCollision<T>& collision, const Outcome<T>& change) {
+  T sum(0);
+  const auto add = [&](const BasicBody<T>& body, const BodyVelocity<T>& of_body) {
+    if (!body.immovable) {
+      const Vector3<T> w = turned<T>(conjugate(body.orientation), of_body.angular_velocity);
+      sum += body.mass * of_body.velocity.dot(of_body.velocity) + body.principal_inertia.dot(w.cwiseProduct(w));
+    }
   };
-  const Collision& c = exact_case.collision();
-  return std::sqrt(squared(c.a, change.a, exact_case.inertia_of_a()) +
-                   squared(c.b, change.b, exact_case.inertia_of_b()));
+  add(collision.a, change.a);
+  add(collision.b, change.b);
+  return sum;
+}
+
+template <class T>
+Outcome<T> minus(const Outcome<T>& x, const Outcome<T>& y) {
+  return {{x.a.velocity - y.a.velocity, x.a.angular_velocity - y.a.angular_velocity},
+          {x.b.velocity - y.b.velocity, x.b.angular_velocity - y.b.angular_velocity}};
+}
+
+std::optional<int> sign_of(const Enclosure& x) { return x.sign(); }
+std::optional<int> sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
+
+/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm; none where the arithmetic does not decide it.
+template <class T>
+std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
+                                           const Outcome<T>& outcome) {
+  const T deviation = twice_energy(collision, minus(outcome, truth.outcome));
+  const T change = twice_energy(collision, minus(truth.outcome, unchanged(collision)));
+  const std::optional<int> sign = sign_of(T(T(bound) * T(bound) * change - deviation));
+  return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
 /// At least ‖x‖; zero only where x is.
@@ -60,15 +84,13 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
     }
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
-    const double norm_of_deviation = energy_norm(exact_case, deviation);
-    const double norm_of_change = exact_case.energy_norm_of_change(model, [&] {
-      const Outcome<T> before = unchanged(collision);
-      Outcome<double> change;
-      for (std::size_t k = 0; k < exact.size(); ++k) {
-        *vectors(change)[k] =
-            Vector3<T>(*exact[k] - *vectors(before)[k]).unaryExpr([](const T& x) { return rounded(x); });
-      }
-      return energy_norm(exact_case, change);
+    const auto energy_norm = [&](const Outcome<double>& of) {
+      return std::sqrt(twice_energy(exact_case.collision(), of));
+    };
+    const double norm_of_deviation = energy_norm(deviation);
+    const double norm_of_change = exact_case.energy_norm_of_change(model, std::is_same_v<T, Rational>, [&] {
+      return energy_norm(
+          map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
     });
     const double ratio = norm_of_deviation / norm_of_change;
     // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
@@ -182,6 +204,20 @@ double Accuracy::digits() const {
 
 Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
                   double known) {
+  const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
+  const auto with_digits = [&](Accuracy accuracy) {
+    if (yardstick.digits) {
+      const double bound = yardstick.allowance();
+      const std::optional<bool> decided =
+          may_use_bounds ? relative_error_at_most(bound, exact_case.enclosed(), exact_case.enclosed_truth(model),
+                                                  outcome.enclosed())
+                         : std::nullopt;
+      accuracy.has_digits =
+          decided ? *decided
+                  : *relative_error_at_most(bound, exact_case.exact(), exact_case.truth(model), outcome.exact());
+    }
+    return accuracy;
+  };
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
@@ -198,7 +234,7 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     if (bounded && bounded->allowed == std::array{true, true, true, true} &&
         bounded->backward_error(yardstick.unit_roundoff) <= known) {
       count(Stage::enclosure);
-      return *bounded;
+      return with_digits(*bounded);
     }
   }
   const Sensitivity& sensitivity = exact_case.sensitivity(model, yardstick.allowance());
@@ -209,15 +245,15 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
       return undecided;
     }
   }
-  if (yardstick.filtered && yardstick.allowance() > 0) {
+  if (may_use_bounds) {
     if (const auto decided = by_enclosures(sensitivity)) {
       count(Stage::enclosure);
-      return *decided;
+      return with_digits(*decided);
     }
   }
   count(Stage::rational);
   const auto exactly = deviation_of(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact());
-  return *accuracy_by(exactly, sensitivity, yardstick);
+  return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
 }
 
 }  // namespace carom::oracles

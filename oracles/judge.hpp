@@ -62,6 +62,7 @@ struct Accuracy {
   Sensitivity sensitivity{};                            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
   bool is_decided = true;                               // false where the sensitivity leaves the range of numbers
   std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick
+  bool has_digits = true;  // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not
 

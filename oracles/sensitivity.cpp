@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +29,6 @@ struct Places {
   OfBody b;
   Eigen::Index point = 0;
   Eigen::Index normal = 0;
-  Eigen::Index restitution = 0;
   Magnitudes magnitude = Magnitudes::Zero();  // |x_j|
 
   explicit Places(const Collision& collision) {
@@ -38,7 +38,6 @@ struct Places {
     b.position = numbers_of(collision.a) + numbers_of(collision.b) - after_position;
     point = b.position + after_position;
     normal = point + 3;
-    restitution = normal + 3;
     Eigen::Index next = 0;
     for_each_number([&](const FieldPath&, const double& x) { magnitude[next++] = std::abs(x); }, collision);
   }
@@ -149,20 +148,39 @@ Wanted wanted_of(const Collision& c, const Places& places) {
   return result;
 }
 
-/// The derivatives of the impulse that the law gives. F satisfies K F = b, or, along the normal, F = φ N and
-/// N·(K F − b) = 0; both are differentiated. `left` is dK F − db at that impulse, K the response matrix.
-Jacobian derivative_of_impulse(Model model, const Vector3<double>& impulse, const Vector3<double>& normal,
-                               const Vector3<double>& wanted, const Matrix3<double>& k, const Jacobian& left,
-                               Eigen::Index normal_place) {
-  if (model == Model::reflection) {
-    return -k.inverse() * left;
-  }
-  const double per_normal = normal.dot(impulse) / normal.dot(normal);  // φ
-  Eigen::Matrix<double, 1, collision_inputs> of_condition = normal.transpose() * left;
-  of_condition.segment<3>(normal_place) += (per_normal * k.transpose() * normal + k * impulse - wanted).transpose();
-  Jacobian derivative = normal * (of_condition / -normal.dot(k * normal));
-  derivative.middleCols<3>(normal_place) += per_normal * Matrix3<double>::Identity();
-  return derivative;
+using Row = Eigen::Matrix<double, 1, collision_inputs>;
+
+/// The derivatives of what the impulse adds to each of the four velocities.
+using Derivatives = std::array<Jacobian, 4>;
+
+/// F satisfies K F = b, so dF = K⁻¹ (db − dK F). `left` is dK F − db at that impulse.
+Derivatives derivatives_of_reflection(const BodyResponse& a, const BodyResponse& b, const Jacobian& left) {
+  const Jacobian d_impulse = -(a.at_point + b.at_point).inverse() * left;
+  return {a.d_velocity + a.velocity * d_impulse, a.d_angular_velocity + a.angular_velocity * d_impulse,
+          b.d_velocity - b.velocity * d_impulse, b.d_angular_velocity - b.angular_velocity * d_impulse};
+}
+
+/// F = φ N satisfies N·(K F − b) = 0, so dF = φ dN + N dφ. The answers to N are worked out as such: from the columns of
+/// the matrices they would cancel where a lever arm is along N.
+Derivatives derivatives_of_frictionless(const Collision& c, const BodyResponse& a, const BodyResponse& b,
+                                        const Vector3<double>& impulse, const Vector3<double>& wanted,
+                                        const Jacobian& left, Eigen::Index normal_place) {
+  const Vector3<double>& n = c.normal;
+  const double per_normal = n.dot(impulse) / n.dot(n);  // φ
+  const Outcome<double> to_normal = response<double>(c, n);
+  const Vector3<double> k_normal = relative_velocity<double>(c, to_normal);  // K N
+  Row of_condition = n.transpose() * left;
+  of_condition.segment<3>(normal_place) += (2 * per_normal * k_normal - wanted).transpose();
+  const Row d_per_normal = of_condition / -n.dot(k_normal);
+  Derivatives result{a.d_velocity + to_normal.a.velocity * d_per_normal,
+                     a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
+                     b.d_velocity + to_normal.b.velocity * d_per_normal,
+                     b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
+  result[0].middleCols<3>(normal_place) += per_normal * a.velocity;
+  result[1].middleCols<3>(normal_place) += per_normal * a.angular_velocity;
+  result[2].middleCols<3>(normal_place) -= per_normal * b.velocity;
+  result[3].middleCols<3>(normal_place) -= per_normal * b.angular_velocity;
+  return result;
 }
 
 /// Σ_j ‖∂y/∂x_j‖ |x_j|; not a number where squares may have left the range of binary64.
@@ -178,7 +196,7 @@ double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
 
 }  // namespace
 
-Sensitivity norms_before(const Collision& collision) {
+std::array<double, 4> norms_before(const Collision& collision) {
   const Outcome<double> before = unchanged(collision);
   const auto parts = vectors(before);
   return {parts[0]->stableNorm(), parts[1]->stableNorm(), parts[2]->stableNorm(), parts[3]->stableNorm()};
@@ -190,19 +208,17 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model
   const Vector3<double> impulse = impulse_for<double>(c, model, wanted.change);
   const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
   const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
-  const Jacobian d_impulse = derivative_of_impulse(model, impulse, c.normal, wanted.change, a.at_point + b.at_point,
-                                                   a.d_at_point - b.d_at_point - wanted.derivative, places.normal);
+  const Jacobian left = a.d_at_point - b.d_at_point - wanted.derivative;
+  Derivatives derivatives = model == Model::reflection
+                                ? derivatives_of_reflection(a, b, left)
+                                : derivatives_of_frictionless(c, a, b, impulse, wanted.change, left, places.normal);
+  const std::array<Eigen::Index, 4> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
+                                           places.b.angular_velocity()};
   Sensitivity result = norms_before(c);
-  const auto add = [&](std::size_t k, const Jacobian& at_fixed_impulse, const Matrix3<double>& per_impulse,
-                       Eigen::Index before) {
-    Jacobian derivative = at_fixed_impulse + per_impulse * d_impulse;
-    derivative.middleCols<3>(before) += Matrix3<double>::Identity();
-    result[k] += weighted_norm(derivative, places.magnitude);
-  };
-  add(0, a.d_velocity, a.velocity, places.a.velocity());
-  add(1, a.d_angular_velocity, a.angular_velocity, places.a.angular_velocity());
-  add(2, b.d_velocity, -b.velocity, places.b.velocity());
-  add(3, b.d_angular_velocity, -b.angular_velocity, places.b.angular_velocity());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    derivatives[k].middleCols<3>(before[k]) += Matrix3<double>::Identity();
+    result[k] += weighted_norm(derivatives[k], places.magnitude);
+  }
   const bool is_known = std::all_of(result.begin(), result.end(), [](double sum) { return std::isfinite(sum); });
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
 }

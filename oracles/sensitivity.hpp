@@ -22,12 +22,13 @@ namespace carom::oracles {
 using Sensitivity = std::array<double, 4>;
 
 /// ‖y_k⁻‖.
-[[nodiscard]] Sensitivity norms_before(const Collision& collision);
+[[nodiscard]] std::array<double, 4> norms_before(const Collision& collision);
 
-/// Of the law's answer to a contact that collides, in binary64, which loses about κ(K) u of it. By implicit
-/// differentiation: the impulse F solves K F = b, so K dF = db − dK F, and what bodies answer is linear in F, so that
-/// only the answer to one impulse, held fast, is differentiated, body by body. None where a sum is extreme.
-/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`.
+/// Of the law's answer to a contact that collides, in binary64, which loses about κ(K) u of the reflection law. By
+/// implicit differentiation: the impulse F solves K F = b, so K dF = db − dK F, and what bodies answer is linear in F,
+/// so that only the answer to one impulse, held fast, is differentiated, body by body. None where a sum is extreme.
+/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`,
+/// and for the reflection law κ(K) is well below 1/u.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model);
 
 /// The same with the whole law differentiated, in any field: a twentieth of the speed.

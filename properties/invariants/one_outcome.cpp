@@ -68,7 +68,7 @@ Verdict check_backward_error(const Evidence& e) {
   if (!accuracy.is_decided) {
     return beyond_range();
   }
-  const bool enough_digits = e.yardstick.digits && accuracy.relative_error <= std::pow(10.0, -*e.yardstick.digits);
+  const bool enough_digits = e.yardstick.digits && accuracy.has_digits;
   Verdict worst;
   for (std::size_t k = 0; k < accuracy.error.size() && !enough_digits; ++k) {
     if (accuracy.allowed[k]) {

@@ -130,7 +130,7 @@ Verdict related_pair(const Evidence& e, double factor, const Expected& expected)
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
       return surely_agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, of_first, of_second));
     };
-    if (agree_by(first_case.sensitivity_before(), second_case.sensitivity_before()) ||
+    if (agree_by(first_case.norms_before(), second_case.norms_before()) ||
         agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
       count(stage_of_agreement(e));
       return {};

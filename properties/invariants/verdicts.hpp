@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -75,7 +76,7 @@ inline constexpr double least_allowance_for_differences = 0x1p-50;
 /// Whether bounds show that these vectors of two outcomes differ by no more than `allowance` times `scale`.
 template <class T>
 [[nodiscard]] bool surely_near(const Outcome<T>& left, const Outcome<T>& right, double allowance,
-                               const oracles::Sensitivity& scale,
+                               const std::array<double, 4>& scale,
                                std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
   const auto x = vectors(left);
   const auto y = vectors(right);
@@ -94,7 +95,7 @@ template <class T>
   if (!yardstick.uses_bounds() || !exact_case.is_moderate() || !outcome.is_moderate()) {
     return false;
   }
-  const oracles::Sensitivity& below = exact_case.sensitivity_before();
+  const std::array<double, 4>& below = exact_case.norms_before();
   const bool by_approximations = allowance >= least_allowance_for_differences;
   const bool is_untouched =
       by_approximations

@@ -109,10 +109,14 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
   const Judge fast(one, true);
   const Judge exact(one, false);
   for (Examined& examined : subjects) {
-    const Claim claim = properties::claim_of(examined.subject, {});
+    oracles::Yardstick yardstick;
+    if (agreement.cases % 3 == 0) {
+      yardstick.digits = 1 + static_cast<int>(agreement.judgements % 18);
+    }
+    const Claim claim = properties::claim_of(examined.subject, yardstick);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
-    // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
-    const double known = agreement.judgements % 2 == 0 ? 0 : std::numeric_limits<double>::infinity();
+    // Every other case all is known, so that lower bounds of the sensitivity decide what they can.
+    const double known = agreement.cases % 2 == 0 ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(examined.subject, claim, relations, answers, known, agreement.filtered),
             exact(examined.subject, claim, relations, answers, 0, agreement.rational),
             origin + ", " + examined.subject.name, agreement);

@@ -175,6 +175,29 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   EXPECT_GT(compared, 400U);
 }
 
+/// Moments of inertia far too small for the lever arm, which is along the normal but for rounding: of r × N binary64
+/// keeps nothing.
+TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
+  for (const double length : {1.0, 1e3, 1e6}) {
+    Collision c;
+    c.normal = {0.1, 0.3, 0.7};
+    c.point = {0.2, -0.4, 0.5};
+    c.a.principal_inertia = {1e-19, 2e-19, 3e-19};
+    c.a.orientation = {3, 1, 2, 1};
+    c.a.position = c.point + length * c.normal;
+    c.a.velocity = {0.25, -1, -0.5};
+    c.a.angular_velocity = {1, 2, -3};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.approach(), Approach::colliding);
+    const Sensitivity expected = sensitivity_by_definition(c, Model::frictionless);
+    const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0);
+    for (std::size_t k = 0; k < actual.size(); ++k) {
+      EXPECT_NEAR(actual[k], expected[k], 0x1p-26 * expected[k]) << length << ' ' << outcome_vector_names[k];
+    }
+  }
+}
+
 /// A thin body, κ(K) = 2^60: there the sums are taken in rationals, and are good to a few roundings.
 TEST(Sensitivity, IsExactForThinBodiesToo) {
   Collision c;
