@@ -22,4 +22,14 @@ template Comparison compare(const law::ReflectionPlane&, Relation, const ExactCa
                             const Yardstick&);
 template Comparison compare(const law::Energy&, Relation, const ExactCase&, const LiftedOutcome&, const Yardstick&);
 
+template std::array<double, 4> slopes_of(const law::LinearMomentum&, const Collision&);
+template std::array<double, 4> slopes_of(const law::AngularMomentum&, const Collision&);
+template std::array<double, 4> slopes_of(const law::TotalAngularMomentum&, const Collision&);
+template std::array<double, 4> slopes_of(const law::Untouched&, const Collision&);
+template std::array<double, 4> slopes_of(const law::Restitution&, const Collision&);
+template std::array<double, 4> slopes_of(const law::NonPenetration&, const Collision&);
+template std::array<double, 4> slopes_of(const law::Push&, const Collision&);
+template std::array<double, 4> slopes_of(const law::FrictionlessDirection&, const Collision&);
+template std::array<double, 4> slopes_of(const law::ReflectionPlane&, const Collision&);
+
 }  // namespace carom::oracles

@@ -62,6 +62,19 @@ template <class S, std::size_t N, int Size>
   return slopes;
 }
 
+}  // namespace detail
+
+template <class Law>
+[[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision) {
+  using T = Dual<double, outcome_inputs>;
+  std::size_t next = 0;
+  return detail::output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
+                                   map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
+                               0);
+}
+
+namespace detail {
+
 /// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖), and Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision where these are inputs as
 /// well. An output is its velocity before the impulse plus a change, and so is known to u times the larger of both: its
 /// own size alone would allow nothing where the exact sum is zero.
@@ -125,13 +138,7 @@ template <class Law>
   const Collision& collision = exact_case.collision();
   double part = 0;
   if (const std::optional<AffineLaw> name = law.name()) {
-    const std::array<double, 4>& slopes = exact_case.slopes(*name, [&] {
-      using T = Dual<double, outcome_inputs>;
-      std::size_t next = 0;
-      return output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
-                               map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
-                           0);
-    });
+    const std::array<double, 4>& slopes = exact_case.slopes(*name, [&] { return slopes_of(law, collision); });
     const std::array<double, 4> norms = outcome.norms();
     for (std::size_t k = 0; k < slopes.size(); ++k) {
       part += slopes[k] * (norms[k] + exact_case.norms_before()[k]);

@@ -237,21 +237,17 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   if (known) {
     return *known;
   }
-  // Binary64 loses about κ(K) u of these sums: below 2²⁰ they keep ten digits, above they are taken in enclosures,
-  // and where these do not keep them either, in ℚ.
+  // Binary64 loses about κ(K) u of these sums: below 2²⁰ it keeps ten digits, above they are taken in enclosures, and
+  // where these do not keep them either, in ℚ.
   constexpr double well_conditioned = 1 << 20;
-  if (condition_bound(approximate_collision_matrix()) < well_conditioned) {
-    known = is_moderate() ? colliding_sensitivity(collision_, model) : std::nullopt;
-    if (!known) {
-      known = colliding_sensitivity_in<double>(collision_, model);
-    }
-    if (std::all_of(known->begin(), known->end(), [](double sum) { return std::isfinite(sum); })) {
-      return *known;
-    }
+  if (is_moderate() && condition_bound(approximate_collision_matrix()) < well_conditioned) {
+    known = colliding_sensitivity(collision_, model);
   }
-  known = enclosed_sensitivity(collision_, model);
   if (!known) {
-    known = colliding_sensitivity_in<Rational>(collision_, model);
+    known = enclosed_sensitivity(collision_, model);
+  }
+  if (!known) {
+    known = exact_sensitivity(collision_, model);
   }
   return *known;
 }

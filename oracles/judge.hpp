@@ -47,6 +47,10 @@ struct Comparison {
   std::vector<double> right;
 };
 
+/// ‖∂g/∂ŷ_k‖ of a law of judged_laws.hpp that is affine in the outcome, as the scale has them. Defined in compare.hpp.
+template <class Law>
+[[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision);
+
 /// Holds a law of judged_laws.hpp against an outcome: exactly evaluated, and allowed yardstick.allowance() times its
 /// scale. It then holds for inputs and outputs within that distance. A filtered yardstick has it decided by the
 /// cheapest of these that can: approximations and a lower bound of the scale; enclosures and that bound; enclosures and

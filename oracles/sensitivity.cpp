@@ -223,21 +223,6 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
 }
 
-template <class S>
-Sensitivity colliding_sensitivity_in(const Collision& collision, Model model) {
-  const auto inputs = dual_inputs<S, collision_inputs>(collision, [](double x) { return S(x); });
-  const auto truth = colliding_truth(inputs.collision, model);
-  Sensitivity result = norms_before(collision);
-  const auto parts = vectors(truth.outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
-  }
-  return result;
-}
-
-template Sensitivity colliding_sensitivity_in<double>(const Collision&, Model);
-template Sensitivity colliding_sensitivity_in<Rational>(const Collision&, Model);
-
 std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
   using T = Dual<Enclosure, collision_inputs>;
   const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
@@ -257,6 +242,17 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
     if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
       return std::nullopt;
     }
+  }
+  return result;
+}
+
+Sensitivity exact_sensitivity(const Collision& collision, Model model) {
+  const auto inputs = dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); });
+  const auto truth = colliding_truth(inputs.collision, model);
+  Sensitivity result = norms_before(collision);
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
   }
   return result;
 }

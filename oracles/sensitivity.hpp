@@ -31,12 +31,11 @@ using Sensitivity = std::array<double, 4>;
 /// and for the reflection law κ(K) is well below 1/u.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model);
 
-/// The same with the whole law differentiated, in any field: a twentieth of the speed.
-template <class S>
-[[nodiscard]] Sensitivity colliding_sensitivity_in(const Collision& collision, Model model);
-
-/// The same in enclosures, from above; none where it is not known to ten digits.
+/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to ten digits.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model);
+
+/// The same with exact derivatives.
+[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model);
 
 namespace detail {
 

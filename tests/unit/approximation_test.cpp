@@ -13,14 +13,13 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
+using unit::sign_of;
 
 /// A number, approximated and exactly.
 struct Both {
   Approximation approximate;
   Rational exact;
 };
-
-int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
 
 /// |x − middle| ≤ radius, and what follows from it for the size and the sign of x.
 testing::AssertionResult contains(const Both& both) {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/closeness.hpp>
-#include <carom/oracles/compare.hpp>
 
 #include "exact.hpp"
 
@@ -130,17 +129,7 @@ std::array<double, 4> exact_slopes(const Law& law, const ExactCase& exact_case) 
   return slopes;
 }
 
-/// The same as the scale has it.
-template <class Law>
-std::array<double, 4> computed_slopes(const Law& law, const Collision& collision) {
-  using T = Dual<double, outcome_inputs>;
-  std::size_t next = 0;
-  return detail::output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
-                                   map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
-                               0);
-}
-
-/// They are the same to 2⁻⁴⁰, but for r × N, which may cancel.
+/// Those of the scale are the same to 2⁻⁴⁰, but for r × N, which may cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   for (const auto& [family, one] : unit::valid_cases(6)) {
     const Collision& c = one.collision;
@@ -150,7 +139,7 @@ TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
     }
     for (const Model model : models_with_truth) {
       for_each_affine_law(exact_case, model, [&](AffineLaw name, Relation, const auto& law) {
-        const std::array<double, 4> computed = computed_slopes(law, c);
+        const std::array<double, 4> computed = slopes_of(law, c);
         const std::array<double, 4> exact = exact_slopes(law, exact_case);
         for (std::size_t k = 0; k < exact.size(); ++k) {
           const bool may_cancel = k % 2 == 1 && (name == AffineLaw::restitution || name == AffineLaw::non_penetration);

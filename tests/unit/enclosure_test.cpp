@@ -15,6 +15,7 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
+using unit::sign_of;
 using Limits = std::numeric_limits<double>;
 
 /// A number, enclosed and exactly.
@@ -32,8 +33,6 @@ Rational two_to(int exponent) {
   }
   return result;
 }
-
-int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
 
 /// magnitude_below ≤ |x| ≤ magnitude_above, and the sign is right where it is given.
 testing::AssertionResult encloses(const Both& both) {

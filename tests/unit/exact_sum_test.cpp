@@ -14,8 +14,7 @@ namespace carom::impulse {
 namespace {
 
 using unit::Rational;
-
-int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
+using unit::sign_of;
 
 /// Any finite double, subnormal ones among them, of exponents from `least` to `most`.
 double draw(properties::Stream& stream, int least, int most) {

@@ -15,6 +15,7 @@ namespace carom::impulse {
 namespace {
 
 using unit::Rational;
+using unit::sign_of;
 
 constexpr std::uint64_t cases_of_each = 200;
 
@@ -27,8 +28,6 @@ Rational normal_velocity(const Collision& collision, const Outcome<Rational>& mo
 Outcome<Rational> lifted(const Outcome<double>& motion) {
   return map_outcome<Rational>(motion, [](double x) { return Rational(x); });
 }
-
-int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
 
 Outcome<double> outcome_of(Session& session, const Collision& collision) {
   const std::vector<Answer> answers = session(std::span(&collision, 1));
