@@ -19,7 +19,7 @@ namespace detail {
 /// What is left of left − right once what an inequality permits is taken away.
 template <class T, int N, class IsPermitted>
 [[nodiscard]] Components<T> missed(const Sides<T, N>& sides, Relation relation, const IsPermitted& is_permitted) {
-  const Components<T> all = difference(sides.left, sides.right);
+  Components<T> all = difference(sides.left, sides.right);
   if (relation == Relation::equal) {
     return all;
   }

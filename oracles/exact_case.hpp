@@ -131,7 +131,6 @@ class ExactCase {
   [[nodiscard]] const std::array<Matrix3<double>, 2>& inertia_tensors() const;
 
   Collision collision_;
-  mutable std::optional<bool> is_moderate_;
   mutable std::optional<BasicCollision<Enclosure>> enclosed_;
   mutable std::optional<BasicCollision<Approximation>> approximate_;
   mutable std::optional<NormalVelocity> normal_velocity_;
@@ -146,10 +145,11 @@ class ExactCase {
   mutable std::optional<ApproximateResponse> approximate_response_;
   mutable std::optional<double> collision_matrix_sensitivity_below_;
   mutable std::optional<Enclosure> enclosed_inverse_mass_;
+  mutable std::optional<std::array<Matrix3<double>, 2>> inertia_tensors_;
+  mutable std::optional<bool> is_moderate_;
   mutable std::optional<bool> is_definite_;
   mutable std::optional<bool> is_collinear_;
   mutable std::optional<bool> is_head_on_;
-  mutable std::optional<std::array<Matrix3<double>, 2>> inertia_tensors_;
 };
 
 /// The residuals of the defining equations for a given outcome; each is exactly zero where the outcome is the law's.
