@@ -62,19 +62,6 @@ template <class S, std::size_t N, int Size>
   return slopes;
 }
 
-}  // namespace detail
-
-template <class Law>
-[[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision) {
-  using T = Dual<double, outcome_inputs>;
-  std::size_t next = 0;
-  return detail::output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
-                                   map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
-                               0);
-}
-
-namespace detail {
-
 /// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖), and Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision where these are inputs as
 /// well. An output is its velocity before the impulse plus a change, and so is known to u times the larger of both: its
 /// own size alone would allow nothing where the exact sum is zero.
@@ -173,6 +160,15 @@ template <class T, int N>
 }
 
 }  // namespace detail
+
+template <class Law>
+[[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision) {
+  using T = Dual<double, outcome_inputs>;
+  std::size_t next = 0;
+  return detail::output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
+                                   map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
+                               0);
+}
 
 template <class Law>
 [[nodiscard]] Comparison compare(const Law& law, Relation relation, const ExactCase& exact_case,

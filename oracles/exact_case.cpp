@@ -23,8 +23,6 @@ Approach approach_of_sign(int sign) {
   return sign == 0 ? Approach::resting : Approach::separating;
 }
 
-int sign_of(const Rational& number) { return number < 0 ? -1 : (number > 0 ? 1 : 0); }
-
 template <class T>
 Truth<T> truth_of(const BasicCollision<T>& collision, Model model, Approach approach) {
   return approach == Approach::colliding ? colliding_truth(collision, model)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <type_traits>
 
 #include <carom/oracles/judge.hpp>
 #include <carom/oracles/stage.hpp>
@@ -30,8 +34,8 @@ Outcome<T> minus(const Outcome<T>& x, const Outcome<T>& y) {
           {x.b.velocity - y.b.velocity, x.b.angular_velocity - y.b.angular_velocity}};
 }
 
-std::optional<int> sign_of(const Enclosure& x) { return x.sign(); }
-std::optional<int> sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
+std::optional<int> certain_sign(const Enclosure& x) { return x.sign(); }
+std::optional<int> certain_sign(const Rational& x) { return sign_of(x); }
 
 /// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm; none where the arithmetic does not decide it.
 template <class T>
@@ -39,7 +43,7 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
                                            const Outcome<T>& outcome) {
   const T deviation = twice_energy(collision, minus(outcome, truth.outcome));
   const T change = twice_energy(collision, minus(truth.outcome, unchanged(collision)));
-  const std::optional<int> sign = sign_of(T(T(bound) * T(bound) * change - deviation));
+  const std::optional<int> sign = certain_sign(T(T(bound) * T(bound) * change - deviation));
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 

@@ -28,6 +28,9 @@ using Rational = CGAL::Gmpq;
 /// The binary64 number nearest to it, ties to even.
 [[nodiscard]] double nearest_double(const Rational& number);
 
+/// −1, 0 or 1.
+[[nodiscard]] inline int sign_of(const Rational& number) { return number < 0 ? -1 : (number > 0 ? 1 : 0); }
+
 /// "p/q" in lowest terms, "p" where q = 1.
 [[nodiscard]] std::string to_text(const Rational& number);
 

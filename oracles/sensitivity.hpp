@@ -11,6 +11,7 @@
 #include <carom/collision/model.hpp>
 #include <carom/oracles/dual.hpp>
 #include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/rational.hpp>
 
 namespace carom::oracles {
 

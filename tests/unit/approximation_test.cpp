@@ -13,7 +13,6 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
-using unit::sign_of;
 
 /// A number, approximated and exactly.
 struct Both {

@@ -15,7 +15,6 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
-using unit::sign_of;
 using Limits = std::numeric_limits<double>;
 
 /// A number, enclosed and exactly.

@@ -17,7 +17,7 @@ using oracles::Rational;
 using ExactVector = Vector3<Rational>;
 using ExactMatrix = Matrix3<Rational>;
 
-[[nodiscard]] inline int sign_of(const Rational& x) { return x < 0 ? -1 : (x > 0 ? 1 : 0); }
+using oracles::sign_of;
 
 /// p/q.
 [[nodiscard]] inline Rational ratio(int p, int q) { return Rational(p, q); }

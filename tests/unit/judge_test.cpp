@@ -252,6 +252,28 @@ TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
 }
 
+/// The ball turns round by 2 m/s, so an outcome off by 2 · 10⁻³ is off by exactly 10⁻³; the next number of extended
+/// precision is not within it, though both round to the same relative error.
+TEST(Accuracy, HasDigitsUpToTheLastBit) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::extended);
+  yardstick.digits = 3;
+  const auto bound = static_cast<long double>(yardstick.allowance());
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    for (const int ulps : {-1, 0, 1}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + 2 * bound + static_cast<long double>(ulps) * 0x1p-63L, 0};
+      const Accuracy result = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.has_digits, ulps <= 0) << filtered << ' ' << ulps;
+    }
+  }
+}
+
 TEST(Accuracy, CountsUlpsAndDigits) {
   // A unit mass meets a wall head-on at ε = 1: Δ = (0, 2, 0) for A; the outcome is off by 2^-20.
   Collision c;
