@@ -9,6 +9,7 @@
 #include <carom/oracles/inputs.hpp>
 #include <carom/oracles/judge.hpp>
 #include <carom/oracles/laws.hpp>
+#include <carom/oracles/norm.hpp>
 #include <carom/oracles/stage.hpp>
 
 /// How a law is held against an outcome.
@@ -41,57 +42,54 @@ template <class Law, class T>
                 [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// ‖∂g/∂x_j‖, g = left − right. Hypotenuses: squares would leave the range of numbers long before the scale does.
+/// ‖∂g/∂x_j‖, g = left − right.
 template <class S, std::size_t N, int Size>
 [[nodiscard]] S norm_of_derivative(const Sides<Dual<S, N>, Size>& sides, std::size_t input) {
-  S norm(0);
-  for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-    norm = std::hypot(norm, sides.left[i].derivative[input] - sides.right[i].derivative[input]);
-  }
-  return norm;
+  return root_of_squares(Size, [&](std::size_t i) -> S {
+    const auto row = static_cast<Eigen::Index>(i);
+    return sides.left[row].derivative[input] - sides.right[row].derivative[input];
+  });
 }
 
-/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome, whose numbers are the inputs from this one on.
-template <class S, std::size_t N, int Size>
-[[nodiscard]] std::array<S, 4> output_slopes(const Sides<Dual<S, N>, Size>& sides, std::size_t first_output) {
+/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome.
+template <class S, class Law>
+[[nodiscard]] std::array<S, 4> output_slopes(const Law& law, const Collision& collision,
+                                             const Outcome<double>& outcome) {
+  using T = Dual<S, outcome_inputs>;
+  std::size_t next = 0;
+  const auto sides = law(map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); }),
+                         map_outcome<T>(outcome, [&](double x) { return T::input(static_cast<S>(x), next++); }));
   std::array<S, 4> slopes{};
-  for (std::size_t input = 0; input < outcome_inputs; ++input) {
-    S& slope = slopes[input / 3];
-    slope = std::hypot(slope, norm_of_derivative(sides, first_output + input));
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    slopes[k] = root_of_squares(3, [&](std::size_t i) { return norm_of_derivative(sides, 3 * k + i); });
   }
   return slopes;
 }
 
-/// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖), and Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision where these are inputs as
-/// well. An output is its velocity before the impulse plus a change, and so is known to u times the larger of both: its
-/// own size alone would allow nothing where the exact sum is zero.
-template <class S, std::size_t N, class Law>
-[[nodiscard]] S scale_in(const Law& law, const Collision& collision, const Outcome<double>& outcome,
-                         bool with_collision) {
-  using T = Dual<S, N>;
-  DualInputs<S, N> inputs;
-  if (with_collision) {
-    inputs = dual_inputs<S, N>(collision, [](double x) { return static_cast<S>(x); });
-  } else {
-    inputs.collision = map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); });
+/// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖). An output is its velocity before the impulse plus a change, and so is known to u
+/// times the larger of both: its own size alone would allow nothing where the exact sum is zero.
+template <class S>
+[[nodiscard]] S part_by_outputs(const std::array<S, 4>& slopes, const ExactCase& exact_case,
+                                const LiftedOutcome& outcome) {
+  const std::array<double, 4> norms = outcome.norms();
+  S part(0);
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    part += slopes[k] * static_cast<S>(norms[k] + exact_case.norms_before()[k]);
   }
-  const std::size_t first_output = with_collision ? collision_inputs : 0;
-  std::size_t next = first_output;
-  const auto dual_outcome =
-      map_outcome<T>(outcome, [&](double number) { return T::input(static_cast<S>(number), next++); });
-  const auto sides = law(inputs.collision, dual_outcome);
-  S scale(0);
+  return part;
+}
+
+/// Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision.
+template <class S, class Law>
+[[nodiscard]] S part_by_inputs(const Law& law, const DualInputs<S, collision_inputs>& inputs,
+                               const Outcome<double>& outcome) {
+  using T = Dual<S, collision_inputs>;
+  const auto sides = law(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
+  S part(0);
   for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-    scale += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
+    part += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
   }
-  const std::array<S, 4> slopes = output_slopes(sides, first_output);
-  const Outcome<double> before = unchanged(collision);
-  const auto initial = vectors(before);
-  const auto computed = vectors(outcome);
-  for (std::size_t k = 0; k < computed.size(); ++k) {
-    scale += slopes[k] * static_cast<S>(computed[k]->stableNorm() + initial[k]->stableNorm());
-  }
-  return scale;
+  return part;
 }
 
 /// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
@@ -102,38 +100,39 @@ template <class S>
   return scale >= smallest && scale <= largest;
 }
 
-/// Both sums, with g = left − right; none where it leaves the range of numbers.
+/// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.
 template <class Law>
-[[nodiscard]] std::optional<double> scale_of(const Law& law, const Collision& collision,
-                                             const Outcome<double>& outcome) {
-  constexpr std::size_t all_inputs = collision_inputs + outcome_inputs;
-  const double scale = scale_in<double, all_inputs>(law, collision, outcome, true);
+[[nodiscard]] double part_by_outputs(const Law& law, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+  const Collision& collision = exact_case.collision();
+  if (const std::optional<AffineLaw> name = law.name()) {
+    return part_by_outputs(exact_case.slopes(*name, [&] { return slopes_of(law, collision); }), exact_case, outcome);
+  }
+  return part_by_outputs(output_slopes<double>(law, collision, outcome.rounded()), exact_case, outcome);
+}
+
+/// Both parts; none where the sum leaves the range of numbers.
+template <class Law>
+[[nodiscard]] std::optional<double> scale_of(const Law& law, const ExactCase& exact_case,
+                                             const LiftedOutcome& outcome) {
+  const double scale =
+      part_by_inputs(law, exact_case.differentiated(), outcome.rounded()) + part_by_outputs(law, exact_case, outcome);
   if (is_in_range(scale)) {
     return scale;
   }
   // Products of extreme numbers leave the range of binary64; extended has the same bits and more range.
-  const long double wide = scale_in<long double, all_inputs>(law, collision, outcome, true);
+  using Wide = long double;
+  const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
+  const Wide wide =
+      part_by_inputs(law, inputs, outcome.rounded()) +
+      part_by_outputs(output_slopes<Wide>(law, exact_case.collision(), outcome.rounded()), exact_case, outcome);
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
-/// The sum over the outputs alone: a lower bound of the scale, at a quarter of the cost. Of a law that is affine in the
-/// outcome the derivatives, as computed, do not depend on the outcome (they are multiplied by numbers of the collision
-/// alone; what the product rule adds is zero), so the case keeps them; the factor is for the order of the summation.
+/// A lower bound of the scale at a small part of its cost: of the two parts the one by outputs.
 /// Precondition: collision and outcome are moderate.
 template <class Law>
 [[nodiscard]] double part_of_scale(const Law& law, const ExactCase& exact_case, const LiftedOutcome& outcome) {
-  const Collision& collision = exact_case.collision();
-  double part = 0;
-  if (const std::optional<AffineLaw> name = law.name()) {
-    const std::array<double, 4>& slopes = exact_case.slopes(*name, [&] { return slopes_of(law, collision); });
-    const std::array<double, 4> norms = outcome.norms();
-    for (std::size_t k = 0; k < slopes.size(); ++k) {
-      part += slopes[k] * (norms[k] + exact_case.norms_before()[k]);
-    }
-    part *= 1 - 0x1p-40;
-  } else {
-    part = scale_in<double, outcome_inputs>(law, collision, outcome.rounded(), false);
-  }
+  const double part = part_by_outputs(law, exact_case, outcome);
   return is_in_range(part) ? part : 0;
 }
 
@@ -163,11 +162,7 @@ template <class T, int N>
 
 template <class Law>
 [[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision) {
-  using T = Dual<double, outcome_inputs>;
-  std::size_t next = 0;
-  return detail::output_slopes(law(map_numbers<T>(collision, [](double x) { return T(x); }),
-                                   map_outcome<T>(unchanged(collision), [&](double x) { return T::input(x, next++); })),
-                               0);
+  return detail::output_slopes<double>(law, collision, unchanged(collision));
 }
 
 template <class Law>
@@ -180,7 +175,7 @@ template <class Law>
       return 0;
     }
     if (!scale) {
-      scale = detail::scale_of(law, exact_case.collision(), outcome.rounded());
+      scale = detail::scale_of(law, exact_case, outcome);
     }
     return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
   };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <carom/oracles/definiteness.hpp>
 #include <carom/oracles/exact_case.hpp>
-#include <carom/oracles/inputs.hpp>
 #include <carom/oracles/laws.hpp>
 #include <carom/oracles/moderate.hpp>
 #include <carom/oracles/refined_truth.hpp>
@@ -60,17 +60,36 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|: N·v and N·(w × (P − X)) of each body, by the inequality of Cauchy and Schwarz.
+/// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|: N·v and N·(w × (P − X)) of each body, each product of components at most that of
+/// the sums of their sizes.
 double normal_velocity_sensitivity_above(const Collision& c) {
+  const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    const double arms = 2 * lever_arm(*body, c.point).norm() + c.point.norm() + body->position.norm();
-    sum += 2 * body->velocity.norm() + body->angular_velocity.norm() * arms;
+    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position);
+    sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
   }
-  return c.normal.norm() * sum;
+  return size(c.normal) * sum;
 }
 
-/// And so is its sign.
+/// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
+double normal_velocity_sensitivity(const Collision& c) {
+  const auto weighted = [](const Vector3<double>& derivative, const Vector3<double>& x) {
+    return derivative.cwiseProduct(x).lpNorm<1>();
+  };
+  double sum = weighted(relative_velocity<double>(c, unchanged(c)), c.normal);
+  for (const Body* body : {&c.a, &c.b}) {
+    sum += weighted(c.normal, body->velocity);
+    sum += weighted(lever_arm(*body, c.point).cross(c.normal), body->angular_velocity);
+    sum += weighted(c.normal.cross(body->angular_velocity), body->position);
+  }
+  return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), c.point);
+}
+
+/// And so is its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms, at most the sensitivity.
+bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
+  return std::abs(normal_velocity) > 0x1p-28 * sensitivity_above;
+}
 template <class T>
 bool is_known_to_six_digits(const T& x) {
   return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
@@ -150,11 +169,19 @@ const std::array<double, 4>& ExactCase::norms_before() const {
   return *norms_before_;
 }
 
+const DualInputs<double, collision_inputs>& ExactCase::differentiated() const {
+  if (!differentiated_) {
+    differentiated_ = std::make_unique<DualInputs<double, collision_inputs>>(
+        dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; }));
+  }
+  return *differentiated_;
+}
+
 const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
   if (!normal_velocity_) {
-    const Approximation approximately = normal_velocity_before(approximate());
-    if (is_known_to_six_digits(approximately)) {
-      normal_velocity_ = {approximately.middle(), *approximately.sign()};
+    const double roughly = normal_velocity_before(collision_);
+    if (is_moderate() && is_known_to_six_digits(roughly, sensitivity_above_of_normal_velocity())) {
+      normal_velocity_ = {roughly, roughly > 0 ? 1 : -1};
     } else if (const Enclosure closely = normal_velocity_before(enclosed()); is_known_to_six_digits(closely)) {
       normal_velocity_ = {closely.middle(), *closely.sign()};
     } else {
@@ -163,6 +190,13 @@ const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
     }
   }
   return *normal_velocity_;
+}
+
+double ExactCase::sensitivity_above_of_normal_velocity() const {
+  if (!sensitivity_above_of_normal_velocity_) {
+    sensitivity_above_of_normal_velocity_ = normal_velocity_sensitivity_above(collision_);
+  }
+  return *sensitivity_above_of_normal_velocity_;
 }
 
 Approach ExactCase::approach() const {
@@ -180,14 +214,11 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
-  if (is_moderate() &&
-      std::abs(normal_velocity().value) > 2 * allowance * normal_velocity_sensitivity_above(collision_)) {
+  if (is_moderate() && std::abs(normal_velocity().value) > 2 * allowance * sensitivity_above_of_normal_velocity()) {
     return false;  // the factor is for the rounding of both
   }
   if (!normal_velocity_sensitivity_) {
-    const auto inputs = dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; });
-    const auto velocity = normal_velocity_before(inputs.collision);
-    normal_velocity_sensitivity_ = sensitivity_of({&velocity}, inputs.magnitude);
+    normal_velocity_sensitivity_ = normal_velocity_sensitivity(collision_);
   }
   return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
@@ -282,10 +313,10 @@ const Matrix3<Rational>& ExactCase::collision_matrix() const {
 
 double ExactCase::collision_matrix_sensitivity() const {
   if (!collision_matrix_sensitivity_) {
-    const auto inputs = dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; });
-    const auto k = response_matrix(inputs.collision);
-    collision_matrix_sensitivity_ = sensitivity_of(
-        {&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)}, inputs.magnitude);
+    const auto k = response_matrix(differentiated().collision);
+    collision_matrix_sensitivity_ =
+        sensitivity_of({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
+                       differentiated().magnitude);
   }
   return *collision_matrix_sensitivity_;
 }

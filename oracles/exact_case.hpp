@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/inputs.hpp>
 #include <carom/oracles/judged_laws.hpp>
 #include <carom/oracles/refined_truth.hpp>
 #include <carom/oracles/sensitivity.hpp>
@@ -40,6 +42,9 @@ class ExactCase {
     }
     return *known;
   }
+
+  /// The collision with its numbers as inputs of differentiation.
+  [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
@@ -126,6 +131,7 @@ class ExactCase {
 
   [[nodiscard]] OfModel& of(Model model) const { return of_model_[static_cast<std::size_t>(model)]; }
   [[nodiscard]] const NormalVelocity& normal_velocity() const;
+  [[nodiscard]] double sensitivity_above_of_normal_velocity() const;
   [[nodiscard]] const ApproximateResponse& approximate_response() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
   [[nodiscard]] const std::array<Matrix3<double>, 2>& inertia_tensors() const;
@@ -135,7 +141,9 @@ class ExactCase {
   mutable std::optional<BasicCollision<Approximation>> approximate_;
   mutable std::optional<NormalVelocity> normal_velocity_;
   mutable std::optional<BasicCollision<Rational>> exact_;
+  mutable std::unique_ptr<DualInputs<double, collision_inputs>> differentiated_;  // large, and seldom asked for
   mutable std::optional<double> normal_velocity_sensitivity_;
+  mutable std::optional<double> sensitivity_above_of_normal_velocity_;
   mutable std::optional<std::array<double, 4>> norms_before_;
   mutable std::array<std::optional<std::array<double, 4>>, affine_law_count> slopes_;
   mutable std::array<OfModel, models_with_truth.size()> of_model_;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include <carom/oracles/judge.hpp>
+#include <carom/oracles/norm.hpp>
 #include <carom/oracles/stage.hpp>
 
 namespace carom::oracles {
@@ -82,7 +83,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
     for (int i = 0; i < 3; ++i) {
       (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
     }
-    accuracy.error[k] = of_deviation[k]->stableNorm();
+    accuracy.error[k] = norm_of(*of_deviation[k]);
     if constexpr (!std::is_same_v<T, Rational>) {
       accuracy.error_above[k] = norm_above(error);
     }

@@ -9,6 +9,7 @@
 #include <carom/oracles/components.hpp>
 #include <carom/oracles/exact_case.hpp>
 #include <carom/oracles/lifted_outcome.hpp>
+#include <carom/oracles/norm.hpp>
 #include <carom/oracles/yardstick.hpp>
 
 namespace carom::oracles {
@@ -27,11 +28,7 @@ namespace carom::oracles {
 /// ‖v‖, rounded.
 template <class T>
 [[nodiscard]] double norm(const Components<T>& vector) {
-  double sum = 0;
-  for (const T& component : vector) {
-    sum = std::hypot(sum, rounded(component));
-  }
-  return sum;
+  return root_of_squares(vector.size(), [&](std::size_t i) { return rounded(vector[i]); });
 }
 
 enum class Relation { equal, at_least, at_most };
@@ -47,7 +44,8 @@ struct Comparison {
   std::vector<double> right;
 };
 
-/// ‖∂g/∂ŷ_k‖ of a law of judged_laws.hpp that is affine in the outcome, as the scale has them. Defined in compare.hpp.
+/// ‖∂g/∂ŷ_k‖ of a law of judged_laws.hpp that is affine in the outcome, as the scale has them: they do not depend on
+/// the outcome. Defined in compare.hpp.
 template <class Law>
 [[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision);
 

@@ -2,30 +2,28 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include <carom/oracles/approximation.hpp>
 #include <carom/oracles/enclosure.hpp>
 #include <carom/oracles/moderate.hpp>
+#include <carom/oracles/norm.hpp>
 
 namespace carom::oracles {
 
 /// An outcome as it is judged: exactly, as approximations, as enclosures, and rounded. For one thread.
 class LiftedOutcome {
  public:
-  /// Precondition: every number is finite.
-  explicit LiftedOutcome(const ReportedOutcome& reported)
-      : reported_(reported),
-        rounded_(map_outcome<double>(reported, [](long double x) { return static_cast<double>(x); })) {
-    find_size();
-  }
+  /// Where a number is not finite, only `is_moderate` may be asked.
+  explicit LiftedOutcome(const ReportedOutcome& reported) : reported_(reported), is_moderate_(is_moderate(reported)) {}
 
   explicit LiftedOutcome(Outcome<Rational> exact)
-      : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
-        enclosed_(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
-        exact_(std::move(exact)) {
-    find_size();
+      : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })) {
+    further().enclosed = map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); });
+    further().exact = std::move(exact);
   }
 
   /// As the subject reported it; nullptr where it was computed in ℚ.
@@ -41,38 +39,58 @@ class LiftedOutcome {
   }
 
   [[nodiscard]] const Outcome<Enclosure>& enclosed() const {
-    if (!enclosed_) {
-      enclosed_ = map_outcome<Enclosure>(*reported_, [](long double x) { return Enclosure(x); });
+    std::optional<Outcome<Enclosure>>& enclosed = further().enclosed;
+    if (!enclosed) {
+      enclosed = map_outcome<Enclosure>(*reported_, [](long double x) { return Enclosure(x); });
     }
-    return *enclosed_;
+    return *enclosed;
   }
-  [[nodiscard]] const Outcome<double>& rounded() const { return rounded_; }
-  [[nodiscard]] const Outcome<Rational>& exact() const {
-    if (!exact_) {
-      exact_ = lift(*reported_);
+  [[nodiscard]] const Outcome<double>& rounded() const {
+    if (!rounded_) {
+      rounded_ = map_outcome<double>(*reported_, [](long double x) { return static_cast<double>(x); });
     }
-    return *exact_;
+    return *rounded_;
+  }
+  [[nodiscard]] const Outcome<Rational>& exact() const {
+    std::optional<Outcome<Rational>>& exact = further().exact;
+    if (!exact) {
+      exact = lift(*reported_);
+    }
+    return *exact;
   }
 
-  /// ‖ŷ_k‖, but for a few roundings, of a moderate outcome.
-  [[nodiscard]] std::array<double, 4> norms() const {
-    const auto parts = vectors(rounded_);
-    return {parts[0]->norm(), parts[1]->norm(), parts[2]->norm(), parts[3]->norm()};
-  }
+  /// ‖ŷ_k‖, but for a few roundings.
+  [[nodiscard]] std::array<double, 4> norms() const { return norms_of(rounded()); }
 
  private:
-  void find_size() {
-    is_moderate_ = reported_.has_value();
-    for (const Vector3<double>* part : vectors(std::as_const(rounded_))) {
-      is_moderate_ = is_moderate_ && part->squaredNorm() <= largest_moderate * largest_moderate;
+  /// What most outcomes are judged without.
+  struct Further {
+    std::optional<Outcome<Enclosure>> enclosed;
+    std::optional<Outcome<Rational>> exact;
+  };
+
+  Further& further() const {
+    if (!further_) {
+      further_ = std::make_unique<Further>();
     }
+    return *further_;
+  }
+
+  /// Vectors of length √¾ M at most.
+  static bool is_moderate(const ReportedOutcome& reported) {
+    bool moderate = true;
+    for (const Vector3<long double>* part : vectors(reported)) {
+      for (int i = 0; i < 3; ++i) {
+        moderate = moderate && std::abs((*part)[i]) <= largest_moderate / 2;
+      }
+    }
+    return moderate;
   }
 
   std::optional<ReportedOutcome> reported_;
-  Outcome<double> rounded_;
+  mutable std::optional<Outcome<double>> rounded_;
   bool is_moderate_ = false;
-  mutable std::optional<Outcome<Enclosure>> enclosed_;
-  mutable std::optional<Outcome<Rational>> exact_;
+  mutable std::unique_ptr<Further> further_;
 };
 
 }  // namespace carom::oracles

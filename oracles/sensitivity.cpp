@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <carom/oracles/inputs.hpp>
+#include <carom/oracles/norm.hpp>
 #include <carom/oracles/rational.hpp>
 #include <carom/oracles/sensitivity.hpp>
 #include <carom/oracles/truth.hpp>
@@ -196,11 +197,7 @@ double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
 
 }  // namespace
 
-std::array<double, 4> norms_before(const Collision& collision) {
-  const Outcome<double> before = unchanged(collision);
-  const auto parts = vectors(before);
-  return {parts[0]->stableNorm(), parts[1]->stableNorm(), parts[2]->stableNorm(), parts[3]->stableNorm()};
-}
+std::array<double, 4> norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
 std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model) {
   const Places places(c);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <carom/collision/model.hpp>
 #include <carom/oracles/dual.hpp>
 #include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/norm.hpp>
 #include <carom/oracles/rational.hpp>
 
 namespace carom::oracles {
@@ -52,10 +52,8 @@ template <class S, std::size_t N>
                                     const std::vector<double>& magnitude) {
   double sum = 0;
   for (std::size_t j = 0; j < magnitude.size(); ++j) {
-    double norm = 0;
-    for (const auto* component : components) {
-      norm = std::hypot(norm, detail::as_double(component->derivative[j]));
-    }
+    const double norm = root_of_squares(
+        components.size(), [&](std::size_t i) { return detail::as_double(components.begin()[i]->derivative[j]); });
     // A number that is zero cannot be perturbed relatively, however steep the law is there.
     sum += magnitude[j] == 0 ? 0 : norm * magnitude[j];
   }

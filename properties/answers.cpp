@@ -15,13 +15,4 @@ std::vector<Answer> answers_of(Session& session, std::span<const Collision> coll
   return answers;
 }
 
-std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers) {
-  std::vector<ExactAnswer> result;
-  result.reserve(answers.size());
-  for (const Answer& answer : answers) {
-    result.push_back(lift(answer));
-  }
-  return result;
-}
-
 }  // namespace carom::properties

@@ -4,14 +4,11 @@
 #include <span>
 #include <vector>
 
-#include <carom/properties/invariant.hpp>
+#include <carom/collision/subject.hpp>
 
 namespace carom::properties {
 
 /// The answers of a session, one to each collision. Throws std::runtime_error where it gives more or fewer.
 [[nodiscard]] std::vector<Answer> answers_of(Session& session, std::span<const Collision> collisions);
-
-/// The same answers, lifted.
-[[nodiscard]] std::vector<ExactAnswer> lifted(const std::vector<Answer>& answers);
 
 }  // namespace carom::properties

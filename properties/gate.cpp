@@ -63,8 +63,10 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
   if (related.failure) {
     trials = trials_of(false);
   }
-  const std::vector<ExactAnswer> replies = lifted(related.failure ? std::vector<Answer>{} : related.answers);
-  std::span<const ExactAnswer> rest(replies);
+  std::span<const Answer> rest;
+  if (!related.failure) {
+    rest = related.answers;
+  }
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::size_t count = trials[i].question_count();
     tally.add(family, first + i, cases[i], batch.answers[i],

@@ -38,6 +38,8 @@ struct Verdict {
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
+/// The same in place: an answer is large to move.
+void lift(const Answer& answer, ExactAnswer& into);
 
 /// A further collision that an invariant asks about, and what is exactly known of it.
 struct Related {

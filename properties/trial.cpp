@@ -135,10 +135,44 @@ std::size_t Trial::question_count() const {
   return count;
 }
 
-Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backward_error) const {
-  if (answers.size() != question_count()) {
+std::size_t Trial::most_questions() const {
+  std::size_t most = 0;
+  for (const auto& of_invariant : questions_) {
+    most = std::max(most, of_invariant.size());
+  }
+  return most;
+}
+
+void Trial::require_one_answer_each(std::size_t count) const {
+  if (count != question_count()) {
     throw std::invalid_argument("a trial needs one answer to each of its questions");
   }
+}
+
+Judgement Trial::judge(std::span<const Answer> answers, double known_backward_error) const {
+  require_one_answer_each(answers.size());
+  std::vector<ExactAnswer> lifted;
+  lifted.reserve(most_questions());
+  return judge_by(
+      [&](std::size_t first, std::size_t count) {
+        lifted.clear();
+        for (const Answer& answer : answers.subspan(first, count)) {
+          lift(answer, lifted.emplace_back(NotFinite{}));
+        }
+        return std::span<const ExactAnswer>(lifted);
+      },
+      known_backward_error);
+}
+
+Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backward_error) const {
+  require_one_answer_each(answers.size());
+  return judge_by([&](std::size_t first, std::size_t count) { return answers.subspan(first, count); },
+                  known_backward_error);
+}
+
+/// `answers_to(first, count)`: the lifted answers to so many questions of one invariant, until the next call.
+template <class AnswersTo>
+Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
   Judgement judgement;
   if (const auto* skipped = std::get_if<Skipped>(&answer_)) {
     judgement.skipped = *skipped;
@@ -154,6 +188,7 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
   std::vector<Related> related;  // of one invariant
+  related.reserve(most_questions());
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];
     if (invariant.check == nullptr) {
@@ -169,8 +204,12 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
       continue;
     }
     related.clear();
-    for (const oracles::ExactCase& question : questions_[i]) {
-      related.push_back({question, answers[next_question++]});
+    if (!questions_[i].empty()) {
+      const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
+      next_question += questions_[i].size();
+      for (std::size_t question = 0; question < answers.size(); ++question) {
+        related.push_back({questions_[i][question], answers[question]});
+      }
     }
     if (invariant.asks() && related.empty()) {
       judgement.verdicts.push_back(

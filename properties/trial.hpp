@@ -80,9 +80,16 @@ class Trial {
   /// Where the backward error is surely at most `known`, that of the judgement may be too large, but by no more than
   /// `known`: a maximum over many judgements needs few of them (oracles::accuracy). The verdicts do not depend on it.
   /// Precondition: one answer to each question, in order.
+  [[nodiscard]] Judgement judge(std::span<const Answer> answers, double known_backward_error = 0) const;
   [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
 
  private:
+  template <class AnswersTo>
+  [[nodiscard]] Judgement judge_by(const AnswersTo& answers_to, double known_backward_error) const;
+
+  void require_one_answer_each(std::size_t count) const;
+  [[nodiscard]] std::size_t most_questions() const;  // of one invariant
+
   const JudgedCase* judged_case_;
   const Claim* claim_;
   ExactAnswer answer_;

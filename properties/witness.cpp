@@ -80,8 +80,8 @@ AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, 
   const JudgedCase judged_case(one);
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
   const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
-  const std::vector<ExactAnswer> replies =
-      trial.question_count() == 0 ? std::vector<ExactAnswer>{} : lifted(answers_of(session, trial.questions()));
+  const std::vector<Answer> replies =
+      trial.question_count() == 0 ? std::vector<Answer>{} : answers_of(session, trial.questions());
   return {answer, trial.judge(replies)};
 }
 

@@ -133,16 +133,21 @@ const Invariant* invariant_named(std::string_view name) {
 }
 
 ExactAnswer lift(const Answer& answer) {
+  ExactAnswer lifted{NotFinite{}};
+  lift(answer, lifted);
+  return lifted;
+}
+
+void lift(const Answer& answer, ExactAnswer& into) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-    if (oracles::is_finite(*outcome)) {
-      return oracles::LiftedOutcome(*outcome);
+    if (!into.emplace<oracles::LiftedOutcome>(*outcome).is_moderate() && !oracles::is_finite(*outcome)) {
+      into = NotFinite{};
     }
-    return NotFinite{};
+  } else if (const auto* skipped = std::get_if<Skipped>(&answer)) {
+    into = *skipped;
+  } else {
+    into = std::get<Refused>(answer);
   }
-  if (const auto* skipped = std::get_if<Skipped>(&answer)) {
-    return *skipped;
-  }
-  return std::get<Refused>(answer);
 }
 
 }  // namespace carom::properties

@@ -48,19 +48,15 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
   return worst;
 }
 
-/// Whether bounds show that the outcomes agree within a lower bound of what is allowed.
-template <class Expected>
-bool surely_agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
-                  const oracles::LiftedOutcome& second, const oracles::Sensitivity& below) {
-  if (e.allowance() >= least_allowance_for_differences) {
-    return surely_near(expected(first.approximate()), second.approximate(), e.allowance(), below);
+/// Whether bounds show that an outcome is as expected, to within a lower bound of what is allowed. Precondition: it was
+/// reported.
+bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const oracles::LiftedOutcome& computed,
+                  const oracles::Sensitivity& below) {
+  const bool agree = surely_near(expected, *computed.reported(), e.allowance(), below);
+  if (agree) {
+    count(oracles::Stage::approximation);
   }
-  return surely_near(expected(first.enclosed()), second.enclosed(), e.allowance(), below);
-}
-
-/// What surely_agree has decided by.
-oracles::Stage stage_of_agreement(const Evidence& e) {
-  return e.allowance() >= least_allowance_for_differences ? oracles::Stage::approximation : oracles::Stage::enclosure;
+  return agree;
 }
 
 /// Whether lower bounds may decide: what is allowed is then surely a finite number.
@@ -97,13 +93,13 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
   }
   const oracles::LiftedOutcome& mapped = *std::get<const oracles::LiftedOutcome*>(answer);
   if (is_surely_finite(e, e.exact_case, e.outcome) && mapped.is_moderate()) {
-    if (same_numbers(back(*mapped.reported()), *e.outcome.reported())) {
+    const ReportedOutcome mapped_back = back(*mapped.reported());
+    if (same_numbers(mapped_back, *e.outcome.reported())) {
       count(oracles::Stage::same_bits);
       return {};
     }
     const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.model);
-    if (surely_agree(e, mapped, back, e.outcome, weighted_sum(1, below, below))) {
-      count(stage_of_agreement(e));
+    if (surely_agree(e, mapped_back, e.outcome, weighted_sum(1, below, below))) {
       return {};
     }
   }
@@ -127,12 +123,12 @@ Verdict related_pair(const Evidence& e, double factor, const Expected& expected)
   const oracles::LiftedOutcome& first_outcome = *std::get<const oracles::LiftedOutcome*>(first);
   const oracles::LiftedOutcome& second_outcome = *std::get<const oracles::LiftedOutcome*>(second);
   if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
+    const ReportedOutcome second_expected = expected(*first_outcome.reported());
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
-      return surely_agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, of_first, of_second));
+      return surely_agree(e, second_expected, second_outcome, weighted_sum(factor, of_first, of_second));
     };
     if (agree_by(first_case.norms_before(), second_case.norms_before()) ||
         agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
-      count(stage_of_agreement(e));
       return {};
     }
   }
@@ -251,24 +247,27 @@ Vector3<double> to_50_bits(const Vector3<double>& vector) {
 constexpr double velocity_factor = 3;
 
 template <class T>
-const BasicCollision<T>& collision_in(const oracles::ExactCase& exact_case) {
+decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   if constexpr (std::is_same_v<T, Rational>) {
     return exact_case.exact();
-  } else if constexpr (std::is_same_v<T, oracles::Approximation>) {
-    return exact_case.approximate();
-  } else {
+  } else if constexpr (std::is_same_v<T, oracles::Enclosure>) {
     return exact_case.enclosed();
+  } else {
+    return exact_case.collision();
   }
 }
 
 /// The outcome with what the second related collision's velocities have more than the first's.
 template <class T>
 Outcome<T> plus_added_velocity(const Outcome<T>& y, const Evidence& e) {
-  const BasicCollision<T>& from = collision_in<T>(e.related[0].exact_case);
-  const BasicCollision<T>& to = collision_in<T>(e.related[1].exact_case);
-  const auto shifted = [](const BodyVelocity<T>& motion, const BasicBody<T>& before, const BasicBody<T>& after) {
-    return BodyVelocity<T>{motion.velocity + (after.velocity - before.velocity),
-                           motion.angular_velocity + (after.angular_velocity - before.angular_velocity)};
+  const auto& from = collision_in<T>(e.related[0].exact_case);
+  const auto& to = collision_in<T>(e.related[1].exact_case);
+  const auto added = [](const auto& before, const auto& after) {
+    return Vector3<T>(after.template cast<T>() - before.template cast<T>());
+  };
+  const auto shifted = [&](const BodyVelocity<T>& motion, const auto& before, const auto& after) {
+    return BodyVelocity<T>{motion.velocity + added(before.velocity, after.velocity),
+                           motion.angular_velocity + added(before.angular_velocity, after.angular_velocity)};
   };
   return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,18 +71,25 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// Approximations of outcomes in binary64 decide by how much these differ down to here.
-inline constexpr double least_allowance_for_differences = 0x1p-50;
-
-/// Whether bounds show that these vectors of two outcomes differ by no more than `allowance` times `scale`.
-template <class T>
-[[nodiscard]] bool surely_near(const Outcome<T>& left, const Outcome<T>& right, double allowance,
-                               const std::array<double, 4>& scale,
-                               std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
+/// Whether these vectors of two outcomes surely differ by no more than `allowance` times `scale`, by numbers as they
+/// are reported: x87 extended, or what long double is elsewhere. A component of `left` may be y, ±y, a product of y, or
+/// y + (to − from) with ‖to‖ + ‖from‖ at most the scale, rounded at each operation. By u of it, then, it is off itself,
+/// and by u of the term that was added to y, whose components add up to √3 times the scale at most; each difference is
+/// off by u of it, and their sum by 2 u.
+[[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
+                                      const std::array<double, 4>& scale,
+                                      std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
+  constexpr long double two_u = std::numeric_limits<long double>::epsilon();
   const auto x = vectors(left);
   const auto y = vectors(right);
   return std::all_of(which.begin(), which.end(), [&](std::size_t k) {
-    return oracles::norm_at_most(oracles::difference(*x[k], *y[k]), allowance * scale[k]).value_or(false);
+    long double missed = 0;
+    long double size = scale[k];
+    for (int i = 0; i < 3; ++i) {
+      missed += std::abs((*x[k])[i] - (*y[k])[i]);
+      size += std::abs((*x[k])[i]);
+    }
+    return missed * (1 + 2 * two_u) + two_u * size <= allowance * scale[k];
   });
 }
 
@@ -91,31 +99,27 @@ template <class T>
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
                                               std::initializer_list<std::size_t> which) {
-  const double allowance = yardstick.allowance();
   if (!yardstick.uses_bounds() || !exact_case.is_moderate() || !outcome.is_moderate()) {
     return false;
   }
-  const std::array<double, 4>& below = exact_case.norms_before();
-  const bool by_approximations = allowance >= least_allowance_for_differences;
+  const auto before =
+      map_outcome<long double>(unchanged(exact_case.collision()), [](double x) { return static_cast<long double>(x); });
   const bool is_untouched =
-      by_approximations
-          ? surely_near(outcome.approximate(), unchanged(exact_case.approximate()), allowance, below, which)
-          : surely_near(outcome.enclosed(), unchanged(exact_case.enclosed()), allowance, below, which);
+      surely_near(before, *outcome.reported(), yardstick.allowance(), exact_case.norms_before(), which);
   if (is_untouched) {
-    count(by_approximations ? oracles::Stage::approximation : oracles::Stage::enclosure);
+    count(oracles::Stage::approximation);
   }
   return is_untouched;
 }
 
 /// Both must hold: the worse of two verdicts, a violation before a pass before a skip.
-[[nodiscard]] inline Verdict both(const Verdict& first, const Verdict& second) {
+[[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     return verdict.status == Status::violated ? 2 : (verdict.status == Status::holds ? 1 : 0);
   };
-  if (rank(first) != rank(second)) {
-    return rank(first) > rank(second) ? first : second;
-  }
-  return second.severity() > first.severity() ? second : first;
+  const int lead = rank(second) - rank(first);
+  const bool is_second = lead > 0 || (lead == 0 && second.severity() > first.severity());
+  return is_second ? std::move(second) : std::move(first);
 }
 
 }  // namespace carom::properties

@@ -45,7 +45,7 @@ struct Asked {
 struct Prepared {
   std::vector<Subject> subjects;
   std::vector<properties::Case> cases;
-  std::vector<std::vector<Asked>> asked;  // by subject and case
+  std::vector<std::vector<Asked>> asked;  // by case and subject: in memory as they are judged
 };
 
 Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claims, const properties::Family& family,
@@ -55,18 +55,20 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
     properties::Stream stream = properties::case_stream(seed, family.name, i);
     result.cases.push_back(family.generate(stream));
   }
-  for (std::size_t s = 0; s < result.subjects.size(); ++s) {
-    const Subject& subject = result.subjects[s];
-    Session session = subject.open();
+  std::vector<Session> sessions;
+  for (const Subject& subject : result.subjects) {
+    sessions.push_back(subject.open());
+  }
+  for (const properties::Case& one : result.cases) {
+    const JudgedCase judged(one);
     std::vector<Asked>& all = result.asked.emplace_back();
-    for (const properties::Case& one : result.cases) {
-      const JudgedCase judged(one);
-      Asked asked{properties::answers_of(session, std::span(&one.collision, 1)).front(),
-                  properties::shown_collision_matrix(subject, judged),
+    for (std::size_t s = 0; s < sessions.size(); ++s) {
+      Asked asked{properties::answers_of(sessions[s], std::span(&one.collision, 1)).front(),
+                  properties::shown_collision_matrix(result.subjects[s], judged),
                   {}};
       const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, with_relations);
       if (trial.question_count() > 0) {
-        asked.related = properties::answers_of(session, trial.questions());
+        asked.related = properties::answers_of(sessions[s], trial.questions());
       }
       all.push_back(std::move(asked));
     }
@@ -81,10 +83,9 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
   for (std::size_t i = 0; i < work.cases.size(); ++i) {
     const JudgedCase judged(work.cases[i]);
     for (std::size_t s = 0; s < work.subjects.size(); ++s) {
-      const Asked& asked = work.asked[s][i];
+      const Asked& asked = work.asked[i][s];
       const Trial trial(judged, claims[s], properties::lift(asked.answer), asked.collision_matrix, with_relations);
-      const properties::Judgement judgement = trial.judge(
-          with_relations ? properties::lifted(asked.related) : std::vector<properties::ExactAnswer>{}, known[s]);
+      const properties::Judgement judgement = trial.judge(asked.related, known[s]);
       verdicts += judgement.verdicts.size();
       if (judgement.accuracy && judgement.accuracy->is_decided) {
         known[s] = std::max(known[s], judgement.accuracy->backward_error(claims[s].yardstick.unit_roundoff));
@@ -223,7 +224,7 @@ int main(int argc, char** argv) {
     for (const bool filtered : {false, true}) {
       const std::string kind =
           std::string(filtered ? "filtered" : "rational") + (with_relations ? "/relations" : "/one_outcome");
-      const std::uint64_t cases = filtered ? 50 : 4;
+      constexpr std::uint64_t cases = 8;  // of each family
       const std::string all = kind + "/all";
       benchmark::RegisterBenchmark(("judge/" + all).c_str(), [=](benchmark::State& state) {
         judge(state, all, sound, families, cases, filtered, with_relations);

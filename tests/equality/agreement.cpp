@@ -44,7 +44,7 @@ class Judge {
     const auto start = std::chrono::steady_clock::now();
     const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), collision_matrix,
                                   relations == Relations::judged);
-    Judgement judgement = trial.judge(properties::lifted(answers.related), known_backward_error);
+    Judgement judgement = trial.judge(answers.related, known_backward_error);
     spent += std::chrono::steady_clock::now() - start;
     return judgement;
   }

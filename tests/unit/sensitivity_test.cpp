@@ -254,6 +254,24 @@ TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   }
 }
 
+/// The band ends where forward differentiation says.
+TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
+  int seen = 0;
+  for (const auto& [family, one] : unit::valid_cases(4)) {
+    const ExactCase exact_case(one.collision);
+    const auto& inputs = exact_case.differentiated();
+    const auto velocity = normal_velocity_before(inputs.collision);
+    const double edge = std::abs(velocity.value) / sensitivity_of({&velocity}, inputs.magnitude);
+    if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20)) {
+      continue;  // where N·V⁻ cancels, its own rounding moves the edge
+    }
+    EXPECT_TRUE(exact_case.is_grazing(edge * (1 + 0x1p-20))) << family;
+    EXPECT_FALSE(exact_case.is_grazing(edge * (1 - 0x1p-20))) << family;
+    ++seen;
+  }
+  EXPECT_GT(seen, 50);
+}
+
 /// Separating by less than the allowance, the contact is given the sensitivity of a collision.
 TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   Collision c;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <carom/collision/outcome.hpp>
+
+namespace carom::oracles {
+
+/// √(Σ number(i)²), i < count, of numbers of any size, rounded: by their squares where these keep their digits,
+/// elsewhere by hypotenuses.
+template <class Number>
+[[nodiscard]] auto root_of_squares(std::size_t count, const Number& number) {
+  using S = decltype(number(0));
+  S squares(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    squares += number(i) * number(i);
+  }
+  if (squares >= S(0x1p-900) && squares <= S(0x1p+900)) {
+    return std::sqrt(squares);
+  }
+  S norm(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    norm = number(i) == 0 ? norm : std::hypot(norm, number(i));
+  }
+  return norm;
+}
+
+/// ‖v‖, the same.
+template <class S>
+[[nodiscard]] S norm_of(const Vector3<S>& v) {
+  return root_of_squares(3, [&](std::size_t i) { return v[static_cast<Eigen::Index>(i)]; });
+}
+
+/// The same of the four vectors of an outcome.
+[[nodiscard]] inline std::array<double, 4> norms_of(const Outcome<double>& outcome) {
+  const auto parts = vectors(outcome);
+  return {norm_of(*parts[0]), norm_of(*parts[1]), norm_of(*parts[2]), norm_of(*parts[3])};
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariants/verdicts.hpp>
+
+#include "exact.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// Whether Σ_i (left_i − right_i)² ≤ (allowance scale)², in ℚ.
+bool is_near(const Vector3<oracles::Rational>& left, const Vector3<oracles::Rational>& right, double allowed) {
+  const Vector3<oracles::Rational> difference = left - right;
+  return difference.dot(difference) <= oracles::Rational(allowed) * oracles::Rational(allowed);
+}
+
+struct Counts {
+  int near = 0;
+  int shown = 0;
+  int far = 0;
+};
+
+/// y + (to − from), rounded as relations have it, beside an outcome that misses the exact sum by up to twice what is
+/// allowed: what is shown to be near is, by the exact sum.
+Counts expect_shown_to_be_near(Precision precision) {
+  Counts counts;
+  Stream stream = stream_from(91);
+  const double allowance = oracles::default_limit_ulps * unit_roundoff(precision);
+  for (int i = 0; i < 20000; ++i) {
+    ReportedOutcome left;
+    ReportedOutcome right;
+    const auto any = [&] { return stream.between(-1, 1); };
+    const Vector3<double> y{any(), any(), any()};
+    const Vector3<double> from{any(), any(), any()};
+    const Vector3<double> to{any(), any(), any()};
+    const double scale = to.norm() + from.norm();
+    const double missed = allowance * scale * stream.between(0, 2) / std::sqrt(3.0);
+    Vector3<oracles::Rational> exact;
+    for (int j = 0; j < 3; ++j) {
+      using Wide = long double;
+      left.a.velocity[j] = Wide(y[j]) + (Wide(to[j]) - Wide(from[j]));
+      exact[j] = oracles::Rational(y[j]) + oracles::Rational(to[j]) - oracles::Rational(from[j]);
+      right.a.velocity[j] = left.a.velocity[j] + Wide(missed) * (stream.chance(2) ? 1 : -1);
+    }
+    const Vector3<oracles::Rational> reported = oracles::lift(right).a.velocity;
+    const bool shown = surely_near(left, right, allowance, {scale, 0, 0, 0}, {0});
+    const bool near = is_near(exact, reported, allowance * scale);
+    EXPECT_TRUE(near || !shown) << i;
+    counts.near += near ? 1 : 0;
+    counts.shown += shown ? 1 : 0;
+    counts.far += near ? 0 : 1;
+  }
+  return counts;
+}
+
+TEST(SurelyNear, ShowsOnlyWhatIsNear) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    const Counts counts = expect_shown_to_be_near(precision);
+    EXPECT_GT(counts.far, 8000);
+    // All three components missed by as much add up to √3 times their norm, and two ulps of extended are no small part
+    // of what is allowed there: of what is near, so much is not shown to be.
+    EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 4 : counts.near / 2);
+  }
+}
+
+/// The rounding of the numbers themselves counts where the allowance is no larger.
+TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
+  const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
+  const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  EXPECT_TRUE(surely_near(reported, reported, 0x1p-50, scale));
+  EXPECT_FALSE(surely_near(reported, reported, 0x1p-64, scale));
+}
+
+TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  for (std::size_t moved = 0; moved < 4; ++moved) {
+    const ReportedOutcome rest;
+    ReportedOutcome other;
+    (*vectors(other)[moved])[2] = 0x1p-20L;
+    for (std::size_t named = 0; named < 4; ++named) {
+      EXPECT_EQ(surely_near(rest, other, 0x1p-30, scale, {named}), named != moved);
+    }
+    EXPECT_FALSE(surely_near(rest, other, 0x1p-30, scale));
+    EXPECT_TRUE(surely_near(rest, other, 0x1p-10, scale));
+  }
+}
+
+/// What is no number is near to nothing.
+TEST(SurelyNear, DoesNotTakeANaNForNear) {
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  ReportedOutcome nothing;
+  nothing.b.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
+  EXPECT_FALSE(surely_near(nothing, {}, 1, scale));
+  EXPECT_FALSE(surely_near({}, nothing, 1, scale));
+}
+
+}  // namespace
+}  // namespace carom::properties
