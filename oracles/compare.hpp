@@ -51,11 +51,11 @@ template <class S, std::size_t N, int Size>
   });
 }
 
-/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome.
-template <class S, class Law>
+/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome. N is at least its twelve numbers.
+template <class S, std::size_t N, class Law>
 [[nodiscard]] std::array<S, 4> output_slopes(const Law& law, const Collision& collision,
                                              const Outcome<double>& outcome) {
-  using T = Dual<S, outcome_inputs>;
+  using T = Dual<S, N>;
   std::size_t next = 0;
   const auto sides = law(map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); }),
                          map_outcome<T>(outcome, [&](double x) { return T::input(static_cast<S>(x), next++); }));
@@ -107,7 +107,7 @@ template <class Law>
   if (const std::optional<AffineLaw> name = law.name()) {
     return part_by_outputs(exact_case.slopes(*name, [&] { return slopes_of(law, collision); }), exact_case, outcome);
   }
-  return part_by_outputs(output_slopes<double>(law, collision, outcome.rounded()), exact_case, outcome);
+  return part_by_outputs(output_slopes<double, outcome_inputs>(law, collision, outcome.rounded()), exact_case, outcome);
 }
 
 /// Both parts; none where the sum leaves the range of numbers.
@@ -124,7 +124,8 @@ template <class Law>
   const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
   const Wide wide =
       part_by_inputs(law, inputs, outcome.rounded()) +
-      part_by_outputs(output_slopes<Wide>(law, exact_case.collision(), outcome.rounded()), exact_case, outcome);
+      part_by_outputs(output_slopes<Wide, collision_inputs>(law, exact_case.collision(), outcome.rounded()), exact_case,
+                      outcome);
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
@@ -162,7 +163,7 @@ template <class T, int N>
 
 template <class Law>
 [[nodiscard]] std::array<double, 4> slopes_of(const Law& law, const Collision& collision) {
-  return detail::output_slopes<double>(law, collision, unchanged(collision));
+  return detail::output_slopes<double, outcome_inputs>(law, collision, unchanged(collision));
 }
 
 template <class Law>

@@ -15,13 +15,13 @@ namespace {
 using unit::ratio;
 
 /// A number, approximated and exactly.
-struct Both {
+struct Approximated {
   Approximation approximate;
   Rational exact;
 };
 
 /// |x − middle| ≤ radius, and what follows from it for the size and the sign of x.
-testing::AssertionResult contains(const Both& both) {
+testing::AssertionResult contains(const Approximated& both) {
   const Approximation& x = both.approximate;
   if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
     return x.sign() ? testing::AssertionFailure() << "the sign of no number" : testing::AssertionSuccess();
@@ -42,20 +42,20 @@ testing::AssertionResult contains(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-Both expression(properties::Stream& stream, int depth, int exponents, int& operations, int& decided) {
+Approximated expression(properties::Stream& stream, int depth, int exponents, int& operations, int& decided) {
   if (depth == 0 || stream.chance(8)) {
     const double x = stream.chance(8)
                          ? stream.integer(-3, 3)
                          : std::ldexp(stream.signed_unit(), stream.integer(-exponents, std::min(exponents, 1020)));
     return {Approximation(x), Rational(x)};
   }
-  const Both x = expression(stream, depth - 1, exponents, operations, decided);
-  Both y = expression(stream, depth - 1, exponents, operations, decided);
+  const Approximated x = expression(stream, depth - 1, exponents, operations, decided);
+  Approximated y = expression(stream, depth - 1, exponents, operations, decided);
   if (stream.chance(6) && std::isfinite(x.approximate.middle())) {
     // Near cancellation.
     y = {Approximation(x.approximate.middle()), Rational(x.approximate.middle())};
   }
-  Both result;
+  Approximated result;
   switch (stream.integer(0, 3)) {
     case 0:
       result = {x.approximate + y.approximate, x.exact + y.exact};
@@ -107,7 +107,7 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
   for (int i = 0; i < 2000; ++i) {
     const Rational x = ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30));
     EXPECT_TRUE(contains({approximation_of(Enclosure(x)), x}));
-    const Both third{Approximation(to_double(x)) / Approximation(3), Rational(to_double(x)) / 3};
+    const Approximated third{Approximation(to_double(x)) / Approximation(3), Rational(to_double(x)) / 3};
     EXPECT_TRUE(contains({approximation_of(enclosure_of(third.approximate)), third.exact}));
   }
 }
