@@ -256,7 +256,8 @@ Case long_quaternion(Stream& stream) {
 
 constexpr std::array families{
     Family{"generic", "two general bodies, seven in eight approaching", generic},
-    Family{"physical", "convex bodies of uniform density, the contact in or on both", convex_bodies},
+    Family{"physical", "convex bodies of uniform density, moments 1 : 128 at most, the contact in or on both",
+           convex_bodies},
     Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on},
     Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on},
     Family{"collinear_spheres", "touching spheres, or one and a wall, centres and contact exactly on one line along N",
