@@ -116,11 +116,17 @@ template <class S>
   return velocity_a - velocity_b;
 }
 
+/// λ = 1/m_A + 1/m_B, the least eigenvalue that K can have.
+template <class S>
+[[nodiscard]] S inverse_mass(const Contact<S>& contact) {
+  return contact.a.inverse_mass + contact.b.inverse_mass;
+}
+
 /// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move. A bool, or a mask
 /// where S is a pack.
 template <class S>
 [[nodiscard]] auto is_colliding(const Contact<S>& contact, const S& normal_velocity) {
-  return normal_velocity < S(0) && contact.a.inverse_mass + contact.b.inverse_mass > S(0);
+  return normal_velocity < S(0) && inverse_mass(contact) > S(0);
 }
 
 /// The velocities as they are: the outcome of a contact that is not colliding.

@@ -26,8 +26,8 @@ template <class S>
   }
   const Vector3<S> spin_a = times(contact.a.inverse_inertia, torque_arm_a);
   const Vector3<S> spin_b = times(contact.b.inverse_inertia, torque_arm_b);
-  const S inverse_effective_mass = (contact.a.inverse_mass + contact.b.inverse_mass) * dot(n, n) +
-                                   (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
+  const S inverse_effective_mass =
+      inverse_mass(contact) * dot(n, n) + (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
   const S f = -(S(1) + contact.restitution) * normal_velocity / inverse_effective_mass;
   return select(colliding, apply_impulse<S>(contact, n * f), unchanged(contact));
 }

@@ -66,9 +66,10 @@ template <class Low, class Solve, class S>
   if (!is_colliding(contact, normal_velocity)) {
     return unchanged(contact);
   }
-  const Matrix3<Low> k = collision_matrix(rounded<Low>(contact));
+  const Contact<Low> low = rounded<Low>(contact);
+  const Matrix3<Low> k = collision_matrix(low);
   const auto solve = [&](const Vector3<S>& change) -> Vector3<S> {
-    return Solve::template solve<Low>(k, change.template cast<Low>()).template cast<S>();
+    return Solve::template solve<Low>(k, change.template cast<Low>(), inverse_mass(low)).template cast<S>();
   };
   const Vector3<S> change = n * (-(S(1) + contact.restitution) * normal_velocity / dot(n, n));
   const Vector3<S> impulse = solve(change);

@@ -21,7 +21,8 @@ template <class Solve, class S>
   }
   const S factor = -(S(1) + contact.restitution) * normal_velocity / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
-  const Vector3<S> impulse = Solve::template solve<S>(collision_matrix(contact), velocity_change);
+  const Vector3<S> impulse =
+      Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact));
   return select(colliding, apply_impulse(contact, impulse), unchanged(contact));
 }
 

@@ -50,9 +50,8 @@ template <class S>
     }
     return q.transpose() * body.inverse_inertia * q;
   };
-  const S inverse_mass = contact.a.inverse_mass + contact.b.inverse_mass;
   // A and B enter alike, so that calling them the other way round changes no bit.
-  return Matrix3<S>::Identity() * inverse_mass + (of_body(contact.a) + of_body(contact.b));
+  return Matrix3<S>::Identity() * inverse_mass(contact) + (of_body(contact.a) + of_body(contact.b));
 }
 
 /// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25.
@@ -64,7 +63,7 @@ template <class S>
   }
   const Matrix3<S> c = printed_collision_matrix(contact, basis);
   const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * normal_velocity, S(0), S(0)};
-  return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side));
+  return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
 /// The reflection law as note §2 prints it, with the fall-back to eq. 18 that implementations take where V⁻ has no

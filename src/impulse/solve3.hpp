@@ -4,22 +4,27 @@
 #include <Eigen/Cholesky>
 
 #include <carom/impulse/products.hpp>
+#include <carom/impulse/select.hpp>
 
 /// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is a policy of `reflection`.
-/// solve3_pivoting.hpp has those for a general M.
+/// solve3_pivoting.hpp has those for a general M. `least` is a lower bound of the eigenvalues of M, for those that can
+/// use one.
 namespace carom::impulse {
 
-/// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs.
+/// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs. Each pivot is an
+/// eigenvalue's lower bound or more (that of a Schur complement of M): one that comes out below is rounding, and is
+/// taken for the bound, so that nothing is divided by zero where rounding has made M singular.
 struct Ldlt {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
-    const S d0 = m(0, 0);
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least = S(0)) {
+    const auto pivot = [&](const S& computed) { return select(computed < least, least, computed); };
+    const S d0 = pivot(m(0, 0));
     const S l10 = m(1, 0) / d0;
     const S l20 = m(2, 0) / d0;
-    const S d1 = m(1, 1) - l10 * m(1, 0);
+    const S d1 = pivot(m(1, 1) - l10 * m(1, 0));
     const S e21 = m(2, 1) - l20 * m(1, 0);
     const S l21 = e21 / d1;
-    const S d2 = (m(2, 2) - l20 * m(2, 0)) - l21 * e21;
+    const S d2 = pivot((m(2, 2) - l20 * m(2, 0)) - l21 * e21);
     const S y1 = b[1] - l10 * b[0];
     const S y2 = (b[2] - l20 * b[0]) - l21 * y1;
     const S x2 = y2 / d2;
@@ -32,7 +37,7 @@ struct Ldlt {
 /// Eigen's Cholesky decomposition M = L Lᵀ.
 struct EigenLlt {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     return m.llt().solve(b);
   }
 };
@@ -40,7 +45,7 @@ struct EigenLlt {
 /// Eigen's M = Pᵀ L D Lᵀ P, the pivots by size.
 struct EigenLdlt {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     return m.ldlt().solve(b);
   }
 };
@@ -48,7 +53,7 @@ struct EigenLdlt {
 /// M⁻¹ = adj(M) / det(M).
 struct Adjugate {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     const auto minor = [&](int i, int j, int k, int l) -> S { return m(i, j) * m(k, l) - m(i, l) * m(k, j); };
     Matrix3<S> adjugate;
     adjugate << minor(1, 1, 2, 2), minor(2, 1, 0, 2), minor(0, 1, 1, 2),  //

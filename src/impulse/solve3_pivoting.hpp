@@ -13,7 +13,7 @@ namespace carom::impulse {
 /// Eigen's P M = L U, pivots by rows.
 struct EigenPartialPivLu {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     return m.partialPivLu().solve(b);
   }
 };
@@ -21,7 +21,7 @@ struct EigenPartialPivLu {
 /// Eigen's P M Q = L U, pivots by rows and columns. It takes a pivot below 3 ε times the largest for zero.
 struct EigenFullPivLu {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     return m.fullPivLu().solve(b);
   }
 };
@@ -29,7 +29,7 @@ struct EigenFullPivLu {
 /// Eigen's M P = Q R by Householder reflections.
 struct EigenColPivHouseholderQr {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {
     return m.colPivHouseholderQr().solve(b);
   }
 };

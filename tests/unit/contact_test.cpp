@@ -161,6 +161,42 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
+/// A contact as a float has it 10¹⁰ m from the origin, where lever arms are multiples of 512 m, beside moments of a
+/// body of a metre: κ(C) is beyond 1/u, and C as rounded may be singular.
+Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
+  Collision c;
+  c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
+  c.a.principal_inertia[stream.integer(0, 2)] *= 2;
+  c.a.position = Vector3<double>{1.0 * stream.integer(-1, 1), 1.0 * stream.integer(-1, 1), 1} * 512;
+  c.a.velocity = -c.a.position;
+  c.normal = {1.0 * stream.integer(-1, 1), 1.0 * stream.integer(-1, 1), 1};
+  c.b.immovable = true;
+  return make_contact<float>(c);
+}
+
+template <class Solver>
+int not_finite(const Solver& solver) {
+  properties::Stream stream = properties::stream_from(98);
+  int found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Outcome<float> outcome = solver(contact_with_lost_lever_arms(stream));
+    found += outcome.a.velocity.allFinite() && outcome.a.angular_velocity.allFinite() ? 0 : 1;
+  }
+  return found;
+}
+
+TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
+  EXPECT_EQ(not_finite([](const auto& contact) { return reflection<Ldlt>(contact); }), 0);
+  EXPECT_EQ(not_finite([](const auto& contact) { return reflection_in_stable_basis(contact); }), 0);
+  // Without the bound of its eigenvalues the same matrices do divide by zero.
+  EXPECT_GT(not_finite([](const Contact<float>& contact) {
+              const Vector3<float> impulse = Ldlt::solve<float>(
+                  printed_collision_matrix(contact, stable_tangent_basis(contact)), Vector3<float>{1, 0, 0});
+              return apply_impulse(contact, impulse);
+            }),
+            0);
+}
+
 TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Contact<double> contact = make_contact<double>(unit::case_of("generic", i).collision);

@@ -131,6 +131,7 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
+/// Also with its least eigenvalue given: no pivot is below that in a field.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -138,7 +139,9 @@ TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
     }
     const auto contact = exact_contact(one.collision);
     const ExactMatrix k = collision_matrix(contact);
-    EXPECT_TRUE(same(k * TypeParam::template solve<Rational>(k, contact.normal), contact.normal)) << family;
+    const ExactVector x = TypeParam::template solve<Rational>(k, contact.normal);
+    EXPECT_TRUE(same(k * x, contact.normal)) << family;
+    EXPECT_TRUE(same(TypeParam::template solve<Rational>(k, contact.normal, inverse_mass(contact)), x)) << family;
   }
 }
 
