@@ -74,8 +74,13 @@ double normal_velocity_sensitivity_above(const Collision& c) {
 
 /// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
 double normal_velocity_sensitivity(const Collision& c) {
+  // A number that is zero cannot be perturbed relatively, though its derivative be infinite.
   const auto weighted = [](const Vector3<double>& derivative, const Vector3<double>& x) {
-    return derivative.cwiseProduct(x).lpNorm<1>();
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      sum += x[i] == 0 ? 0 : std::abs(derivative[i] * x[i]);
+    }
+    return sum;
   };
   double sum = weighted(relative_velocity<double>(c, unchanged(c)), c.normal);
   for (const Body* body : {&c.a, &c.b}) {
@@ -86,12 +91,12 @@ double normal_velocity_sensitivity(const Collision& c) {
   return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), c.point);
 }
 
-/// And so is its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms, at most the sensitivity.
+/// A number known to six digits, and so its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms,
+/// at most the sensitivity.
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
   return std::abs(normal_velocity) > 0x1p-28 * sensitivity_above;
 }
-template <class T>
-bool is_known_to_six_digits(const T& x) {
+bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
 }
 

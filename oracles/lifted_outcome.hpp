@@ -76,7 +76,7 @@ class LiftedOutcome {
     return *further_;
   }
 
-  /// Vectors of length √¾ M at most.
+  /// Each number at most M/2, and so each vector less than M.
   static bool is_moderate(const ReportedOutcome& reported) {
     bool moderate = true;
     for (const Vector3<long double>* part : vectors(reported)) {

@@ -16,14 +16,16 @@ template <class Number>
   using S = decltype(number(0));
   S squares(0);
   for (std::size_t i = 0; i < count; ++i) {
-    squares += number(i) * number(i);
+    const S x = number(i);
+    squares += x * x;
   }
   if (squares >= S(0x1p-900) && squares <= S(0x1p+900)) {
     return std::sqrt(squares);
   }
   S norm(0);
   for (std::size_t i = 0; i < count; ++i) {
-    norm = number(i) == 0 ? norm : std::hypot(norm, number(i));
+    const S x = number(i);
+    norm = x == 0 ? norm : std::hypot(norm, x);
   }
   return norm;
 }

@@ -75,10 +75,11 @@ template <class Exact>
 /// are reported: x87 extended, or what long double is elsewhere. A component of `left` may be y, ±y, a product of y, or
 /// y + (to − from) with ‖to‖ + ‖from‖ at most the scale, rounded at each operation. By u of it, then, it is off itself,
 /// and by u of the term that was added to y, whose components add up to √3 times the scale at most; each difference is
-/// off by u of it, and their sum by 2 u.
+/// off by u of it, and their sum, the product and the sum that are compared by four times that.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
                                       const std::array<double, 4>& scale,
                                       std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
+  static_assert(std::numeric_limits<long double>::is_iec559);
   constexpr long double two_u = std::numeric_limits<long double>::epsilon();
   const auto x = vectors(left);
   const auto y = vectors(right);
@@ -89,7 +90,7 @@ template <class Exact>
       missed += std::abs((*x[k])[i] - (*y[k])[i]);
       size += std::abs((*x[k])[i]);
     }
-    return missed * (1 + 2 * two_u) + two_u * size <= allowance * scale[k];
+    return missed * (1 + 4 * two_u) + two_u * size <= allowance * scale[k];
   });
 }
 

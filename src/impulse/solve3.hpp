@@ -11,13 +11,23 @@
 /// use one.
 namespace carom::impulse {
 
-/// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs. Each pivot is an
-/// eigenvalue's lower bound or more (that of a Schur complement of M): one that comes out below is rounding, and is
-/// taken for the bound, so that nothing is divided by zero where rounding has made M singular.
+/// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs. Each pivot is a
+/// diagonal entry of a Schur complement of M, and so at least M's least eigenvalue: one that comes out below the bound
+/// of that is rounding, and is taken for the bound. Nothing is then divided by zero where rounding has made M singular.
 struct Ldlt {
   template <class S>
-  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least = S(0)) {
-    const auto pivot = [&](const S& computed) { return select(computed < least, least, computed); };
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
+    return solve_by<S>(m, b, [](const S& computed) { return computed; });
+  }
+  /// Precondition: least > 0.
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
+    return solve_by<S>(m, b, [&](const S& computed) { return select(computed < least, least, computed); });
+  }
+
+ private:
+  template <class S, class Pivot>
+  [[nodiscard]] static Vector3<S> solve_by(const Matrix3<S>& m, const Vector3<S>& b, const Pivot& pivot) {
     const S d0 = pivot(m(0, 0));
     const S l10 = m(1, 0) / d0;
     const S l20 = m(2, 0) / d0;

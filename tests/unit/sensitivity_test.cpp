@@ -272,6 +272,21 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   EXPECT_GT(seen, 50);
 }
 
+/// w_A·X_A is beyond binary64 in the derivative by a component that is zero, and so has no part in the sum.
+TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
+  Collision c;
+  c.normal = {1e200, 0, 0};
+  c.a.angular_velocity = {0, 1e200, 0};
+  c.a.position = {1, 0, 0};
+  c.b.position = {-1, 0, 0};
+  c.a.velocity = {1, 0, 0};
+  c.b.velocity = {1 + 0x1p-52, 0, 0};
+  const ExactCase exact_case(c);
+  EXPECT_EQ(exact_case.approach(), Approach::colliding);
+  EXPECT_TRUE(exact_case.is_grazing(0x1p-48));
+  EXPECT_FALSE(exact_case.is_grazing(0x1p-56));
+}
+
 /// Separating by less than the allowance, the contact is given the sensitivity of a collision.
 TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   Collision c;
