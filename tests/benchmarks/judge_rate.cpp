@@ -85,7 +85,8 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
     for (std::size_t s = 0; s < work.subjects.size(); ++s) {
       const Asked& asked = work.asked[i][s];
       const Trial trial(judged, claims[s], properties::lift(asked.answer), asked.collision_matrix, with_relations);
-      const properties::Judgement judgement = trial.judge(asked.related, known[s]);
+      const properties::Judgement judgement =
+          trial.judge(std::span(asked.related).first(trial.question_count()), known[s]);
       verdicts += judgement.verdicts.size();
       if (judgement.accuracy && judgement.accuracy->is_decided) {
         known[s] = std::max(known[s], judgement.accuracy->backward_error(claims[s].yardstick.unit_roundoff));
