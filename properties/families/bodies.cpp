@@ -77,7 +77,7 @@ SizedShape any_convex_shape(Stream& stream) {
 SizedShape convex_shape(Stream& stream) {
   constexpr double largest_ratio_of_moments = 128;
   for (;;) {
-    const SizedShape drawn = any_convex_shape(stream);
+    SizedShape drawn = any_convex_shape(stream);
     const Vector3<double> inertia = moments(1, drawn.shape.second_moments);
     if (inertia.maxCoeff() <= largest_ratio_of_moments * inertia.minCoeff()) {
       return drawn;
