@@ -2,34 +2,107 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <new>
+#include <ostream>
 #include <sstream>
+#include <utility>
+
+#include <CGAL/Gmpq.h>
 
 #include <carom/oracles/rational.hpp>
 
 namespace carom::oracles {
 
+/// The number that a Rational's bytes are.
+struct Rational::Number {
+  static const CGAL::Gmpq& of(const Rational& number) {
+    return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_));
+  }
+  static CGAL::Gmpq& of(Rational& number) { return *std::launder(reinterpret_cast<CGAL::Gmpq*>(number.number_)); }
+  static Rational wrap(const CGAL::Gmpq& value) { return Rational(std::in_place, value); }
+};
+
+template <class Value>
+Rational::Rational(std::in_place_t, const Value& value) {
+  static_assert(sizeof(CGAL::Gmpq) == sizeof number_ && alignof(CGAL::Gmpq) <= alignof(void*));
+  new (number_) CGAL::Gmpq(value);
+}
+
+Rational::Rational() : Rational(0) {}
+Rational::Rational(int whole) : Rational(std::in_place, whole) {}
+Rational::Rational(int numerator, int denominator) : Rational(std::in_place, CGAL::Gmpq(numerator, denominator)) {}
+Rational::Rational(double number) : Rational(std::in_place, number) {}
+Rational::Rational(const std::string& digits) : Rational(std::in_place, digits) {}
+Rational::Rational(const Rational& other) noexcept : Rational(std::in_place, Number::of(other)) {}
+Rational::~Rational() { Number::of(*this).~Gmpq(); }
+
+Rational& Rational::operator=(const Rational& other) noexcept {
+  Number::of(*this) = Number::of(other);
+  return *this;
+}
+
+Rational& Rational::operator=(Rational&& other) noexcept {
+  swap(Number::of(*this), Number::of(other));
+  return *this;
+}
+
+Rational Rational::operator-() const { return Number::wrap(-Number::of(*this)); }
+
+Rational operator+(const Rational& left, const Rational& right) {
+  return Rational::Number::wrap(Rational::Number::of(left) + Rational::Number::of(right));
+}
+Rational operator-(const Rational& left, const Rational& right) {
+  return Rational::Number::wrap(Rational::Number::of(left) - Rational::Number::of(right));
+}
+Rational operator*(const Rational& left, const Rational& right) {
+  return Rational::Number::wrap(Rational::Number::of(left) * Rational::Number::of(right));
+}
+Rational operator/(const Rational& left, const Rational& right) {
+  return Rational::Number::wrap(Rational::Number::of(left) / Rational::Number::of(right));
+}
+
+bool operator==(const Rational& left, const Rational& right) {
+  return Rational::Number::of(left) == Rational::Number::of(right);
+}
+std::strong_ordering operator<=>(const Rational& left, const Rational& right) {
+  return mpq_cmp(Rational::Number::of(left).mpq(), Rational::Number::of(right).mpq()) <=> 0;
+}
+std::strong_ordering operator<=>(const Rational& left, int right) {
+  return mpq_cmp_si(Rational::Number::of(left).mpq(), right, 1) <=> 0;
+}
+
+Rational Rational::times_power_of_two(int exponent) const {
+  const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
+  CGAL::Gmpq result;
+  if (exponent > 0) {
+    mpq_mul_2exp(result.mpq(), Number::of(*this).mpq(), shift);
+  } else {
+    mpq_div_2exp(result.mpq(), Number::of(*this).mpq(), shift);
+  }
+  return Number::wrap(result);
+}
+
+double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of(number).mpq()); }
+int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number).mpq()); }
+
+std::ostream& operator<<(std::ostream& out, const Rational& number) {
+  const CGAL::Gmpq& value = Rational::Number::of(number);
+  out << value.numerator();
+  return value.denominator() == 1 ? out : out << '/' << value.denominator();
+}
+
 Rational lift(long double number) {
   // Doubles take the mantissa off in pieces, whatever format long double has here.
   int exponent = 0;
-  Rational result(0);
+  Rational result;
   for (long double rest = std::frexp(number, &exponent); rest != 0;) {
     const auto piece = static_cast<double>(rest);
     result += Rational(piece);
     rest -= static_cast<long double>(piece);
   }
-  if (exponent == 0) {
-    return result;
-  }
-  // Scaling in GMP: the exponent of an extended number may lie outside the range of double.
-  const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
-  Rational shifted;
-  if (exponent > 0) {
-    mpq_mul_2exp(shifted.mpq(), result.mpq(), shift);
-  } else {
-    mpq_div_2exp(shifted.mpq(), result.mpq(), shift);
-  }
-  return shifted;
+  return result.times_power_of_two(exponent);
 }
 
 BasicCollision<Rational> lift(const Collision& collision) {
@@ -40,8 +113,6 @@ Outcome<Rational> lift(const ReportedOutcome& outcome) {
   return map_outcome<Rational>(outcome, [](long double number) { return lift(number); });
 }
 
-double to_double(const Rational& number) { return mpq_get_d(number.mpq()); }
-
 double nearest_double(const Rational& number) {
   // mpq_get_d rounds toward zero, so the nearest number is this one or its neighbour away from zero.
   const double below = to_double(number);
@@ -50,8 +121,8 @@ double nearest_double(const Rational& number) {
   if (!std::isfinite(above)) {
     return below;
   }
-  const Rational to_below = CGAL::abs(number - Rational(below));
-  const Rational to_above = CGAL::abs(Rational(above) - number);
+  const Rational to_below = abs(number - Rational(below));
+  const Rational to_above = abs(Rational(above) - number);
   if (to_below != to_above) {
     return to_below < to_above ? below : above;
   }
@@ -61,10 +132,7 @@ double nearest_double(const Rational& number) {
 
 std::string to_text(const Rational& number) {
   std::ostringstream text;
-  text << number.numerator();
-  if (number.denominator() != 1) {
-    text << '/' << number.denominator();
-  }
+  text << number;
   return text.str();
 }
 

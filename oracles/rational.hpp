@@ -1,19 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
+#include <cstddef>
+#include <iosfwd>
 #include <string>
+#include <utility>
 
-#include <CGAL/Gmpq.h>
 #include <Eigen/Core>
 
 #include <carom/collision/outcome.hpp>
 
 namespace carom::oracles {
 
-/// An exact rational number. Every finite floating-point number is one.
-using Rational = CGAL::Gmpq;
+/// An exact rational number: CGAL::Gmpq, kept out of sight. Every finite floating-point number is one. Its headers take
+/// seconds to compile, and its operators, some hundred functions, take part in overload resolution wherever two
+/// matrices are added or multiplied: only rational.cpp sees them.
+class Rational {
+ public:
+  Rational();           // zero
+  Rational(int whole);  // NOLINT(google-explicit-constructor): formulas say 0, 1 and 2
+  /// Precondition: the denominator is not zero.
+  Rational(int numerator, int denominator);
+  /// The number itself, without rounding. Precondition: finite (CGAL ends the process on any other).
+  explicit Rational(double number);
+  /// An integer in decimal digits.
+  explicit Rational(const std::string& digits);
+  Rational(const Rational& other) noexcept;
+  Rational& operator=(const Rational& other) noexcept;
+  Rational& operator=(Rational&& other) noexcept;
+  ~Rational();
 
-/// The number itself, without rounding. Precondition: finite (CGAL ends the process on any other).
+  Rational operator-() const;
+  Rational& operator+=(const Rational& other) { return *this = *this + other; }
+  Rational& operator-=(const Rational& other) { return *this = *this - other; }
+  Rational& operator*=(const Rational& other) { return *this = *this * other; }
+  Rational& operator/=(const Rational& other) { return *this = *this / other; }
+
+  /// The number · 2^exponent: the exponent may lie outside the range of double.
+  [[nodiscard]] Rational times_power_of_two(int exponent) const;
+
+  friend Rational operator+(const Rational& left, const Rational& right);
+  friend Rational operator-(const Rational& left, const Rational& right);
+  friend Rational operator*(const Rational& left, const Rational& right);
+  /// Precondition: the right side is not zero.
+  friend Rational operator/(const Rational& left, const Rational& right);
+  friend bool operator==(const Rational& left, const Rational& right);
+  friend bool operator==(const Rational& left, int right) { return (left <=> right) == 0; }
+  friend std::strong_ordering operator<=>(const Rational& left, const Rational& right);
+  friend std::strong_ordering operator<=>(const Rational& left, int right);
+  friend Rational abs(const Rational& number) { return number < 0 ? -number : number; }
+  /// As to_text.
+  friend std::ostream& operator<<(std::ostream& out, const Rational& number);
+  friend double to_double(const Rational& number);
+  friend int sign_of(const Rational& number);
+
+ private:
+  struct Number;
+  template <class Value>
+  Rational(std::in_place_t, const Value& value);
+
+  alignas(void*) std::byte number_[sizeof(void*)];  // CGAL's handle of shared, reference-counted digits
+};
+
+/// The number itself, without rounding. Precondition: finite.
 [[nodiscard]] Rational lift(long double number);
 
 /// Precondition: every number of the collision is finite.
@@ -29,7 +79,7 @@ using Rational = CGAL::Gmpq;
 [[nodiscard]] double nearest_double(const Rational& number);
 
 /// −1, 0 or 1.
-[[nodiscard]] inline int sign_of(const Rational& number) { return number < 0 ? -1 : (number > 0 ? 1 : 0); }
+[[nodiscard]] int sign_of(const Rational& number);
 
 /// "p/q" in lowest terms, "p" where q = 1.
 [[nodiscard]] std::string to_text(const Rational& number);
@@ -37,3 +87,20 @@ using Rational = CGAL::Gmpq;
 [[nodiscard]] bool is_finite(const ReportedOutcome& outcome);
 
 }  // namespace carom::oracles
+
+template <>
+struct Eigen::NumTraits<carom::oracles::Rational> : GenericNumTraits<carom::oracles::Rational> {
+  using Real = carom::oracles::Rational;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = int;
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 6,
+    AddCost = 150,
+    MulCost = 100
+  };
+};

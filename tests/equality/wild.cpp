@@ -62,6 +62,22 @@ Collision scaled_fields(Collision c, int most, properties::Stream& stream) {
   return c;
 }
 
+properties::Case shortened(properties::Case one, Stream& stream) {
+  constexpr int largest_exponent = 6;
+  const int digits = stream.integer(1, 12);
+  for_each_number(
+      [&](const FieldPath&, double& number) {
+        int exponent = 0;
+        const double significand = std::frexp(number, &exponent);
+        number = std::ldexp(std::nearbyint(std::ldexp(significand, digits)),
+                            std::clamp(exponent, -largest_exponent, largest_exponent) - digits);
+      },
+      one.collision);
+  one.collision.b.immovable = one.collision.b.immovable || stream.chance(2);
+  one.convex_uniform = false;
+  return one;
+}
+
 properties::Case wild_case(Stream& stream) {
   const auto families = properties::all_families();
   // Seldom extreme: one such collision can cost the rational judge seconds.

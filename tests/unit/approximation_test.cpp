@@ -26,8 +26,8 @@ testing::AssertionResult contains(const Approximated& both) {
   if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
     return x.sign() ? testing::AssertionFailure() << "the sign of no number" : testing::AssertionSuccess();
   }
-  const Rational magnitude = CGAL::abs(both.exact);
-  if (CGAL::abs(both.exact - Rational(x.middle())) > Rational(x.radius())) {
+  const Rational magnitude = abs(both.exact);
+  if (abs(both.exact - Rational(x.middle())) > Rational(x.radius())) {
     return testing::AssertionFailure() << "off by more than " << x.radius();
   }
   if (std::isfinite(x.magnitude_above()) && Rational(x.magnitude_above()) < magnitude) {

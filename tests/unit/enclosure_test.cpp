@@ -15,6 +15,7 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
+using unit::two_to;
 using Limits = std::numeric_limits<double>;
 
 /// A number, enclosed and exactly.
@@ -23,19 +24,9 @@ struct Both {
   Rational exact;
 };
 
-Rational two_to(int exponent) {
-  Rational result(1);
-  if (exponent < 0) {
-    mpq_div_2exp(result.mpq(), Rational(1).mpq(), static_cast<mp_bitcnt_t>(-exponent));
-  } else {
-    mpq_mul_2exp(result.mpq(), Rational(1).mpq(), static_cast<mp_bitcnt_t>(exponent));
-  }
-  return result;
-}
-
 /// magnitude_below ≤ |x| ≤ magnitude_above, and the sign is right where it is given.
 testing::AssertionResult encloses(const Both& both) {
-  const Rational magnitude = CGAL::abs(both.exact);
+  const Rational magnitude = abs(both.exact);
   const double above = both.enclosed.magnitude_above();
   const double below = both.enclosed.magnitude_below();
   if (std::isnan(above) || (std::isfinite(above) && Rational(above) < magnitude)) {

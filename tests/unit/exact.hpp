@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdlib>
 #include <string>
 
 #include <carom/impulse/collision_matrix.hpp>
@@ -21,6 +22,19 @@ using oracles::sign_of;
 
 /// p/q.
 [[nodiscard]] inline Rational ratio(int p, int q) { return Rational(p, q); }
+
+/// 2^exponent, by multiplication alone.
+[[nodiscard]] inline Rational two_to(int exponent) {
+  Rational power(1);
+  Rational square = exponent < 0 ? ratio(1, 2) : Rational(2);
+  for (int rest = std::abs(exponent); rest > 0; rest /= 2) {
+    if (rest % 2 == 1) {
+      power *= square;
+    }
+    square *= square;
+  }
+  return power;
+}
 
 template <class Derived>
 [[nodiscard]] std::string to_text(const Eigen::MatrixBase<Derived>& matrix) {

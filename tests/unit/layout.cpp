@@ -33,14 +33,15 @@ const std::vector<Rule>& rules() {
        true,
        {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "benchmark/", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/",
         "signal.h"}},
-      {"oracles/", "", true, {"carom/collision/", "carom/oracles/", "CGAL/", "Eigen/"}},
+      {"oracles/", "rational.cpp", true, {"carom/collision/", "carom/oracles/", "CGAL/"}},
+      {"oracles/", "", true, {"carom/collision/", "carom/oracles/", "Eigen/"}},
       {"properties/conformance/",
        "",
        true,
        {"carom/collision/", "carom/impulse/contact.hpp", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/",
         "gtest/", "rapidcheck"}},
       {"properties/", "", true, {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/"}},
-      {"", "", false, {"carom/tool/"}},
+      {"", "", false, {"carom/tool/", "CGAL/"}},
   };
   return all;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <compare>
+#include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -12,21 +15,73 @@ namespace carom::oracles {
 namespace {
 
 using unit::ratio;
+using unit::two_to;
 using Limits = std::numeric_limits<double>;
 using LongLimits = std::numeric_limits<long double>;
 
-/// p · 2^exponent, by GMP alone.
+/// p · 2^exponent, by multiplication alone.
 Rational scaled(const Rational& p, int exponent) {
-  Rational result;
-  if (exponent < 0) {
-    mpq_div_2exp(result.mpq(), p.mpq(), static_cast<mp_bitcnt_t>(-exponent));
-  } else {
-    mpq_mul_2exp(result.mpq(), p.mpq(), static_cast<mp_bitcnt_t>(exponent));
-  }
-  return result;
+  const Rational power = two_to(std::abs(exponent));
+  return exponent < 0 ? p / power : p * power;
 }
 
 Rational integer(const char* digits) { return Rational(digits); }
+
+/// Against integers: p/q and r/s with every one of the few values of each.
+TEST(Rational, IsTheFieldOfFractions) {
+  const auto fraction = [](long p, long q) { return Rational(static_cast<int>(p), static_cast<int>(q)); };
+  for (long p = -3; p <= 3; ++p) {
+    for (long q : {-2, 1, 3, 4}) {
+      for (long r = -3; r <= 3; ++r) {
+        for (long s : {1, 2, -6}) {
+          const Rational x = fraction(p, q);
+          const Rational y = fraction(r, s);
+          EXPECT_EQ(x + y, fraction(p * s + r * q, q * s));
+          EXPECT_EQ(x - y, fraction(p * s - r * q, q * s));
+          EXPECT_EQ(x * y, fraction(p * r, q * s));
+          if (r != 0) {
+            EXPECT_EQ(x / y, fraction(p * s, q * r));
+          }
+          const long difference = (p * s - r * q) * q * s;  // its sign
+          EXPECT_EQ(x <=> y, difference <=> 0L);
+          EXPECT_EQ(x == y, difference == 0);
+          EXPECT_EQ(x <=> static_cast<int>(r), (p - r * q) * q <=> 0L);
+          EXPECT_EQ(static_cast<int>(r) == x, p == r * q);
+        }
+      }
+      EXPECT_EQ(-fraction(p, q), fraction(-p, q));
+      EXPECT_EQ(abs(fraction(p, q)), fraction(std::abs(p), std::abs(q)));
+      EXPECT_EQ(sign_of(fraction(p, q)), (p * q > 0) - (p * q < 0));
+    }
+  }
+}
+
+/// Copies share their digits until one of them changes.
+TEST(Rational, IsAValue) {
+  Rational x(2, 3);
+  const Rational copy = x;
+  x += copy;
+  EXPECT_EQ(x, ratio(4, 3));
+  EXPECT_EQ(copy, ratio(2, 3));
+  x *= x;
+  EXPECT_EQ(x, ratio(16, 9));
+  x -= x;
+  EXPECT_EQ(x, 0);
+  Rational moved = std::move(x);
+  moved = copy;
+  const Rational& itself = moved;
+  moved = itself;
+  EXPECT_EQ(moved, copy);
+  moved /= moved;
+  EXPECT_EQ(moved, 1);
+  EXPECT_EQ(copy, ratio(2, 3));
+}
+
+TEST(Rational, TimesAPowerOfTwo) {
+  for (const int exponent : {0, 1, -1, 63, -64, 16445, -16445}) {
+    EXPECT_EQ(ratio(-5, 3).times_power_of_two(exponent), ratio(-5, 3) * two_to(exponent)) << exponent;
+  }
+}
 
 TEST(Lift, IsExactForDoubles) {
   EXPECT_EQ(lift(0.0L), 0);
@@ -134,9 +189,9 @@ TEST(NearestDouble, IsTheNearestOfTheNeighbours) {
     const Rational exact =
         scaled(ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)), stream.integer(-1090, 900));
     const double nearest = nearest_double(exact);
-    const Rational distance = CGAL::abs(exact - Rational(nearest));
+    const Rational distance = abs(exact - Rational(nearest));
     for (const double to : {-Limits::infinity(), Limits::infinity()}) {
-      EXPECT_LE(distance, CGAL::abs(exact - Rational(std::nextafter(nearest, to))));
+      EXPECT_LE(distance, abs(exact - Rational(std::nextafter(nearest, to))));
     }
   }
 }
