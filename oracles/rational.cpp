@@ -18,24 +18,31 @@ namespace carom::oracles {
 /// The number that a Rational's bytes are.
 struct Rational::Number {
   static const CGAL::Gmpq& of(const Rational& number) {
-    return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_));
+    return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_.data()));
   }
-  static CGAL::Gmpq& of(Rational& number) { return *std::launder(reinterpret_cast<CGAL::Gmpq*>(number.number_)); }
-  static Rational wrap(const CGAL::Gmpq& value) { return Rational(std::in_place, value); }
+  static CGAL::Gmpq& of(Rational& number) {
+    return *std::launder(reinterpret_cast<CGAL::Gmpq*>(number.number_.data()));
+  }
+  template <class Make>
+  static Rational made(const Make& make) {
+    return Rational(std::in_place, make);
+  }
 };
 
-template <class Value>
-Rational::Rational(std::in_place_t, const Value& value) {
+template <class Make>
+Rational::Rational(std::in_place_t, const Make& make) {
   static_assert(sizeof(CGAL::Gmpq) == sizeof number_ && alignof(CGAL::Gmpq) <= alignof(void*));
-  new (number_) CGAL::Gmpq(value);
+  new (number_.data()) CGAL::Gmpq(make());
 }
 
-Rational::Rational() : Rational(0) {}
-Rational::Rational(int whole) : Rational(std::in_place, whole) {}
-Rational::Rational(int numerator, int denominator) : Rational(std::in_place, CGAL::Gmpq(numerator, denominator)) {}
-Rational::Rational(double number) : Rational(std::in_place, number) {}
-Rational::Rational(const std::string& digits) : Rational(std::in_place, digits) {}
-Rational::Rational(const Rational& other) noexcept : Rational(std::in_place, Number::of(other)) {}
+Rational::Rational() : Rational(std::in_place, [] { return CGAL::Gmpq(); }) {}
+Rational::Rational(int numerator, int denominator)
+    : Rational(std::in_place,
+               [&] { return denominator == 1 ? CGAL::Gmpq(numerator) : CGAL::Gmpq(numerator, denominator); }) {}
+Rational::Rational(double number) : Rational(std::in_place, [&] { return CGAL::Gmpq(number); }) {}
+Rational::Rational(const std::string& digits) : Rational(std::in_place, [&] { return CGAL::Gmpq(digits); }) {}
+Rational::Rational(const Rational& other) noexcept
+    : Rational(std::in_place, [&]() -> const CGAL::Gmpq& { return Number::of(other); }) {}
 Rational::~Rational() { Number::of(*this).~Gmpq(); }
 
 Rational& Rational::operator=(const Rational& other) noexcept {
@@ -48,19 +55,21 @@ Rational& Rational::operator=(Rational&& other) noexcept {
   return *this;
 }
 
-Rational Rational::operator-() const { return Number::wrap(-Number::of(*this)); }
+Rational Rational::operator-() const {
+  return Number::made([&] { return -Number::of(*this); });
+}
 
 Rational operator+(const Rational& left, const Rational& right) {
-  return Rational::Number::wrap(Rational::Number::of(left) + Rational::Number::of(right));
+  return Rational::Number::made([&] { return Rational::Number::of(left) + Rational::Number::of(right); });
 }
 Rational operator-(const Rational& left, const Rational& right) {
-  return Rational::Number::wrap(Rational::Number::of(left) - Rational::Number::of(right));
+  return Rational::Number::made([&] { return Rational::Number::of(left) - Rational::Number::of(right); });
 }
 Rational operator*(const Rational& left, const Rational& right) {
-  return Rational::Number::wrap(Rational::Number::of(left) * Rational::Number::of(right));
+  return Rational::Number::made([&] { return Rational::Number::of(left) * Rational::Number::of(right); });
 }
 Rational operator/(const Rational& left, const Rational& right) {
-  return Rational::Number::wrap(Rational::Number::of(left) / Rational::Number::of(right));
+  return Rational::Number::made([&] { return Rational::Number::of(left) / Rational::Number::of(right); });
 }
 
 bool operator==(const Rational& left, const Rational& right) {
@@ -69,19 +78,17 @@ bool operator==(const Rational& left, const Rational& right) {
 std::strong_ordering operator<=>(const Rational& left, const Rational& right) {
   return mpq_cmp(Rational::Number::of(left).mpq(), Rational::Number::of(right).mpq()) <=> 0;
 }
-std::strong_ordering operator<=>(const Rational& left, int right) {
-  return mpq_cmp_si(Rational::Number::of(left).mpq(), right, 1) <=> 0;
-}
+int Rational::compared_with(int whole) const { return mpq_cmp_si(Number::of(*this).mpq(), whole, 1); }
 
 Rational Rational::times_power_of_two(int exponent) const {
   const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
-  CGAL::Gmpq result;
+  Rational result;
   if (exponent > 0) {
-    mpq_mul_2exp(result.mpq(), Number::of(*this).mpq(), shift);
+    mpq_mul_2exp(Number::of(result).mpq(), Number::of(*this).mpq(), shift);
   } else {
-    mpq_div_2exp(result.mpq(), Number::of(*this).mpq(), shift);
+    mpq_div_2exp(Number::of(result).mpq(), Number::of(*this).mpq(), shift);
   }
-  return Number::wrap(result);
+  return result;
 }
 
 double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of(number).mpq()); }
@@ -89,8 +96,12 @@ int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number
 
 std::ostream& operator<<(std::ostream& out, const Rational& number) {
   const CGAL::Gmpq& value = Rational::Number::of(number);
-  out << value.numerator();
-  return value.denominator() == 1 ? out : out << '/' << value.denominator();
+  std::ostringstream text;  // one field, whatever the width
+  text << value.numerator();
+  if (value.denominator() != 1) {
+    text << '/' << value.denominator();
+  }
+  return out << text.str();
 }
 
 Rational lift(long double number) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <iosfwd>
 #include <string>
@@ -13,13 +15,15 @@
 
 namespace carom::oracles {
 
-/// An exact rational number: CGAL::Gmpq, kept out of sight. Every finite floating-point number is one. Its headers take
-/// seconds to compile, and its operators, some hundred functions, take part in overload resolution wherever two
-/// matrices are added or multiplied: only rational.cpp sees them.
+/// An exact rational number: CGAL::Gmpq, kept out of sight. Every finite floating-point number is one. CGAL's headers
+/// take seconds to compile, and the operators of Gmpq, some hundred functions, take part in overload resolution
+/// wherever two matrices are added or multiplied: only rational.cpp sees them.
 class Rational {
  public:
-  Rational();           // zero
-  Rational(int whole);  // NOLINT(google-explicit-constructor): formulas say 0, 1 and 2
+  Rational();  // zero
+  /// Formulas say 0, 1 and 2. Of no other type: a double would lose its fraction on the way to int.
+  template <std::same_as<int> Int>
+  Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.
   Rational(int numerator, int denominator);
   /// The number itself, without rounding. Precondition: finite (CGAL ends the process on any other).
@@ -46,9 +50,15 @@ class Rational {
   /// Precondition: the right side is not zero.
   friend Rational operator/(const Rational& left, const Rational& right);
   friend bool operator==(const Rational& left, const Rational& right);
-  friend bool operator==(const Rational& left, int right) { return (left <=> right) == 0; }
   friend std::strong_ordering operator<=>(const Rational& left, const Rational& right);
-  friend std::strong_ordering operator<=>(const Rational& left, int right);
+  template <std::same_as<int> Int>
+  friend bool operator==(const Rational& left, Int right) {
+    return left.compared_with(right) == 0;
+  }
+  template <std::same_as<int> Int>
+  friend std::strong_ordering operator<=>(const Rational& left, Int right) {
+    return left.compared_with(right) <=> 0;
+  }
   friend Rational abs(const Rational& number) { return number < 0 ? -number : number; }
   /// As to_text.
   friend std::ostream& operator<<(std::ostream& out, const Rational& number);
@@ -57,10 +67,11 @@ class Rational {
 
  private:
   struct Number;
-  template <class Value>
-  Rational(std::in_place_t, const Value& value);
+  template <class Make>
+  Rational(std::in_place_t, const Make& make);
+  [[nodiscard]] int compared_with(int whole) const;
 
-  alignas(void*) std::byte number_[sizeof(void*)];  // CGAL's handle of shared, reference-counted digits
+  alignas(void*) std::array<std::byte, sizeof(void*)> number_;  // CGAL's handle of shared, reference-counted digits
 };
 
 /// The number itself, without rounding. Precondition: finite.
@@ -93,7 +104,8 @@ struct Eigen::NumTraits<carom::oracles::Rational> : GenericNumTraits<carom::orac
   using Real = carom::oracles::Rational;
   using NonInteger = Real;
   using Nested = Real;
-  using Literal = int;
+  using Literal = Real;
+  static int digits10() { return 0; }
   enum {
     IsInteger = 0,
     IsSigned = 1,

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
-// judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L] [--subjects
-// K] N cases of the families, one in W wild (three by default); each is put to all subjects, or to K in a row, drawn:
-// the built-in ones, the mutants, and outcomes planted at the edge of what is allowed. Of the others one in L keeps all
-// its digits (each by default); numbers of few digits cost the rational judge less. Relations are judged on every R-th
-// case. Ends in 1 where anything differs.
+//   judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
+//   [--one-subject]
+// N cases of the families, one in W wild (three by default); each is put to all subjects, or to one that is drawn: the
+// built-in ones, the mutants, and outcomes planted at the edge of what is allowed. Of the others one in L keeps all its
+// digits (each by default); numbers of few digits cost the rational judge less. Relations are judged on one case in R.
+// Ends in 1 where anything differs.
 #include <atomic>
-#include <iostream>
-#include <mutex>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -49,10 +53,10 @@ struct Options {
   std::uint64_t cases = 10000;
   std::uint64_t seed = 1;
   unsigned jobs = 1;
-  std::uint64_t relations_every = 10;
-  std::uint64_t wild_every = 3;
-  std::uint64_t long_every = 1;
-  std::size_t subjects = 0;  // 0: all
+  int relations_every = 10;
+  int wild_every = 3;
+  int long_every = 1;
+  bool one_subject = false;
 };
 
 /// The case, and what it is called in a difference.
@@ -61,28 +65,29 @@ struct Drawn {
   std::string name;
 };
 
-Drawn drawn_case(const Options& options, std::uint64_t i, properties::Stream& stream) {
-  if (i % options.wild_every == options.wild_every - 1) {
+Drawn drawn_case(const Options& options, std::uint64_t i, properties::Stream& choices) {
+  properties::Stream stream = properties::case_stream(options.seed, "judge_equality", i);
+  if (choices.chance(options.wild_every)) {
     return {equality::wild_case(stream), fmt::format("case {} (wild)", i)};
   }
   const auto families = properties::all_families();
   const properties::Family& family = families[stream.bits() % families.size()];
   properties::Case one = family.generate(stream);
-  const bool is_long = i % options.long_every == 0;
-  return {is_long ? one : equality::shortened(one, stream),
-          fmt::format("case {} ({}{})", i, family.name, is_long ? "" : ", shortened")};
+  if (choices.chance(options.long_every)) {
+    return {one, fmt::format("case {} ({})", i, family.name)};
+  }
+  return {equality::shortened(one, stream), fmt::format("case {} ({}, shortened)", i, family.name)};
 }
 
 void compare(const Options& options, std::atomic<std::uint64_t>& next, Agreement& agreement) {
   std::vector<Examined> subjects = all_examined();
   for (std::uint64_t i = next++; i < options.cases; i = next++) {
-    properties::Stream stream = properties::case_stream(options.seed, "judge_equality", i);
-    const Drawn drawn = drawn_case(options, i, stream);
-    const std::size_t count = options.subjects == 0 ? subjects.size() : options.subjects;
-    const std::size_t first = stream.bits() % (subjects.size() - count + 1);
-    equality::compare_judges(drawn.one, std::span(subjects).subspan(first, count),
-                             i % options.relations_every == 0 ? Relations::judged : Relations::left_out, drawn.name,
-                             agreement);
+    properties::Stream choices = properties::case_stream(options.seed, "choices of judge_equality", i);
+    const Drawn drawn = drawn_case(options, i, choices);
+    const Relations relations = choices.chance(options.relations_every) ? Relations::judged : Relations::left_out;
+    const auto examined =
+        options.one_subject ? std::span(subjects).subspan(choices.bits() % subjects.size(), 1) : std::span(subjects);
+    equality::compare_judges(drawn.one, examined, relations, drawn.name, agreement);
   }
 }
 
@@ -101,7 +106,7 @@ int main(int argc, char** argv) {
   app.add_option("--relations-every", options.relations_every)->check(CLI::PositiveNumber);
   app.add_option("--wild-every", options.wild_every)->check(CLI::PositiveNumber);
   app.add_option("--long-every", options.long_every)->check(CLI::PositiveNumber);
-  app.add_option("--subjects", options.subjects)->check(CLI::Range(std::size_t{0}, all_examined().size()));
+  app.add_flag("--one-subject", options.one_subject);
   CLI11_PARSE(app, argc, argv);
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);

@@ -105,18 +105,19 @@ Agreement& Agreement::operator+=(const Agreement& other) {
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement) {
   ++agreement.cases;
+  properties::Stream choices = properties::stream_from(agreement.cases);
   const JudgedCase judged_case(one);
   const Judge fast(one, true);
   const Judge exact(one, false);
   for (Examined& examined : subjects) {
     oracles::Yardstick yardstick;
-    if (agreement.cases % 3 == 0) {
-      yardstick.digits = 1 + static_cast<int>(agreement.judgements % 18);
+    if (choices.chance(3)) {
+      yardstick.digits = choices.integer(1, 18);
     }
     const Claim claim = properties::claim_of(examined.subject, yardstick);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
-    // Every other case all is known, so that lower bounds of the sensitivity decide what they can.
-    const double known = agreement.cases % 2 == 0 ? 0 : std::numeric_limits<double>::infinity();
+    // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
+    const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(examined.subject, claim, relations, answers, known, agreement.filtered),
             exact(examined.subject, claim, relations, answers, 0, agreement.rational),
             origin + ", " + examined.subject.name, agreement);

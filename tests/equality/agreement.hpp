@@ -47,7 +47,7 @@ struct Examined {
 };
 
 /// Puts the case to each subject once, with all further questions, and judges the answers by both judges, each with
-/// what it knows of the case worked out by itself; every third case by a number of digits in place of ulps. `origin`
+/// what it knows of the case worked out by itself; one time in three by a number of digits in place of ulps. `origin`
 /// says in a difference where the case is from.
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);

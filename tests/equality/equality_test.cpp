@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/collision/validate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "agreement.hpp"
@@ -65,6 +66,28 @@ TEST(JudgeEquality, OfMutants) {
     const bool is_relation = invariant.asks();
     EXPECT_EQ(agreement.invariants.contains(std::string(invariant.name)), !is_relation) << invariant.name;
   }
+}
+
+TEST(JudgeEquality, OnNumbersOfFewDigits) {
+  std::vector<Examined> examined;
+  for (const Model model : models_with_truth) {
+    examined.emplace_back(planting_subject(model, Precision::binary64));
+  }
+  Agreement agreement;
+  for (const properties::Family& family : properties::all_families()) {
+    for (std::uint64_t index = 0; index < 6; ++index) {
+      properties::Stream stream = properties::case_stream(seed, family.name, index);
+      const properties::Case drawn = family.generate(stream);
+      const properties::Case one = shortened(drawn, stream);
+      if (validate(drawn.collision).empty()) {
+        EXPECT_TRUE(validate(one.collision).empty()) << family.name << ' ' << index;
+      }
+      compare_judges(one, examined, Relations::judged, std::string(family.name) + ' ' + std::to_string(index),
+                     agreement);
+    }
+  }
+  EXPECT_EQ(joined(agreement), "");
+  EXPECT_GT(agreement.verdicts, 1000U);
 }
 
 /// Here the bounds are tight: verdicts come out both ways within a factor of two of what is allowed.

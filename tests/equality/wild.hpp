@@ -9,9 +9,8 @@ namespace carom::equality {
 /// The collision with each field times its own power of two, from 2^−most to 2^most.
 [[nodiscard]] Collision scaled_fields(Collision collision, int most, properties::Stream& stream);
 
-/// The case with each number rounded to so many binary digits as the stream says, one to twelve, and its exponent
-/// brought into −6 … 6, body B a wall every other time: rational arithmetic is quick on it, and exact coincidences come
-/// up.
+/// The case with each number rounded to so many binary digits as the stream says, one to twelve, and brought to a size
+/// of 2⁻⁷ to 2⁶, body B a wall every other time: rational arithmetic is quick on it, and exact coincidences come up.
 [[nodiscard]] properties::Case shortened(properties::Case one, properties::Stream& stream);
 
 /// A valid collision of one of three kinds: one of a family with each field scaled by its own power of two up to

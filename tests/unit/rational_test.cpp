@@ -3,6 +3,8 @@
 #include <compare>
 #include <cstdlib>
 #include <limits>
+#include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -56,6 +58,23 @@ TEST(Rational, IsTheFieldOfFractions) {
   }
 }
 
+static_assert(std::is_convertible_v<int, Rational>);
+static_assert(!std::is_convertible_v<double, Rational> && !std::is_convertible_v<unsigned, Rational> &&
+              !std::is_convertible_v<long, Rational>);
+template <class Number>
+concept ComparesWithRational = requires(Rational x, Number y) {
+  x == y || x < y;
+};
+static_assert(ComparesWithRational<int> && !ComparesWithRational<double> && !ComparesWithRational<unsigned>);
+
+TEST(Rational, IsAScalarOfEigen) {
+  const Vector3<Rational> x{ratio(1, 2), Rational(-3), Rational(0)};
+  EXPECT_EQ(unit::to_text(2 * x / 3), "1/3 -2 0 ");
+  std::ostringstream text;
+  text << x.transpose();
+  EXPECT_EQ(text.str(), "1/2  -3   0");
+}
+
 /// Copies share their digits until one of them changes.
 TEST(Rational, IsAValue) {
   Rational x(2, 3);
@@ -63,16 +82,19 @@ TEST(Rational, IsAValue) {
   x += copy;
   EXPECT_EQ(x, ratio(4, 3));
   EXPECT_EQ(copy, ratio(2, 3));
-  x *= x;
+  const Rational& same = x;
+  x *= same;
   EXPECT_EQ(x, ratio(16, 9));
-  x -= x;
+  x -= same;
   EXPECT_EQ(x, 0);
-  Rational moved = std::move(x);
+  Rational moved(1, 7);
+  moved = std::move(x);
+  EXPECT_EQ(moved, 0);
   moved = copy;
   const Rational& itself = moved;
   moved = itself;
   EXPECT_EQ(moved, copy);
-  moved /= moved;
+  moved /= itself;
   EXPECT_EQ(moved, 1);
   EXPECT_EQ(copy, ratio(2, 3));
 }
