@@ -25,7 +25,11 @@ class DoubleDouble {
 
   explicit operator double() const { return high_; }
   explicit operator float() const { return static_cast<float>(high_); }
-  explicit operator long double() const { return static_cast<long double>(high_) + static_cast<long double>(low_); }
+  /// A zero keeps its sign.
+  explicit operator long double() const {
+    const auto high = static_cast<long double>(high_);
+    return low_ == 0 ? high : high + static_cast<long double>(low_);
+  }
 
   [[nodiscard]] friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.high_, -x.low_}; }
 

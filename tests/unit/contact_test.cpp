@@ -2,12 +2,15 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/subjects/methods.hpp>
 
 #include "cases.hpp"
 
@@ -73,45 +76,63 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }
 
-template <class S>
-void expect_unchanged_bit_for_bit(const Contact<S>& contact, const Outcome<S>& outcome, const std::string& what) {
-  const Outcome<S> before = unchanged(contact);
-  for (std::size_t k = 0; k < 4; ++k) {
-    for (int i = 0; i < 3; ++i) {
-      const S x = (*vectors(before)[k])[i];
-      const S y = (*vectors(outcome)[k])[i];
-      EXPECT_TRUE(x == y && std::signbit(x) == std::signbit(y)) << what << ": " << x << " became " << y;
+/// The number as a method of that precision reads it; what claims binary32 may still read it as it is.
+bool is_unchanged(long double reported, double given, Precision precision) {
+  const auto is = [&](long double number) {
+    return reported == number && std::signbit(reported) == std::signbit(number);
+  };
+  return is(given) || (precision == Precision::binary32 && is(static_cast<float>(given)));
+}
+
+bool any_method(const Subject& /*method*/) { return true; }
+
+template <class Chosen>
+void expect_unchanged_by(const std::vector<Collision>& collisions, const Chosen& chosen) {
+  for (const subjects::Method& method : subjects::methods()) {
+    if (!chosen(method.subject)) {
+      continue;
+    }
+    Session session = method.subject.open();
+    const std::vector<Answer> answers = session(collisions);
+    ASSERT_EQ(answers.size(), collisions.size());
+    for (std::size_t i = 0; i < collisions.size(); ++i) {
+      const auto& outcome = std::get<ReportedOutcome>(answers[i]);
+      const Outcome<double> before = carom::unchanged(collisions[i]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (int j = 0; j < 3; ++j) {
+          EXPECT_TRUE(is_unchanged((*vectors(outcome)[k])[j], (*vectors(before)[k])[j], method.subject.precision))
+              << method.subject.name << ", collision " << i << ", " << outcome_vector_names[k] << '[' << j << ']';
+        }
+      }
     }
   }
 }
 
-template <class S>
-void expect_all_leave_unchanged(const Collision& collision, const std::string& what) {
-  const Contact<S> contact = make_contact<S>(collision);
-  expect_unchanged_bit_for_bit(contact, frictionless(contact), what + ", frictionless");
-  expect_unchanged_bit_for_bit(contact, reflection<Ldlt>(contact), what + ", reflection by LDLT");
-  expect_unchanged_bit_for_bit(contact, reflection<EigenLlt>(contact), what + ", reflection by LLT");
-  expect_unchanged_bit_for_bit(contact, reflection<Adjugate>(contact), what + ", reflection by the adjugate");
+std::vector<Collision> cases_of(const char* family) {
+  std::vector<Collision> collisions;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    collisions.push_back(unit::case_of(family, i).collision);
+  }
+  return collisions;
 }
 
-/// Resting contacts do not spin there, so N·V is n0·(−n1 s) + n1·(n0 s): the products are rounded alike and cancel.
-TEST(Solvers, LeaveSeparatingRestingAndInertContactsUnchangedBitForBit) {
-  for (const char* family : {"separating", "resting", "both_immovable"}) {
-    for (std::uint64_t i = 0; i < 300; ++i) {
-      const Collision collision = unit::case_of(family, i).collision;
-      const std::string what = std::string(family) + ' ' + std::to_string(i);
-      expect_all_leave_unchanged<float>(collision, what);
-      expect_all_leave_unchanged<double>(collision, what);
-      expect_all_leave_unchanged<long double>(collision, what);
-    }
-  }
+TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
+  expect_unchanged_by(cases_of("separating"), any_method);
+  expect_unchanged_by(cases_of("both_immovable"), any_method);
+}
+
+/// They do not spin there, so N·V is n0·(−n1 s) + n1·(n0 s): the products are rounded alike and cancel, but where the
+/// normal was normalised before, as a basis needs it.
+TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
+  expect_unchanged_by(cases_of("resting"),
+                      [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
 }
 
 TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
   Collision c;
   c.a.velocity = {-0.0, 0.0, -0.0};
   c.b.angular_velocity = {-0.0, -0.0, 0.0};
-  expect_all_leave_unchanged<double>(c, "at rest");
+  expect_unchanged_by({c}, any_method);
 }
 
 TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
@@ -120,9 +141,7 @@ TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
   c.b.immovable = true;
   c.a.velocity = {0, -1, 0};
   c.b.velocity = {0.1, 1, 0};
-  expect_all_leave_unchanged<double>(c, "two driven walls");
-  const Contact<double> contact = make_contact<double>(c);
-  expect_unchanged_bit_for_bit(contact, reflection_in_basis(contact), "in the basis");
+  expect_unchanged_by({c}, any_method);
 }
 
 TEST(Solvers, ChangeACollidingContact) {
