@@ -76,7 +76,7 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
     for (const Model model : models_with_truth) {
       const Outcome<Rational>& y = exact_case.truth(model).outcome;
       const Outcome<Rational> d = small_outcome(stream);
-      for_each_affine_law(exact_case, model, [&](AffineLaw name, Relation relation, const auto& law) {
+      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation relation, const auto& law) {
         const auto at_truth = residual(law(exact_case.exact(), y));
         const auto above = residual(law(exact_case.exact(), plus(y, d, 1)));
         const auto below = residual(law(exact_case.exact(), plus(y, d, -1)));
@@ -138,7 +138,7 @@ TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
       continue;
     }
     for (const Model model : models_with_truth) {
-      for_each_affine_law(exact_case, model, [&](AffineLaw name, Relation, const auto& law) {
+      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation, const auto& law) {
         const std::array<double, 4> computed = slopes_of(law, c);
         const std::array<double, 4> exact = exact_slopes(law, exact_case);
         for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -182,7 +182,7 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
         continue;
       }
       const Closeness closeness(exact_case, outcome, measured, yardstick.allowance());
-      for_each_affine_law(exact_case, model, [&](AffineLaw name, Relation relation, const auto& law) {
+      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation relation, const auto& law) {
         ++counts.laws;
         if (closeness.shows(name)) {
           ++counts.shown;
