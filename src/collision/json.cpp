@@ -54,16 +54,10 @@ Number read_number(const Json& value, const Place& place) {
   throw FormatError(place(), "expected a number" + found(value));
 }
 
-/// Throws FormatError where a text has what JSON leaves open. Errors of the text itself are left to the parser.
-template <class Json>
-class StructureCheck : public nlohmann::json_sax<Json> {
+/// Throws FormatError where a text has what JSON leaves open. Errors of the text itself are left to the parser, so it
+/// reads numbers in the wider of both types.
+class StructureCheck : public nlohmann::json_sax<WideJson> {
  public:
-  using typename nlohmann::json_sax<Json>::binary_t;
-  using typename nlohmann::json_sax<Json>::number_float_t;
-  using typename nlohmann::json_sax<Json>::number_integer_t;
-  using typename nlohmann::json_sax<Json>::number_unsigned_t;
-  using typename nlohmann::json_sax<Json>::string_t;
-
   bool null() override { return true; }
   bool boolean(bool /*value*/) override { return true; }
   bool number_integer(number_integer_t /*value*/) override { return true; }
@@ -221,8 +215,8 @@ Json parse_json(std::string_view text) {
     throw FormatError("not JSON: holds a zero byte");
   }
   try {
-    StructureCheck<Json> check;
-    (void)Json::sax_parse(text, &check);
+    StructureCheck check;
+    (void)WideJson::sax_parse(text, &check);
     return Json::parse(text);
   } catch (const nlohmann::detail::exception& error) {
     // The library's text ends in what was expected; its own prefix says nothing to a reader.

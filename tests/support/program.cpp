@@ -2,12 +2,13 @@
 #include "program.hpp"
 
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <sstream>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/process.hpp>
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/io.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,14 +20,13 @@ RunResult run_carom(const std::vector<std::string>& arguments) { return run_prog
 
 RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
   namespace bp = boost::process;
-  boost::asio::io_context context;
-  std::future<std::string> output;
-  std::future<std::string> errors;
-  bp::child child(bp::exe = program, bp::args = arguments, bp::std_in<bp::null, bp::std_out> output,
-                  bp::std_err > errors, context);
-  context.run();
+  const TemporaryDirectory scratch;
+  const std::filesystem::path output = scratch.path() / "output";
+  const std::filesystem::path errors = scratch.path() / "errors";
+  bp::child child(bp::exe = program, bp::args = arguments, bp::std_in<bp::null, bp::std_out> output.string(),
+                  bp::std_err > errors.string());
   child.wait();
-  return {child.exit_code(), output.get(), errors.get()};
+  return {child.exit_code(), content_of(output), content_of(errors)};
 }
 
 pid_t start_carom(const std::vector<std::string>& arguments) {

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/frictionless.hpp>
-#include <carom/oracles/compare.hpp>
+#include <carom/oracles/judge.hpp>
+#include <carom/oracles/judged_laws.hpp>
 #include <carom/oracles/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 

@@ -11,9 +11,16 @@
 #include <thread>
 #include <utility>
 
-#include <boost/asio.hpp>
-#include <boost/process.hpp>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/process/args.hpp>
+#include <boost/process/async_pipe.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
+#include <boost/process/group.hpp>
+#include <boost/process/io.hpp>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
