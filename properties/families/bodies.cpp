@@ -30,7 +30,10 @@ Vector3<double> moments(double mass, const Vector3<double>& s) {
   return Vector3<double>{s[1] + s[2], s[0] + s[2], s[0] + s[1]} * mass;
 }
 
-double mass(Stream& stream) { return stream.power_of_two(-6, 6) * (1 + stream.unit()); }
+double mass(Stream& stream) {
+  const double octave = stream.power_of_two(-6, 6);
+  return octave * (1 + stream.unit());
+}
 
 Body general_body(Stream& stream, const Vector3<double>& point) {
   Body body;
@@ -99,7 +102,8 @@ Body convex_body(Stream& stream, const Vector3<double>& point) {
 template <class MakeBody>
 Collision two_bodies(Stream& stream, MakeBody make_body) {
   Collision collision;
-  collision.point = stream.vector() * stream.power_of_two(-2, 2);
+  const double distance = stream.power_of_two(-2, 2);
+  collision.point = stream.vector() * distance;
   collision.a = make_body(stream, collision.point);
   collision.b = make_body(stream, collision.point);
   collision.normal = stream.direction();

@@ -91,7 +91,8 @@ Case near_collinear(Stream& stream) {
 Case grazing(Stream& stream) {
   Case result = general_bodies(stream);
   Collision& c = result.collision;
-  const double ratio = stream.power_of_ten(-18, -1) * (stream.chance(4) ? 1 : -1);
+  const double magnitude = stream.power_of_ten(-18, -1);
+  const double ratio = stream.chance(4) ? magnitude : -magnitude;
   set_relative_velocity(c, (orthogonal(c.normal) + c.normal * ratio) * speed_of(c));
   return result;
 }
@@ -163,8 +164,10 @@ Case immovable_a(Stream& stream) { return with_immovable(stream, true, false); }
 Case immovable_b(Stream& stream) { return with_immovable(stream, false, true); }
 
 void drive(Stream& stream, Body& wall) {
-  wall.velocity = stream.vector() * stream.power_of_two(-3, 3);
-  wall.angular_velocity = stream.vector() * stream.power_of_two(-3, 3);
+  const double speed = stream.power_of_two(-3, 3);
+  wall.velocity = stream.vector() * speed;
+  const double angular_speed = stream.power_of_two(-3, 3);
+  wall.angular_velocity = stream.vector() * angular_speed;
 }
 
 Case driven_wall(Stream& stream) {
@@ -201,7 +204,8 @@ Case zero_lever(Stream& stream) {
 Case far_from_origin(Stream& stream) {
   Case result = general_bodies(stream);
   Collision& c = result.collision;
-  const Vector3<double> offset = stream.vector() * stream.power_of_ten(1, 12);
+  const double distance = stream.power_of_ten(1, 12);
+  const Vector3<double> offset = stream.vector() * distance;
   c.point += offset;
   c.a.position += offset;
   c.b.position += offset;
@@ -212,7 +216,8 @@ Case far_from_origin(Stream& stream) {
 Case common_velocity(Stream& stream) {
   Case result = general_bodies(stream);
   Collision& c = result.collision;
-  const Vector3<double> common = stream.vector() * stream.power_of_ten(1, 12);
+  const double speed = stream.power_of_ten(1, 12);
+  const Vector3<double> common = stream.vector() * speed;
   c.a.velocity += common;
   c.b.velocity += common;
   make_approaching(c);

@@ -50,7 +50,10 @@ void put_out_of_range(Stream& stream, Collision& c) {
       c.friction = -stream.between(0.125, 8);
       break;
     default:
-      c.tangential_restitution = (1 + stream.between(0.125, 8)) * (stream.chance(2) ? 1 : -1);
+      c.tangential_restitution = 1 + stream.between(0.125, 8);
+      if (!stream.chance(2)) {
+        c.tangential_restitution = -c.tangential_restitution;
+      }
   }
 }
 

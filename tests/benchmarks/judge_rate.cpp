@@ -202,7 +202,7 @@ void print_shares() {
       sum += static_cast<double>(one);
     }
     if (sum > 0) {
-      const auto share = [&](oracles::Stage stage) {
+      const auto share = [&, &counts = counts](oracles::Stage stage) {
         return 100 * static_cast<double>(counts[static_cast<std::size_t>(stage)]) / sum;
       };
       fmt::print("{:<24}{:>12}{:>11.2f}{:>11.2f}{:>15.2f}{:>11.2f}{:>10.2f}\n", name, sum,

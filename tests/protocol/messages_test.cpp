@@ -54,7 +54,8 @@ TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
                                                {"}", R"(,"deviates":"push"})", "/deviates"},
                                                {"}", R"(,"name":"twice"})", "twice"},
                                                {"{", "", "not JSON"}}) {
-    expect_format_error([&] { return introduction_from(with(sound, part, replacement)); }, says);
+    const std::string text = with(sound, part, replacement);
+    expect_format_error([&] { return introduction_from(text); }, says);
   }
 }
 
@@ -104,7 +105,8 @@ TEST(Reply, IsRefusedWithThePlaceWhereItIsWrong) {
            {"2.5", "NaN", "not JSON"},
            {"\"id\":5", "\"id\":5,\"error\":\"both\"", "expected either"},
            {"\"a\":{\"velocity\":[1,2.5,-3e-5],\"angular_velocity\":[0,0,0]},", "", "/a: is missing"}}) {
-    expect_format_error([&] { return answer_from(with(reply, part, replacement), 5, Precision::binary64); }, says);
+    const std::string text = with(reply, part, replacement);
+    expect_format_error([&] { return answer_from(text, 5, Precision::binary64); }, says);
   }
   expect_format_error([] { return answer_from(R"({"id":5})", 5, Precision::binary64); }, "expected either");
   expect_format_error([] { return answer_from(reply + std::string(1, '\0') + "more", 5, Precision::binary64); },

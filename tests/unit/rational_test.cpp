@@ -124,9 +124,10 @@ TEST(Lift, IsExactForExtendedNumbers) {
   EXPECT_EQ(lift(-LongLimits::max()), -largest);
   EXPECT_EQ(lift(LongLimits::min()), scaled(1, LongLimits::min_exponent - 1));
   EXPECT_EQ(lift(LongLimits::denorm_min()), scaled(1, LongLimits::min_exponent - digits));
-  EXPECT_EQ(lift(3 * LongLimits::denorm_min()), scaled(3, -16445));
-  // The largest subnormal: 63 ones.
-  EXPECT_EQ(lift(LongLimits::min() - LongLimits::denorm_min()), scaled(integer("9223372036854775807"), -16445));
+  EXPECT_EQ(lift(3 * LongLimits::denorm_min()), scaled(3, LongLimits::min_exponent - digits));
+  // The largest subnormal: ones in all places but the first.
+  EXPECT_EQ(lift(LongLimits::min() - LongLimits::denorm_min()),
+            scaled(scaled(1, digits - 1) - 1, LongLimits::min_exponent - digits));
   // 64 bits whose leading 53 round up.
   EXPECT_EQ(lift(std::ldexp(18446744073709551614.0L, 100)), scaled(integer("18446744073709551614"), 100));
 }

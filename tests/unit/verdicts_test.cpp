@@ -84,7 +84,7 @@ TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
   const std::array<double, 4> scale{1, 1, 1, 1};
   EXPECT_TRUE(surely_near(reported, reported, 0x1p-50, scale));
-  EXPECT_FALSE(surely_near(reported, reported, 0x1p-64, scale));
+  EXPECT_FALSE(surely_near(reported, reported, unit_roundoff(Precision::extended), scale));
 }
 
 TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
