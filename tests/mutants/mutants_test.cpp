@@ -17,7 +17,7 @@ namespace carom::mutants {
 namespace {
 
 constexpr std::uint64_t fixed_seed = 1;
-constexpr std::uint64_t cases_of_each = 150;  // family
+constexpr std::uint64_t cases_of_each_family = 150;
 
 std::string joined(const std::set<std::string_view>& names) {
   std::string text;
@@ -32,7 +32,7 @@ class Mutants : public testing::TestWithParam<Mutant> {};
 TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
   const Mutant& mutant = GetParam();
   const std::set<std::string_view> rejecting =
-      rejecting_invariants(subject_of(mutant), properties::all_families(), fixed_seed, cases_of_each);
+      rejecting_invariants(subject_of(mutant), properties::all_families(), fixed_seed, cases_of_each_family);
   RecordProperty("rejected_by", joined(rejecting));
   for (const std::string_view expected : mutant.rejected_by) {
     EXPECT_TRUE(rejecting.contains(expected))
@@ -50,7 +50,9 @@ TEST_P(Repaired, MutantIsSound) {
   const auto mutant = std::find_if(all_mutants().begin(), all_mutants().end(),
                                    [](const Mutant& one) { return one.model == GetParam(); });
   ASSERT_NE(mutant, all_mutants().end());
-  EXPECT_EQ(joined(rejecting_invariants(repaired(*mutant), properties::all_families(), fixed_seed, cases_of_each)), "");
+  EXPECT_EQ(
+      joined(rejecting_invariants(repaired(*mutant), properties::all_families(), fixed_seed, cases_of_each_family)),
+      "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Repaired, testing::Values(Model::frictionless, Model::reflection),
