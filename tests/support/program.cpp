@@ -3,7 +3,6 @@
 
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>

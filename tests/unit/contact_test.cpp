@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -144,12 +145,17 @@ TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
   expect_unchanged_by({c}, any_method);
 }
 
+/// The unchanged tests above can fail: each method does act where the contact collides.
 TEST(Solvers, ChangeACollidingContact) {
-  // The unchanged tests above can fail: the same solvers do act where the contact collides.
-  const Contact<double> contact = make_contact<double>(unit::case_of("elastic", 0).collision);
-  ASSERT_LT(contact.normal.dot(relative_velocity(contact)), 0);
-  EXPECT_NE(frictionless(contact).a.velocity, contact.a.velocity);
-  EXPECT_NE(reflection<Ldlt>(contact).a.velocity, contact.a.velocity);
+  const Collision collision = unit::case_of("elastic", 0).collision;
+  for (const subjects::Method& method : subjects::methods()) {
+    Session session = method.subject.open();
+    const auto outcome = std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0));
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_FALSE(is_unchanged(outcome.a.velocity[j], collision.a.velocity[j], method.subject.precision))
+          << method.subject.name << '[' << j << ']';
+    }
+  }
 }
 
 /// The bodies of the smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), a fixed plane below.
