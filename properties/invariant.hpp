@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/oracles/closeness.hpp>
-#include <carom/oracles/judge.hpp>
-#include <carom/oracles/lifted_matrix.hpp>
+#include <carom/oracles/filters/closeness.hpp>
+#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/lifted_matrix.hpp>
 
 namespace carom::properties {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 #include <carom/properties/invariant.hpp>
 
 /// Numbers and collisions as a person reads them.

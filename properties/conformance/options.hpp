@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/oracles/yardstick.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 
 namespace carom::conformance {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/polyhedron.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 #include <carom/properties/stream.hpp>
 
 namespace carom::properties {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <carom/oracles/definiteness.hpp>
-#include <carom/oracles/stage.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

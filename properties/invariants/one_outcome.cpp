@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/stage.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

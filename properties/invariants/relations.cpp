@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <carom/oracles/stage.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/stage.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/invariant.hpp>
 
 /// How checks make and join verdicts.

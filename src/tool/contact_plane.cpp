@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 
 namespace carom::tool {
 namespace {

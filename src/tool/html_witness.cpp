@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/words.hpp>
 
 #include "contact_drawing.hpp"

@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <carom/oracles/yardstick.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 
 #include "commands.hpp"
 

@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <carom/oracles/stage.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/answers.hpp>
 #include <carom/properties/gate.hpp>
 #include <carom/subjects/catalogue.hpp>

@@ -8,9 +8,9 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
-#include <carom/oracles/laws.hpp>
-#include <carom/oracles/rational.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/models/superposition.hpp>
 #include <carom/properties/stream.hpp>
 
 /// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/refined_truth.hpp>
+#include <carom/oracles/filters/refined_truth.hpp>
 
 #include "exact.hpp"
 

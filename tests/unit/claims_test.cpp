@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/reflection.hpp>
-#include <carom/oracles/definiteness.hpp>
-#include <carom/oracles/laws.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/laws/equations.hpp>
 
 #include "exact.hpp"
 

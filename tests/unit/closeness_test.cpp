@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/closeness.hpp>
+#include <carom/oracles/filters/closeness.hpp>
 
 #include "exact.hpp"
 

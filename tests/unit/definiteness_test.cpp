@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/definiteness.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
 
 #include "exact.hpp"
 

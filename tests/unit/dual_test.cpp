@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/vector.hpp>
-#include <carom/oracles/dual.hpp>
+#include <carom/oracles/numbers/dual.hpp>
 
 #include "exact.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
 
 #include "exact.hpp"
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/solve3.hpp>
-#include <carom/oracles/laws.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/superposition.hpp>
 
 #include "exact.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
-#include <carom/oracles/exact_case.hpp>
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 #include "cases.hpp"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/guaranteed.hpp>
-#include <carom/oracles/lifted_outcome.hpp>
+#include <carom/oracles/judge/lifted_outcome.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "exact.hpp"

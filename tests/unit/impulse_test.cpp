@@ -4,7 +4,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
-#include <carom/oracles/laws.hpp>
+#include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/families/bodies.hpp>
 
 #include "exact.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/judge.hpp>
+#include <carom/oracles/judge/judge.hpp>
 
 #include "equality/wild.hpp"
 #include "exact.hpp"

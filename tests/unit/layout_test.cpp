@@ -36,20 +36,20 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"src/collision/collision.hpp", "carom/impulse/contact.hpp"},
            {"src/collision/collision.hpp", "nlohmann/json.hpp"},
            {"src/collision/collision.hpp", "fmt/format.h"},
-           {"src/collision/json.cpp", "carom/oracles/truth.hpp"},
+           {"src/collision/json.cpp", "carom/oracles/models/superposition.hpp"},
            {"src/impulse/contact.hpp", "CGAL/Gmpq.h"},
-           {"src/impulse/contact.hpp", "carom/oracles/rational.hpp"},
+           {"src/impulse/contact.hpp", "carom/oracles/exact/rational.hpp"},
            {"src/impulse/contact.hpp", "carom/subjects/catalogue.hpp"},
            {"src/impulse/contact.hpp", "nlohmann/json.hpp"},
-           {"src/subjects/catalogue.cpp", "carom/oracles/truth.hpp"},
+           {"src/subjects/catalogue.cpp", "carom/oracles/models/superposition.hpp"},
            {"src/subjects/catalogue.cpp", "carom/properties/gate.hpp"},
            {"src/subjects/engines/ode.cpp", "CGAL/Gmpq.h"},
            {"src/subjects/engines/ode.cpp", "carom/tool/table.hpp"},
-           {"oracles/truth.hpp", "carom/impulse/contact.hpp"},
-           {"oracles/truth.hpp", "carom/properties/gate.hpp"},
-           {"oracles/truth.hpp", "fmt/format.h"},
-           {"oracles/rational.hpp", "CGAL/Gmpq.h"},
-           {"oracles/truth.hpp", "CGAL/Gmpq.h"},
+           {"oracles/models/superposition.hpp", "carom/impulse/contact.hpp"},
+           {"oracles/models/superposition.hpp", "carom/properties/gate.hpp"},
+           {"oracles/models/superposition.hpp", "fmt/format.h"},
+           {"oracles/exact/rational.hpp", "CGAL/Gmpq.h"},
+           {"oracles/models/superposition.hpp", "CGAL/Gmpq.h"},
            {"properties/gate.cpp", "carom/subjects/catalogue.hpp"},
            {"properties/gate.cpp", "carom/impulse/reflection.hpp"},
            {"properties/families/bodies.cpp", "nlohmann/json.hpp"},
@@ -62,7 +62,7 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"properties/conformance/suite.hpp", "carom/tool/table.hpp"},
            {"tests/unit/some_test.cpp", "carom/tool/table.hpp"},
            {"tests/unit/some_test.cpp", "CGAL/Gmpq.h"},
-           {"oracles/truth.hpp", "carom/oracles/../impulse/contact.hpp"},
+           {"oracles/models/superposition.hpp", "carom/oracles/../impulse/contact.hpp"},
        }) {
     EXPECT_EQ(offence_of(planted.path, std::string("#include <") + planted.name + ">"),
               std::string(planted.path) + ": includes <" + planted.name + ">\n");
@@ -76,7 +76,7 @@ TEST(LayoutChecker, FindsAnIncludeHoweverItIsSpaced) {
 }
 
 TEST(LayoutChecker, FindsQuotesThatLeaveTheFolders) {
-  EXPECT_NE(offence_of("oracles/truth.hpp", "#include \"kinematics.hpp\""), "");
+  EXPECT_NE(offence_of("oracles/models/superposition.hpp", "#include \"kinematics.hpp\""), "");
   EXPECT_NE(offence_of("src/tool/main.cpp", "#include \"../impulse/contact.hpp\""), "");
   EXPECT_EQ(offence_of("src/tool/main.cpp", "#include \"table.hpp\""), "");
   EXPECT_EQ(offence_of("tests/unit/some_test.cpp", "#include \"cases.hpp\""), "");
@@ -88,8 +88,8 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <carom/collision/outcome.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/pack.hpp", "#include <experimental/simd>"), "");
   EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
-  EXPECT_EQ(offence_of("oracles/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
-  EXPECT_EQ(offence_of("properties/gate.cpp", "#include <carom/oracles/judge.hpp>"), "");
+  EXPECT_EQ(offence_of("oracles/exact/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
+  EXPECT_EQ(offence_of("properties/gate.cpp", "#include <carom/oracles/judge/judge.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/subject.hpp", "#include <carom/impulse/contact.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/suite.hpp", "#include <gtest/gtest.h>"), "");
   EXPECT_EQ(offence_of("properties/conformance/finding.hpp", "#include <rapidcheck.h>"), "");
@@ -142,7 +142,7 @@ TEST(Layout, IsReadAtAll) {
     EXPECT_FALSE(file.text.empty()) << file.path;
     seen.push_back(file.path);
   }
-  for (const char* path : {"CMakeLists.txt", "oracles/truth.hpp", "properties/gate.cpp", "src/collision/collision.hpp",
+  for (const char* path : {"CMakeLists.txt", "oracles/models/superposition.hpp", "properties/gate.cpp", "src/collision/collision.hpp",
                            "src/impulse/reflection.hpp", "src/subjects/engines/ode.cpp", "src/tool/main.cpp",
                            "tests/unit/layout_test.cpp"}) {
     EXPECT_NE(std::find(seen.begin(), seen.end(), path), seen.end()) << path;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/norm.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 namespace {

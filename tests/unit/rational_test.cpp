@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 #include "exact.hpp"
 

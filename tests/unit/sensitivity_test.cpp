@@ -8,9 +8,9 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include <carom/oracles/exact_case.hpp>
-#include <carom/oracles/inputs.hpp>
-#include <carom/oracles/sensitivity.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 
 #include "exact.hpp"
 

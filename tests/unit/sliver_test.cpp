@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/frictionless.hpp>
-#include <carom/oracles/judge.hpp>
-#include <carom/oracles/judged_laws.hpp>
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 
 #include "cases.hpp"

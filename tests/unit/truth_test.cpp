@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/linear_system.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/exact/elimination.hpp>
+#include <carom/oracles/models/superposition.hpp>
 
 #include "exact.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/yardstick.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "chart/chart_records.hpp"

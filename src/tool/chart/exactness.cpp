@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/judge.hpp>
+#include <carom/oracles/judge/judge.hpp>
 #include <carom/properties/answers.hpp>
 
 namespace carom::tool::chart {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/yardstick.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 
 #include "chart/colours.hpp"
 #include "chart/diagrams.hpp"

@@ -11,7 +11,7 @@
 
 #include <CGAL/Gmpq.h>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
 

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include <carom/oracles/approximation.hpp>
-#include <carom/oracles/enclosure.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/models/superposition.hpp>
 
 namespace carom::oracles {
 

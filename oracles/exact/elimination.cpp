@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <carom/oracles/linear_system.hpp>
+#include <carom/oracles/exact/elimination.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <carom/oracles/refined_truth.hpp>
+#include <carom/oracles/filters/refined_truth.hpp>
 
 namespace carom::oracles {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <carom/oracles/closeness.hpp>
+#include <carom/oracles/filters/closeness.hpp>
 
 namespace carom::oracles {
 namespace {

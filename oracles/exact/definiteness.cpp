@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include <carom/oracles/definiteness.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
 
 namespace carom::oracles {
 namespace {

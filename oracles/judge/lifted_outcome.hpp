@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include <carom/oracles/approximation.hpp>
-#include <carom/oracles/enclosure.hpp>
-#include <carom/oracles/moderate.hpp>
-#include <carom/oracles/norm.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 

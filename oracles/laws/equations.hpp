@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 
 /// The defining equations, about a page: what has to be trusted. Each gives the two sides of an equation or inequality
 /// for any outcome, exact or not, in any field T. Everything is judged by these.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <carom/oracles/compare.hpp>
-#include <carom/oracles/judged_laws.hpp>
+#include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/judged_laws.hpp>
 
 namespace carom::oracles {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <carom/oracles/laws.hpp>
+#include <carom/oracles/laws/equations.hpp>
 
 namespace carom::oracles {
 

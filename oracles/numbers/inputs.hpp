@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <carom/collision/outcome.hpp>
-#include <carom/oracles/dual.hpp>
+#include <carom/oracles/numbers/dual.hpp>
 
 /// The stored numbers of a collision, and of an outcome, as the inputs of forward differentiation.
 namespace carom::oracles {

@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include <carom/oracles/approximation.hpp>
-#include <carom/oracles/enclosure.hpp>
-#include <carom/oracles/inputs.hpp>
-#include <carom/oracles/judged_laws.hpp>
-#include <carom/oracles/refined_truth.hpp>
-#include <carom/oracles/sensitivity.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 
 namespace carom::oracles {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include <carom/oracles/definiteness.hpp>
-#include <carom/oracles/exact_case.hpp>
-#include <carom/oracles/laws.hpp>
-#include <carom/oracles/moderate.hpp>
-#include <carom/oracles/refined_truth.hpp>
-#include <carom/oracles/sensitivity.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include <carom/oracles/judge.hpp>
+#include <carom/oracles/judge/judge.hpp>
 
 namespace carom::oracles {
 

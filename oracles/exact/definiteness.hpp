@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include <carom/oracles/approximation.hpp>
-#include <carom/oracles/enclosure.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
 
 /// Only the lower triangle of a matrix is read.
 namespace carom::oracles {

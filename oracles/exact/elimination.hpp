@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <carom/oracles/rational.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/models/superposition.hpp>
 
 namespace carom::oracles {
 

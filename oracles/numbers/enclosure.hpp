@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <carom/oracles/rational.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include <carom/collision/model.hpp>
-#include <carom/oracles/kinematics.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 
 /// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and
 /// the law picks the combination. `certify` substitutes it into the defining equations.

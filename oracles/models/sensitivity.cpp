@@ -6,11 +6,11 @@
 
 #include <Eigen/LU>
 
-#include <carom/oracles/inputs.hpp>
-#include <carom/oracles/norm.hpp>
-#include <carom/oracles/rational.hpp>
-#include <carom/oracles/sensitivity.hpp>
-#include <carom/oracles/truth.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/numbers/norm.hpp>
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/models/superposition.hpp>
 
 namespace carom::oracles {
 namespace {
