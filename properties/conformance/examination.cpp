@@ -4,8 +4,8 @@
 
 #include <carom/collision/json.hpp>
 #include <carom/properties/conformance/examination.hpp>
-#include <carom/properties/witness.hpp>
-#include <carom/properties/words.hpp>
+#include <carom/properties/search/witness.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::conformance {
 namespace {

@@ -16,8 +16,8 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/families/family.hpp>
-#include <carom/properties/shrink.hpp>
-#include <carom/properties/words.hpp>
+#include <carom/properties/search/shrink.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 /// RapidCheck with the families as generators, and with a fixed seed inside GoogleTest.
 namespace carom::properties {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <carom/properties/conformance/options.hpp>
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::conformance {
 

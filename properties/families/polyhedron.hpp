@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/properties/stream.hpp>
+#include <carom/properties/families/stream.hpp>
 
 namespace carom::properties {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/stream.hpp>
+#include <carom/properties/families/stream.hpp>
 
 namespace carom::properties {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 /// What each invariant of the catalogue checks, and what it asks.
 namespace carom::properties {

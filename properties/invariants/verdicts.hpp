@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 /// How checks make and join verdicts.
 namespace carom::properties {

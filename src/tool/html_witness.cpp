@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/properties/words.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 #include "contact_drawing.hpp"
 #include "formula.hpp"

@@ -10,7 +10,7 @@
 
 #include <carom/collision/json.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 #include "commands.hpp"
 

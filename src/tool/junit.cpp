@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include <carom/properties/words.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 #include "markup.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <carom/collision/json.hpp>
 #include <carom/properties/families/family.hpp>
-#include <carom/properties/invariant.hpp>
-#include <carom/properties/words.hpp>
+#include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "commands.hpp"

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 
 #include "environment.hpp"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json.hpp>
-#include <carom/properties/gate.hpp>
-#include <carom/properties/words.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/protocol/text.hpp>
 #include <carom/subjects/protocol/words.hpp>
 

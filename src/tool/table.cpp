@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/words.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::tool {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gate as a library: a sound solver passes, one that returns its input does not.
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/session.hpp>
 

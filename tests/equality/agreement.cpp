@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <carom/properties/answers.hpp>
+#include <carom/properties/trial/answers.hpp>
 
 namespace carom::equality {
 namespace {

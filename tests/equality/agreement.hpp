@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 /// The same outcomes judged twice, with every filter and in rational numbers alone.
 namespace carom::equality {

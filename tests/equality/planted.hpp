@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 /// Outcomes at the edge of what is allowed.
 namespace carom::equality {

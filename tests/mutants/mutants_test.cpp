@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 #include "catalogue.hpp"
 #include "rejection.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::mutants {
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/gate.hpp>
-#include <carom/properties/shrink.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/search/shrink.hpp>
 
 #include "catalogue.hpp"
 

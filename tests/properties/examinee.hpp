@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
 

@@ -11,7 +11,7 @@
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/models/superposition.hpp>
-#include <carom/properties/stream.hpp>
+#include <carom/properties/families/stream.hpp>
 
 /// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///

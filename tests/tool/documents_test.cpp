@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/properties/families/family.hpp>
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/program.hpp"

@@ -42,21 +42,21 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"src/impulse/contact.hpp", "carom/subjects/catalogue.hpp"},
            {"src/impulse/contact.hpp", "nlohmann/json.hpp"},
            {"src/subjects/catalogue.cpp", "carom/oracles/models/superposition.hpp"},
-           {"src/subjects/catalogue.cpp", "carom/properties/gate.hpp"},
+           {"src/subjects/catalogue.cpp", "carom/properties/gate/gate.hpp"},
            {"src/subjects/engines/ode.cpp", "CGAL/Gmpq.h"},
            {"src/subjects/engines/ode.cpp", "carom/tool/table.hpp"},
            {"oracles/models/superposition.hpp", "carom/impulse/contact.hpp"},
-           {"oracles/models/superposition.hpp", "carom/properties/gate.hpp"},
+           {"oracles/models/superposition.hpp", "carom/properties/gate/gate.hpp"},
            {"oracles/models/superposition.hpp", "fmt/format.h"},
            {"oracles/exact/rational.hpp", "CGAL/Gmpq.h"},
            {"oracles/models/superposition.hpp", "CGAL/Gmpq.h"},
-           {"properties/gate.cpp", "carom/subjects/catalogue.hpp"},
-           {"properties/gate.cpp", "carom/impulse/reflection.hpp"},
+           {"properties/gate/gate.cpp", "carom/subjects/catalogue.hpp"},
+           {"properties/gate/gate.cpp", "carom/impulse/reflection.hpp"},
            {"properties/families/bodies.cpp", "nlohmann/json.hpp"},
-           {"properties/gate.cpp", "carom/tool/table.hpp"},
-           {"properties/gate.cpp", "carom/impulse/contact.hpp"},
-           {"properties/gate.cpp", "gtest/gtest.h"},
-           {"properties/gate.cpp", "rapidcheck.h"},
+           {"properties/gate/gate.cpp", "carom/tool/table.hpp"},
+           {"properties/gate/gate.cpp", "carom/impulse/contact.hpp"},
+           {"properties/gate/gate.cpp", "gtest/gtest.h"},
+           {"properties/gate/gate.cpp", "rapidcheck.h"},
            {"properties/conformance/suite.hpp", "carom/impulse/frictionless.hpp"},
            {"properties/conformance/suite.hpp", "carom/subjects/session.hpp"},
            {"properties/conformance/suite.hpp", "carom/tool/table.hpp"},
@@ -89,11 +89,11 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/impulse/pack.hpp", "#include <experimental/simd>"), "");
   EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
   EXPECT_EQ(offence_of("oracles/exact/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
-  EXPECT_EQ(offence_of("properties/gate.cpp", "#include <carom/oracles/judge/judge.hpp>"), "");
+  EXPECT_EQ(offence_of("properties/gate/gate.cpp", "#include <carom/oracles/judge/judge.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/subject.hpp", "#include <carom/impulse/contact.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/suite.hpp", "#include <gtest/gtest.h>"), "");
   EXPECT_EQ(offence_of("properties/conformance/finding.hpp", "#include <rapidcheck.h>"), "");
-  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include <carom/properties/gate.hpp>"), "");
+  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include <carom/properties/gate/gate.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "// #include <CGAL/Gmpq.h>"), "");
 }
 
@@ -142,7 +142,7 @@ TEST(Layout, IsReadAtAll) {
     EXPECT_FALSE(file.text.empty()) << file.path;
     seen.push_back(file.path);
   }
-  for (const char* path : {"CMakeLists.txt", "oracles/models/superposition.hpp", "properties/gate.cpp", "src/collision/collision.hpp",
+  for (const char* path : {"CMakeLists.txt", "oracles/models/superposition.hpp", "properties/gate/gate.cpp", "src/collision/collision.hpp",
                            "src/impulse/reflection.hpp", "src/subjects/engines/ode.cpp", "src/tool/main.cpp",
                            "tests/unit/layout_test.cpp"}) {
     EXPECT_NE(std::find(seen.begin(), seen.end(), path), seen.end()) << path;

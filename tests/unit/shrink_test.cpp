@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/shrink.hpp>
+#include <carom/properties/search/shrink.hpp>
 
 #include "cases.hpp"
 

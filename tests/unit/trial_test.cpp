@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "cases.hpp"

@@ -9,7 +9,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/judge.hpp>
-#include <carom/properties/answers.hpp>
+#include <carom/properties/trial/answers.hpp>
 
 namespace carom::tool::chart {
 namespace {

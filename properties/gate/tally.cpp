@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <carom/properties/tally.hpp>
+#include <carom/properties/gate/tally.hpp>
 
 namespace carom::properties {
 namespace {

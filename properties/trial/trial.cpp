@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
 namespace {

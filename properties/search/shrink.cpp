@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/shrink.hpp>
+#include <carom/properties/search/shrink.hpp>
 
 namespace carom::properties {
 namespace {

@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <carom/properties/answers.hpp>
+#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties {
 

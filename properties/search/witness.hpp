@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 
 /// Violations that can be replayed.
 namespace carom::properties {

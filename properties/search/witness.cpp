@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <carom/properties/answers.hpp>
-#include <carom/properties/shrink.hpp>
-#include <carom/properties/witness.hpp>
+#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/search/shrink.hpp>
+#include <carom/properties/search/witness.hpp>
 
 namespace carom::properties {
 namespace {

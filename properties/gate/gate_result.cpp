@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 
 namespace carom::properties {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/trial.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 /// Judges subjects on families of collisions.
 namespace carom::properties {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <carom/properties/stream.hpp>
+#include <carom/properties/families/stream.hpp>
 
 namespace carom::properties {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/gate.hpp>
+#include <carom/properties/gate/gate.hpp>
 
 namespace carom::properties {
 

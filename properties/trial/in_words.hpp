@@ -6,7 +6,7 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 /// Numbers and collisions as a person reads them.
 namespace carom::properties {

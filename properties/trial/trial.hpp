@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <carom/properties/families/family.hpp>
-#include <carom/properties/invariant.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 /// One case put to one subject and judged on every invariant that the subject claims.
 namespace carom::properties {
