@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <iostream>
 
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 
 int main() {
   constexpr std::size_t balls = 1000;

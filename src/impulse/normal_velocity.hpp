@@ -7,8 +7,8 @@
 #include <limits>
 
 #include <carom/collision/outcome.hpp>
-#include <carom/impulse/double_double.hpp>
-#include <carom/impulse/exact_sum.hpp>
+#include <carom/impulse/numbers/double_double.hpp>
+#include <carom/impulse/numbers/exact_sum.hpp>
 
 /// N·V of the numbers as they are stored: with V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), a polynomial of
 /// the collision's N, P, X_A, X_B and of any four velocities. Not of a Contact, whose lever arms are rounded.

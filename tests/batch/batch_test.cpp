@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/properties/families/family.hpp>

@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/subjects/methods.hpp>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 
 /// What is measured, and over what.
 namespace carom::benchmarks {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The batch solvers of the installed package: balls of 2 kg meet a fixed floor at 3 m/s, ε = 1/2.
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 
 int main() {
   carom::Collision collision;

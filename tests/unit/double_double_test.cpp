@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/impulse/double_double.hpp>
+#include <carom/impulse/numbers/double_double.hpp>
 
 #include "exact.hpp"
 

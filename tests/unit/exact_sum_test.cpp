@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/impulse/exact_sum.hpp>
+#include <carom/impulse/numbers/exact_sum.hpp>
 
 #include "exact.hpp"
 

@@ -86,7 +86,7 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/collision/json.hpp", "#include <nlohmann/json.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <Eigen/Geometry>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <carom/collision/outcome.hpp>"), "");
-  EXPECT_EQ(offence_of("src/impulse/pack.hpp", "#include <experimental/simd>"), "");
+  EXPECT_EQ(offence_of("src/impulse/numbers/pack.hpp", "#include <experimental/simd>"), "");
   EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
   EXPECT_EQ(offence_of("oracles/exact/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
   EXPECT_EQ(offence_of("properties/gate/gate.cpp", "#include <carom/oracles/judge/judge.hpp>"), "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/impulse/solve_packs.hpp>
+#include <carom/impulse/batch/solve_packs.hpp>
 
 /// The units that pack_kernels.cpp is compiled to, one a namespace for each instruction set. What is declared here
 /// takes pointers alone: a unit of a wide instruction set must define nothing that another unit could be linked with

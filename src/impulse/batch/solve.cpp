@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/batch/pack_kernels.hpp>
 
 namespace carom::impulse {

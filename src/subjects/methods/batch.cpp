@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/impulse/batch.hpp>
+#include <carom/impulse/batch/solve.hpp>
 #include <carom/subjects/methods/groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/impulse/double_double.hpp>
+#include <carom/impulse/numbers/double_double.hpp>
 #include <carom/subjects/methods/groups.hpp>
 #include <carom/subjects/methods/scalar_methods.hpp>
 

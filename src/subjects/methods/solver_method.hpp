@@ -9,7 +9,7 @@
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
-#include <carom/impulse/double_double.hpp>
+#include <carom/impulse/numbers/double_double.hpp>
 #include <carom/subjects/methods.hpp>
 #include <carom/subjects/session.hpp>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <carom/collision/model.hpp>
-#include <carom/impulse/contact_arrays.hpp>
-#include <carom/impulse/contact_batch.hpp>
-#include <carom/impulse/instruction_set.hpp>
+#include <carom/impulse/batch/contact_arrays.hpp>
+#include <carom/impulse/batch/contact_batch.hpp>
+#include <carom/impulse/batch/instruction_set.hpp>
 
 /// Many contacts at once: the text of frictionless.hpp and reflection.hpp (with LDLᵀ) in packs, one contact a lane.
 /// Every instruction set gives the same bits, which are those of the scalar solvers compiled without contraction of a·b

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <carom/impulse/contact_numbers.hpp>
+#include <carom/impulse/batch/contact_numbers.hpp>
 
 namespace carom::impulse {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <carom/impulse/contact_numbers.hpp>
-#include <carom/impulse/pack.hpp>
+#include <carom/impulse/batch/contact_numbers.hpp>
+#include <carom/impulse/numbers/pack.hpp>
 
 namespace carom::impulse {
 
