@@ -2,7 +2,7 @@
 #include <exception>
 #include <span>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/properties/conformance/examination.hpp>
 #include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/in_words.hpp>

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/in_words.hpp>

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/collision/json/json.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 #include "commands.hpp"
 

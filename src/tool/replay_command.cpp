@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/protocol/text.hpp>
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 #include "commands.hpp"
 #include "input_file.hpp"

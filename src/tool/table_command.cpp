@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 
 #include "commands.hpp"
 

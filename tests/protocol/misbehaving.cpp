@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 
 #include "cases.hpp"
 

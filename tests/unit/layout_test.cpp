@@ -36,7 +36,7 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"src/collision/collision.hpp", "carom/impulse/contact.hpp"},
            {"src/collision/collision.hpp", "nlohmann/json.hpp"},
            {"src/collision/collision.hpp", "fmt/format.h"},
-           {"src/collision/json.cpp", "carom/oracles/models/superposition.hpp"},
+           {"src/collision/json/json.cpp", "carom/oracles/models/superposition.hpp"},
            {"src/impulse/contact.hpp", "CGAL/Gmpq.h"},
            {"src/impulse/contact.hpp", "carom/oracles/exact/rational.hpp"},
            {"src/impulse/contact.hpp", "carom/subjects/catalogue.hpp"},
@@ -83,7 +83,7 @@ TEST(LayoutChecker, FindsQuotesThatLeaveTheFolders) {
 }
 
 TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
-  EXPECT_EQ(offence_of("src/collision/json.hpp", "#include <nlohmann/json.hpp>"), "");
+  EXPECT_EQ(offence_of("src/collision/json/json.hpp", "#include <nlohmann/json.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <Eigen/Geometry>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <carom/collision/outcome.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/numbers/pack.hpp", "#include <experimental/simd>"), "");

@@ -5,7 +5,7 @@
 
 #include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/engines.hpp>
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects {
 namespace {

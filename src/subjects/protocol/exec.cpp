@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/text.hpp>
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/text.hpp>
 

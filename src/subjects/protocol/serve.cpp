@@ -2,7 +2,7 @@
 #include <iostream>
 #include <string>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/serve.hpp>
 

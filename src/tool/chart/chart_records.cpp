@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 
 #include "chart/diagrams.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include <carom/collision/json.hpp>
+#include <carom/collision/json/json.hpp>
 
 namespace carom {
 namespace {

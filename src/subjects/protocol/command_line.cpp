@@ -3,7 +3,7 @@
 #include <cctype>
 #include <stdexcept>
 
-#include <carom/subjects/protocol/words.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects::protocol {
 namespace {
