@@ -13,7 +13,7 @@
 
 #include <carom/oracles/judge/yardstick.hpp>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 
 namespace {
 

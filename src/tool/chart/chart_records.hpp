@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chart/measurement.hpp"
-#include "environment.hpp"
+#include "report/environment.hpp"
 
 /// What `carom chart` writes beside the pictures.
 namespace carom::tool::chart {

@@ -5,8 +5,8 @@
 
 #include <carom/subjects/protocol/child.hpp>
 
-#include "commands.hpp"
-#include "output_file.hpp"
+#include "commands/commands.hpp"
+#include "commands/output_file.hpp"
 
 namespace carom::tool::chart {
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/judge/yardstick.hpp>
+#include <carom/subjects/methods.hpp>
+
+#include "chart/chart_records.hpp"
+#include "chart/diagrams.hpp"
+#include "chart/exactness.hpp"
+#include "chart/gnuplot.hpp"
+#include "chart/timing.hpp"
+#include "commands/commands.hpp"
+#include "commands/output_file.hpp"
+#include "commands/progress.hpp"
+
+namespace carom::tool {
+namespace {
+
+using chart::Exactness;
+using chart::MethodMeasurement;
+using subjects::Method;
+
+std::vector<Method> methods_of(const std::vector<std::string>& names) {
+  std::vector<Method> all = subjects::methods();
+  if (names.empty()) {
+    return all;
+  }
+  std::vector<Method> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.subject.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Method& method : all) {
+        known += (known.empty() ? "" : ", ") + method.subject.name;
+      }
+      throw UsageError(fmt::format("there is no method '{}'; there are {}", name, known));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+struct FamilyCases {
+  const properties::Family* family;
+  std::vector<Collision> collisions;
+};
+
+/// The families in which anything collides.
+std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
+  std::vector<FamilyCases> families;
+  for (const properties::Family& family : properties::all_families()) {
+    std::vector<Collision> collisions = chart::colliding_cases(family, arguments.seed, arguments.cases);
+    if (!collisions.empty()) {
+      families.push_back({&family, std::move(collisions)});
+    }
+  }
+  return families;
+}
+
+std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments, const std::vector<Method>& methods,
+                                                unsigned jobs) {
+  const std::vector<FamilyCases> families = families_of(arguments);
+  // The clock first, and alone.
+  std::vector<chart::TimedKernel> kernels;
+  for (const Method& method : methods) {
+    for (const FamilyCases& family : families) {
+      kernels.push_back({&method, family.collisions});
+    }
+  }
+  const std::vector<chart::Spread> times =
+      chart::measured_times(kernels, arguments.repetitions, progress_line("timings"));
+
+  std::vector<MethodMeasurement> result;
+  for (const Method& method : methods) {
+    result.push_back({method.subject.name, method.subject.summary, method.subject.model, method.subject.precision, {}});
+  }
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    std::vector<Exactness> exactness =
+        chart::measured_exactness(methods, families[f].collisions, oracles::default_limit_ulps, jobs);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      result[m].families.push_back(
+          {std::string(families[f].family->name), std::move(exactness[m]), times[m * families.size() + f]});
+    }
+  }
+  return result;
+}
+
+/// The quantities of a sweep, from its easy end to its hard one.
+std::vector<double> quantities_of(const properties::Sweep& sweep) {
+  std::vector<double> quantities;
+  const int step = sweep.last_exponent > sweep.first_exponent ? 1 : -1;
+  for (int exponent = sweep.first_exponent; exponent != sweep.last_exponent + step; exponent += step) {
+    quantities.push_back(std::pow(10.0, exponent));
+  }
+  return quantities;
+}
+
+std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
+                                                     const std::vector<Method>& methods, unsigned jobs) {
+  const auto progress = progress_line("points of sweeps");
+  std::uint64_t all = 0;
+  for (const properties::Sweep& sweep : properties::all_sweeps()) {
+    all += quantities_of(sweep).size();
+  }
+  std::uint64_t done = 0;
+  std::vector<chart::SweepMeasurement> result;
+  for (const properties::Sweep& sweep : properties::all_sweeps()) {
+    chart::SweepMeasurement measurement{
+        std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
+    for (const Method& method : methods) {
+      measurement.lines.push_back(
+          {method.subject.name, method.subject.model, method.subject.precision, quantities_of(sweep), {}});
+    }
+    for (const double quantity : quantities_of(sweep)) {
+      const std::vector<Collision> collisions =
+          chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
+      const std::vector<Exactness> exactness =
+          chart::measured_exactness(methods, collisions, oracles::default_limit_ulps, jobs);
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        measurement.lines[m].exactness.push_back(exactness[m]);
+      }
+      if (progress) {
+        progress(++done, all);
+      }
+    }
+    result.push_back(std::move(measurement));
+  }
+  return result;
+}
+
+std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements) {
+  std::vector<chart::Picture> pictures;
+  for (const Model model : models_with_truth) {
+    const std::vector<MethodMeasurement> methods = chart::of_model(measurements.methods, model);
+    if (methods.empty()) {
+      continue;
+    }
+    pictures.push_back(chart::work_precision(methods));
+    pictures.push_back(chart::work_precision_of_families(methods));
+    pictures.push_back(chart::deadline(methods));
+    for (const chart::SweepMeasurement& sweep : measurements.sweeps) {
+      pictures.push_back(chart::stability_map(sweep, model, measurements.limit_ulps));
+    }
+  }
+  return pictures;
+}
+
+}  // namespace
+
+int chart_methods(const ChartArguments& arguments) {
+  const std::vector<Method> methods = methods_of(arguments.methods);
+  const std::filesystem::path out(arguments.out);
+  make_directories(out / "gnuplot");
+  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const chart::Measurements measurements{this_environment(),
+                                         arguments.seed,
+                                         arguments.cases,
+                                         arguments.repetitions,
+                                         oracles::default_limit_ulps,
+                                         measured_methods(arguments, methods, jobs),
+                                         measured_sweeps(arguments, methods, jobs)};
+  const std::string tables = chart::tables_markdown(measurements);
+  fmt::print("{}", tables);
+  write_file(out / "tables.md", tables);
+  write_file(out / "work-precision.csv", chart::work_precision_csv(measurements));
+  write_file(out / "stability.csv", chart::stability_csv(measurements));
+  write_file(out / "deadline.csv", chart::deadline_csv(measurements));
+  write_file(out / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
+  chart::draw(pictures_of(measurements), out);
+  return exit_all_hold;
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/exec.hpp>
+
+#include "commands/commands.hpp"
+#include "report/environment.hpp"
+#include "report/html_report.hpp"
+#include "commands/interrupt.hpp"
+#include "report/junit.hpp"
+#include "commands/orphans.hpp"
+#include "commands/output_file.hpp"
+#include "commands/progress.hpp"
+#include "report/records.hpp"
+#include "commands/subject_argument.hpp"
+#include "report/table.hpp"
+
+namespace carom::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string known_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+std::vector<const properties::Family*> families_of(const GateArguments& arguments) {
+  std::vector<const properties::Family*> families;
+  if (arguments.families.empty()) {
+    for (const properties::Family& family : properties::all_families()) {
+      families.push_back(&family);
+    }
+    return families;
+  }
+  for (const std::string& name : arguments.families) {
+    const properties::Family* family = properties::family_named(name);
+    if (family == nullptr) {
+      std::vector<std::string> names;
+      for (const properties::Family& known : properties::all_families()) {
+        names.emplace_back(known.name);
+      }
+      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}", name, known_names(names)));
+    }
+    if (std::find(families.begin(), families.end(), family) == families.end()) {
+      families.push_back(family);
+    }
+  }
+  return families;
+}
+
+/// The subjects to judge: those named, which then all count, or all that there are, of which those count that are
+/// expected to pass.
+struct Selection {
+  std::vector<Subject> subjects;
+  std::vector<bool> counts;
+  std::vector<Subject> absent;
+};
+
+std::set<std::string> known_file_names() {
+  std::set<std::string> names;
+  for (const Subject& known : subjects::known_subjects()) {
+    names.insert(file_name_of(known.name));
+  }
+  return names;
+}
+
+Selection select(const GateArguments& arguments, const std::stop_token& stop) {
+  std::vector<Subject> wanted;
+  std::set<std::string> words;
+  std::set<std::string> taken = known_file_names();
+  for (const std::string& word : arguments.subjects) {
+    if (!words.insert(word).second) {
+      continue;
+    }
+    Subject subject = subject_from_argument(word, arguments.timeout, stop);
+    if (word.starts_with(subjects::protocol::exec_prefix)) {
+      // A program may call itself what it likes: what is taken, or would be taken for another's file, is numbered.
+      const std::string name = subject.name;
+      for (int count = 2; !taken.insert(file_name_of(subject.name)).second; ++count) {
+        subject.name = fmt::format("{} #{}", name, count);
+      }
+    }
+    wanted.push_back(std::move(subject));
+  }
+  const bool named = !wanted.empty();
+  if (arguments.engines) {
+    for (Subject& engine : subjects::engine_subjects(subjects::protocol::exec_options(arguments.timeout, stop))) {
+      if (!words.contains(engine.name)) {
+        wanted.push_back(std::move(engine));
+      }
+    }
+  } else if (!named) {
+    wanted = subjects::all_subjects();
+  }
+  Selection selection;
+  for (Subject& subject : wanted) {
+    if (!subject.absent.empty()) {
+      selection.absent.push_back(std::move(subject));
+      continue;
+    }
+    selection.counts.push_back(subject.expected_to_pass || words.contains(subject.name) ||
+                               words.contains(subject.specification));
+    selection.subjects.push_back(std::move(subject));
+  }
+  return selection;
+}
+
+void make_directory(const std::string& out) {
+  const fs::path witnesses = fs::path(out) / "witnesses";
+  make_directories(witnesses);
+  // Witnesses of an earlier run would pass for this one's. Other files are left alone.
+  for (const fs::directory_entry& entry : fs::directory_iterator(witnesses)) {
+    const std::string invariant = entry.path().stem().extension().string();  // of SUBJECT.INVARIANT.json
+    const bool is_witness = !invariant.empty() && properties::invariant_named(invariant.substr(1)) != nullptr;
+    if (entry.path().extension() == ".json" && is_witness) {
+      fs::remove(entry.path());
+    }
+  }
+}
+
+void write_reports(const GateRun& run, const std::string& out) {
+  for (const properties::SubjectResult& result : run.report.results) {
+    for (const properties::Witness& witness : result.witnesses) {
+      const fs::path path = witness_path(out, result.subject, witness);
+      write_file(path, witness_record(witness, result.subject, run.report.options, path)
+                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                           '\n');
+    }
+  }
+  write_file(fs::path(out) / "report.json",
+             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  write_file(fs::path(out) / "junit.xml", junit_xml(run));
+  write_file(fs::path(out) / "report.html", html_report(run, out));
+}
+
+}  // namespace
+
+int gate(const GateArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
+  Selection selection = select(arguments, stop);
+  properties::GateOptions options;
+  options.seed = arguments.seed;
+  options.cases = arguments.cases;
+  options.families = families_of(arguments);
+  options.yardstick.limit_ulps = arguments.limit_ulps;
+  options.yardstick.digits = arguments.digits;
+  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.progress = progress_line("cases judged");
+  options.stop = stop;
+  options.relations_every = arguments.relations_every;
+  if (!arguments.out.empty()) {
+    make_directory(arguments.out);
+  }
+  const Environment environment = this_environment();
+  const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};
+  if (arguments.format == "json") {
+    fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", report_text(run, arguments.out));
+  }
+  if (!arguments.out.empty()) {
+    std::fflush(stdout);  // what was found is not lost where the files cannot be written
+    write_reports(run, arguments.out);
+  }
+  return run.exit_status();
+}
+
+}  // namespace carom::tool

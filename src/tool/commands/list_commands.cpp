@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/families/family.hpp>
+#include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+using properties::in_words;
+
+std::string joined(const std::vector<Model>& models) {
+  std::string text;
+  for (const Model model : models) {
+    text += (text.empty() ? "" : ", ") + std::string(name_of(model));
+  }
+  return text;
+}
+
+std::string expectation(const Subject& subject) {
+  if (!subject.absent.empty()) {
+    return "absent: " + subject.absent;
+  }
+  return subject.expected_to_pass ? "expected to pass" : "expected to fail";
+}
+
+void print_json(const json& value) { fmt::print("{}\n", value.dump(2)); }
+
+void print_markdown() {
+  fmt::print(
+      "# The invariants\n\n"
+      "Printed by `carom invariants --format markdown`; a test fails where this page differs.\n\n"
+      "Notation: bodies A and B, masses m, world inertia J, lever arms r = P − X, velocities v, angular velocities w "
+      "before "
+      "(−) and after (+) the impulse; V = V_A − V_B the relative velocity of the material points at the contact, N the "
+      "normal on B pointing to A, F the impulse on A, ε the restitution, u the unit roundoff. *The note* is D. Eberly, "
+      "\"Computing Impulse Forces for Colliding Contact\".\n\n"
+      "An equation g = 0 passes where it holds exactly for some inputs x and outputs y within the limit of those at "
+      "hand: "
+      "|g| ≤ limit · u · (Σ |∂g/∂x| |x| + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)), g evaluated exactly, since an output is a sum of "
+      "the "
+      "velocity before and a change and is known to u times the larger of both; an inequality likewise, one-sided. "
+      "Relations between two collisions allow each outcome its own rounding.\n\n"
+      "| invariant | statement | claimed for | domain |\n| --- | --- | --- | --- |\n");
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} |\n", invariant.name, invariant.statement, joined(invariant.models),
+               invariant.domain);
+  }
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n", invariant.name,
+               invariant.statement, invariant.formula, invariant.source, joined(invariant.models), invariant.domain);
+  }
+}
+
+}  // namespace
+
+int list_subjects(const std::string& format) {
+  json list = json::array();
+  for (const Subject& subject : subjects::known_subjects()) {
+    if (format == "json") {
+      list.push_back({{"name", subject.name},
+                      {"model", name_of(subject.model)},
+                      {"precision", name_of(subject.precision)},
+                      {"summary", subject.summary},
+                      {"expected_to_pass", subject.expected_to_pass},
+                      {"absent", subject.absent}});
+    } else {
+      fmt::print("{:40} {:13} {:9} {}\n    {}\n", subject.name, name_of(subject.model), name_of(subject.precision),
+                 expectation(subject), subject.summary);
+    }
+  }
+  if (format == "json") {
+    print_json(list);
+  }
+  return exit_all_hold;
+}
+
+int list_invariants(const std::string& format) {
+  if (format == "markdown") {
+    print_markdown();
+    return exit_all_hold;
+  }
+  json list = json::array();
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    if (format == "json") {
+      list.push_back({{"name", invariant.name},
+                      {"statement", invariant.statement},
+                      {"formula", invariant.formula},
+                      {"source", invariant.source},
+                      {"domain", invariant.domain},
+                      {"models", json::array()}});
+      for (const Model model : invariant.models) {
+        list.back()["models"].push_back(name_of(model));
+      }
+    } else {
+      fmt::print("{}\n    {}\n    claimed for {}; {}\n", invariant.name, invariant.statement, joined(invariant.models),
+                 invariant.domain);
+    }
+  }
+  if (format == "json") {
+    print_json(list);
+  }
+  return exit_all_hold;
+}
+
+int list_families(const std::string& format, std::uint64_t seed) {
+  json list = json::array();
+  for (const properties::Family& family : properties::all_families()) {
+    properties::Stream stream = properties::case_stream(seed, family.name, 0);
+    const Collision example = family.generate(stream).collision;
+    if (format == "json") {
+      list.push_back({{"name", family.name}, {"summary", family.summary}, {"example", collision_to_json(example)}});
+    } else {
+      fmt::print("{}\n    {}\n{}", family.name, family.summary, in_words(example, "      "));
+    }
+  }
+  if (format == "json") {
+    print_json(list);
+  }
+  return exit_all_hold;
+}
+
+}  // namespace carom::tool

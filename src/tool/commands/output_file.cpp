@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/output_file.hpp"
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    throw UsageError(fmt::format("--out: {} cannot be written", path.string()));
+  }
+}
+
+void make_directories(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    throw UsageError(fmt::format("--out: {} cannot be made: {}", directory.string(), error.message()));
+  }
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/subjects/protocol/text.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/input_file.hpp"
+#include "commands/interrupt.hpp"
+#include "commands/orphans.hpp"
+#include "report/records.hpp"
+#include "commands/subject_argument.hpp"
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+using oracles::Approach;
+using oracles::Rational;
+using properties::in_words;
+
+const char* name_of(Approach approach) {
+  switch (approach) {
+    case Approach::colliding:
+      return "colliding";
+    case Approach::resting:
+      return "resting";
+    case Approach::separating:
+      return "separating";
+    case Approach::inert:
+      break;
+  }
+  return "both bodies immovable";
+}
+
+/// The steps that all models share.
+std::string contact_steps(const oracles::ExactCase& exact_case) {
+  const BasicCollision<Rational>& c = exact_case.exact();
+  const Outcome<Rational> before = unchanged(c);
+  const Matrix3<Rational>& k = exact_case.collision_matrix();
+  std::string text =
+      fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n", in_words<Rational>(oracles::lever_arm(c.a, c.point)),
+                  in_words<Rational>(oracles::lever_arm(c.b, c.point)));
+  text +=
+      fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
+                  in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
+  if (exact_case.approach() != Approach::inert) {
+    text += fmt::format("  λ = {}\n", in_words(exact_case.inverse_mass()));
+    for (int row = 0; row < 3; ++row) {
+      text += fmt::format("  {} {}\n", row == 0 ? "K =" : "   ", in_words<Rational>(Vector3<Rational>(k.row(row))));
+    }
+  }
+  return text;
+}
+
+std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
+  const BasicCollision<Rational>& c = exact_case.exact();
+  const oracles::Truth<Rational>& truth = exact_case.truth(model);
+  const Vector3<Rational> after = oracles::relative_velocity<Rational>(c, truth.outcome);
+  std::string text = fmt::format("{}, exactly\n  F = {}\n", carom::name_of(model), in_words(truth.impulse));
+  const auto parts = vectors(truth.outcome);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    text += fmt::format("  {}⁺ = {}\n", outcome_vector_names[k], in_words(*parts[k]));
+  }
+  text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(Rational(c.normal.dot(after))));
+  if (exact_case.approach() != Approach::inert) {
+    const auto energy = oracles::energy(c, truth.outcome);
+    text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(Rational(energy.left[0] - energy.right[0])));
+  }
+  return text;
+}
+
+std::string judgement_text(const properties::Judgement& judgement, const Answer& answer, double unit_roundoff) {
+  std::string text;
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    text += in_words(*outcome, "  ");
+  } else if (const auto* refused = std::get_if<Refused>(&answer)) {
+    text += "  refused: " + refused->why + '\n';
+  } else {
+    text += "  skipped: " + std::get<Skipped>(answer).why + '\n';
+  }
+  if (judgement.accuracy) {
+    text += fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
+                        judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits());
+  }
+  for (const properties::NamedVerdict& named : judgement.verdicts) {
+    const properties::Verdict& verdict = named.verdict;
+    switch (verdict.status) {
+      case properties::Status::holds:
+        text += fmt::format("  {:22} holds\n", named.invariant->name);
+        break;
+      case properties::Status::skipped:
+        text += fmt::format("  {:22} –  {}\n", named.invariant->name, verdict.detail);
+        break;
+      case properties::Status::violated:
+        text += fmt::format("  {:22} VIOLATED  {}\n", named.invariant->name, in_words(verdict));
+    }
+  }
+  return text;
+}
+
+/// What the task throws becomes an error that names the subject.
+template <class Task>
+auto in_its_name(const Subject& subject, const Task& task) {
+  try {
+    return task();
+  } catch (const std::exception& error) {
+    throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
+  }
+}
+
+/// A subject in one session, for all the collisions that are to be judged on it.
+struct OpenSubject {
+  Subject subject;
+  properties::Claim claim;
+  Session session;
+};
+
+/// The subjects that a file needs, each started once.
+class OpenSubjects {
+ public:
+  OpenSubjects(const ReplayArguments& arguments, std::stop_token stop) : arguments_(arguments), stop_(std::move(stop)) {
+    yardstick_.limit_ulps = arguments.limit_ulps;
+    yardstick_.digits = arguments.digits;
+  }
+
+  /// The subject to judge on this collision; none where there is none.
+  OpenSubject* subject_for(const ReadCollision& read) {
+    if (!arguments_.subject.empty()) {
+      return &named(arguments_.subject);
+    }
+    // A file does not start programs: that takes the word of whoever runs this one.
+    const bool has_name = read.witness && !read.witness->subject.empty() && !read.witness->is_program;
+    return has_name ? &named(read.witness->subject) : nullptr;
+  }
+
+  void close() {
+    for (auto& [name, open] : open_) {
+      in_its_name(open.subject, [&session = open.session] { session.close(); });
+    }
+  }
+
+ private:
+  OpenSubject& named(const std::string& name) {
+    if (const auto found = open_.find(name); found != open_.end()) {
+      return found->second;
+    }
+    Subject subject = subject_from_argument(name, arguments_.timeout, stop_);
+    if (!subject.absent.empty()) {
+      throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
+    }
+    Session session = in_its_name(subject, subject.open);
+    properties::Claim claim = properties::claim_of(subject, yardstick_);
+    return open_.emplace(name, OpenSubject{std::move(subject), std::move(claim), std::move(session)}).first->second;
+  }
+
+  const ReplayArguments& arguments_;
+  std::stop_token stop_;
+  oracles::Yardstick yardstick_;
+  std::map<std::string, OpenSubject> open_;
+};
+
+bool is_violated(const properties::Judgement& judgement) {
+  for (const properties::NamedVerdict& named : judgement.verdicts) {
+    if (named.verdict.status == properties::Status::violated) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+int replay(const ReplayArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
+  OpenSubjects subjects(arguments, stop);
+  bool violated = false;
+  for (const ReadCollision& read : read_collisions(arguments.file)) {
+    if (stop.stop_requested()) {
+      throw UsageError(fmt::format("stopped by the user before {}", read.place));
+    }
+    const properties::JudgedCase judged_case(read.one);
+    const Collision& collision = read.one.collision;
+    json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
+    std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
+    if (judged_case.is_valid()) {
+      record["approach"] = name_of(judged_case.exact().approach());
+      text += contact_steps(judged_case.exact());
+      for (const Model model : models_with_truth) {
+        record["truth"][std::string(carom::name_of(model))] = truth_record(judged_case.exact(), model);
+        text += truth_steps(judged_case.exact(), model);
+      }
+    } else {
+      text += "  an invalid collision: it has no truth, and is to be refused\n";
+    }
+    if (OpenSubject* const open = subjects.subject_for(read)) {
+      auto& [subject, claim, session] = *open;
+      const auto [answer, judgement] = in_its_name(subject, [&, open] {
+        return properties::judge_in_session(open->subject, open->claim, open->session, read.one);
+      });
+      violated = violated || is_violated(judgement);
+      record["subject"] = subject.name;
+      record["outcome"] = answer_record(answer);
+      if (judgement.accuracy) {
+        record["backward_error_ulps"] =
+            number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+      }
+      for (const properties::NamedVerdict& named : judgement.verdicts) {
+        record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
+      }
+      text +=
+          fmt::format("{}, judged\n{}", subject.name, judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+    }
+    if (read.witness && read.witness->is_program && arguments.subject.empty()) {
+      text += fmt::format("  judged on no subject: the witness names a program; to run it, give --subject {}\n",
+                          subjects::protocol::printable_line(subjects::protocol::quoted(read.witness->subject), 4000));
+    }
+    if (arguments.format == "json") {
+      fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));
+    } else {
+      fmt::print("{}\n", text);
+    }
+  }
+  subjects.close();
+  return violated ? exit_violated : exit_all_hold;
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+
+/// What would end a cell or begin a tag.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    switch (letter) {
+      case '|':
+        escaped += "\\|";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '\n':
+        escaped += ' ';
+        break;
+      default:
+        escaped += letter;
+    }
+  }
+  return escaped;
+}
+
+std::string digits_cell(const json& digits) {
+  if (digits.at("p50").is_null()) {
+    return "–";
+  }
+  const auto text = [&](const char* name) { return fmt::format("{:.1f}", digits.at(name).get<double>()); };
+  return text("p50") + " / " + text("p99") + " / " + text("worst");
+}
+
+std::string list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text.empty() ? "–" : text;
+}
+
+/// "family (violated cases)", those first in which most are.
+std::string families_cell(const json& families) {
+  std::vector<std::pair<std::uint64_t, std::string>> violated;
+  for (const json& family : families) {
+    if (family.at("violated") > 0) {
+      violated.emplace_back(family.at("violated").get<std::uint64_t>(), family.at("family").get<std::string>());
+    }
+  }
+  std::stable_sort(violated.begin(), violated.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+  if (violated.size() == families.size() || violated.size() > 8) {
+    return fmt::format("{} of {}, most in {} ({})", violated.size(), families.size(), violated[0].second,
+                       violated[0].first);
+  }
+  std::vector<std::string> words;
+  for (const auto& [count, name] : violated) {
+    words.push_back(fmt::format("{} ({})", name, count));
+  }
+  return list(words);
+}
+
+std::string row(const json& subject) {
+  const std::string name = cell(subject.at("name"));
+  if (subject.at("status") == "absent") {
+    return fmt::format("| {} | absent: {} | | | | | | |\n", name, cell(subject.at("error")));
+  }
+  std::vector<std::string> invariants;
+  for (const json& violation : subject.at("violations")) {
+    invariants.push_back(violation.at("invariant"));
+  }
+  const json& worst = subject.at("worst_backward_error").at("ulps");
+  return fmt::format("| {} {} | {}, {} | {} | {} | {} | {} | {} | {:.0f} |\n", name, cell(subject.value("version", "")),
+                     subject.at("precision").get<std::string>(), subject.at("model").get<std::string>(),
+                     subject.at("status").get<std::string>(),
+                     worst.is_number() ? fmt::format("{:.2g}", worst.get<double>()) : worst.get<std::string>(),
+                     digits_cell(subject.at("digits")), list(invariants), families_cell(subject.at("families")),
+                     subject.at("nanoseconds_per_solve").get<double>());
+}
+
+json report_from(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw UsageError(fmt::format("{}: cannot be read", file));
+  }
+  try {
+    return parse_json(std::string(std::istreambuf_iterator<char>(stream), {}));
+  } catch (const FormatError& error) {
+    throw UsageError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+}  // namespace
+
+int table(const std::string& file) {
+  const json report = report_from(file);
+  try {
+    fmt::print(
+        "| subject | precision, model | verdict | worst backward error [ulps] | digits p50 / p99 / worst "
+        "| invariants violated | in families (cases of {}) | ns/solve |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        report.at("cases_of_each_family").get<std::uint64_t>());
+    for (const json& subject : report.at("subjects")) {
+      fmt::print("{}", row(subject));
+    }
+  } catch (const json::exception& error) {
+    throw UsageError(fmt::format("{}: is not a report.json of carom gate: {}", file, error.what()));
+  }
+  return exit_all_hold;
+}
+
+}  // namespace carom::tool

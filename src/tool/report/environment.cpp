@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/environment.hpp"
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+namespace carom::tool {
+namespace {
+
+std::string stripped(const std::string& text, const char* of) {
+  const std::size_t first = text.find_first_not_of(of);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(of) - first + 1);
+}
+
+/// The value of the first line "KEY SEPARATOR VALUE" of a file, without blanks and quotes around it.
+std::string value_in(const char* file, const std::string& key, char separator) {
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(separator);
+    if (at != std::string::npos && stripped(line.substr(0, at), " \t") == key) {
+      return stripped(line.substr(at + 1), " \t\"");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Environment this_environment() {
+  Environment environment;
+  environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  environment.compiler = CAROM_COMPILER;
+  environment.compiler_flags = stripped(CAROM_COMPILER_FLAGS, " ");
+  environment.build_type = CAROM_BUILD_TYPE;
+  environment.operating_system = value_in("/etc/os-release", "PRETTY_NAME", '=');
+  utsname system{};
+  if (uname(&system) == 0) {
+    environment.kernel = fmt::format("{} {} {}", system.sysname, system.release, system.machine);
+  }
+  environment.processor = value_in("/proc/cpuinfo", "model name", ':');
+  environment.processor_threads = std::thread::hardware_concurrency();
+  return environment;
+}
+
+nlohmann::json environment_record(const Environment& environment) {
+  return {{"date", environment.date},
+          {"compiler", environment.compiler},
+          {"compiler_flags", environment.compiler_flags},
+          {"build_type", environment.build_type},
+          {"operating_system", environment.operating_system},
+          {"kernel", environment.kernel},
+          {"processor", environment.processor},
+          {"processor_threads", environment.processor_threads}};
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/html_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "commands/commands.hpp"
+#include "report/html_tables.hpp"
+#include "report/html_witness.hpp"
+#include "report/markup.hpp"
+#include "report/report_style.hpp"
+
+namespace carom::tool {
+namespace {
+
+using Fact = std::pair<std::string, std::string>;
+
+void add_facts(pugi::xml_node section, const std::vector<Fact>& facts) {
+  const pugi::xml_node list = add(section, "dl");
+  for (const auto& [name, value] : facts) {
+    if (!value.empty()) {
+      const pugi::xml_node pair = add(list, "div");
+      add(pair, "dt", {}, name);
+      add(pair, "dd", {}, value);
+    }
+  }
+}
+
+std::string limit_of(const oracles::Yardstick& yardstick) {
+  return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
+}
+
+std::string meaning_of(int exit_status) {
+  switch (exit_status) {
+    case exit_all_hold:
+      return "0: all hold";
+    case exit_violated:
+      return "1: something is violated";
+    default:
+      return "2: not everything could be judged";
+  }
+}
+
+void add_summary(pugi::xml_node section, const GateRun& run) {
+  const properties::GateOptions& options = run.report.options;
+  add(section, "p", {{"class", fmt::format("result exit-{}", run.exit_status())}}, summary_of(run));
+  add_facts(section, {{"exit status", meaning_of(run.exit_status())},
+                      {"interrupted", run.report.interrupted ? "yes: what follows was judged until then" : "no"},
+                      {"seed", std::to_string(options.seed)},
+                      {"cases", fmt::format("{} of each of {} families", options.cases, options.families.size())},
+                      {"limit", limit_of(options.yardstick)}});
+}
+
+void add_environment(pugi::xml_node section, const GateRun& run) {
+  const Environment& e = run.environment;
+  std::vector<Fact> facts{{"Carom", CAROM_VERSION},
+                          {"date", e.date},
+                          {"seed", std::to_string(run.report.options.seed)},
+                          {"compiler", e.compiler},
+                          {"compiler flags", e.compiler_flags},
+                          {"build type", e.build_type},
+                          {"operating system", e.operating_system},
+                          {"kernel", e.kernel},
+                          {"processor", e.processor},
+                          {"processor threads", std::to_string(e.processor_threads)}};
+  for (const properties::SubjectResult& result : run.report.results) {
+    facts.emplace_back("version of " + result.subject.name, result.subject.version);
+  }
+  add_facts(section, facts);
+}
+
+struct Part {
+  const char* anchor;
+  const char* heading;
+};
+constexpr std::array<Part, 7> parts{{{"summary", "Summary"},
+                                     {"subjects", "Subjects"},
+                                     {"invariants", "Invariants"},
+                                     {"families", "Families"},
+                                     {"generated", "What was generated"},
+                                     {"witnesses", "Witnesses"},
+                                     {"environment", "Environment"}}};
+
+void add_head(pugi::xml_node html, const std::string& title) {
+  const pugi::xml_node head = add(html, "head");
+  add(head, "meta", {{"charset", "utf-8"}});
+  add(head, "meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+  add(head, "meta", {{"name", "color-scheme"}, {"content", "light dark"}});
+  // No page that shows this one can make it load or run anything.
+  add(head, "meta",
+      {{"http-equiv", "Content-Security-Policy"},
+       {"content", "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"}});
+  add(head, "title", {}, title);
+  add(head, "style", {}, report_style);
+}
+
+pugi::xml_node add_part(pugi::xml_node main, const char* anchor) {
+  const auto part =
+      std::find_if(parts.begin(), parts.end(), [&](const Part& one) { return std::string_view(one.anchor) == anchor; });
+  const std::string heading = std::string(anchor) + "-heading";
+  const pugi::xml_node section = add(main, "section", {{"id", anchor}, {"aria-labelledby", heading}});
+  add(section, "h2", {{"id", heading}}, part->heading);
+  return section;
+}
+
+void add_contents(pugi::xml_node body) {
+  const pugi::xml_node list = add(add(body, "nav", {{"aria-label", "Contents"}}), "ul");
+  for (const Part& part : parts) {
+    add(add(list, "li"), "a", {{"href", std::string("#") + part.anchor}}, part.heading);
+  }
+}
+
+/// In HTML an element without content has either no end tag or must have one; <meta/> is read the same as XML.
+std::string serialized(const pugi::xml_document& document) {
+  std::ostringstream stream;
+  document.save(stream, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
+  std::string text = stream.str();
+  constexpr std::string_view end = "></meta>";
+  for (std::size_t at = text.find(end); at != std::string::npos; at = text.find(end, at)) {
+    text.replace(at, end.size(), "/>\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_of(const GateRun& run) {
+  std::size_t counted = 0;
+  std::size_t sound = 0;
+  std::size_t violated = 0;
+  for (std::size_t s = 0; s < run.counts.size(); ++s) {
+    const std::string status = status_of(run.report.results[s]);
+    counted += run.counts[s] ? 1 : 0;
+    sound += run.counts[s] && status == "sound" ? 1 : 0;
+    violated += run.counts[s] && status == "violated" ? 1 : 0;
+  }
+  const std::size_t others = counted - sound - violated;
+  const char* subjects = counted == 1 ? "subject that counts" : "subjects that count";
+  std::string text;
+  if (counted == 0) {
+    text = "No subject that counts was judged.";
+  } else if (sound == counted) {
+    text =
+        counted == 1 ? "The one subject that counts is sound." : fmt::format("All {} {} are sound.", counted, subjects);
+  } else {
+    text = fmt::format("Of {} {}, {} {} sound, {} {} an invariant", counted, subjects, sound, sound == 1 ? "is" : "are",
+                       violated, violated == 1 ? "violates" : "violate");
+    text += others == 0 ? "." : fmt::format(", and {} could not be judged to the end.", others);
+  }
+  return run.report.interrupted ? "Interrupted. Until then: " + text : text;
+}
+
+std::string html_report(const GateRun& run, const std::filesystem::path& out_directory) {
+  pugi::xml_document document;
+  document.append_child(pugi::node_doctype).set_value("html");
+  pugi::xml_node html = document.append_child("html");
+  html.append_attribute("lang") = "en";
+  add_head(html, "Carom: " + summary_of(run));
+  const pugi::xml_node body = add(html, "body");
+  add(body, "a", {{"class", "skip"}, {"href", "#main"}}, "Skip to the report");
+  const pugi::xml_node header = add(body, "header");
+  add(header, "h1", {}, "Carom: collision impulses against exact arithmetic");
+  add_contents(header);
+  const pugi::xml_node main = add(body, "main", {{"id", "main"}, {"tabindex", "-1"}});
+  add_summary(add_part(main, "summary"), run);
+  add_subjects(add_part(main, "subjects"), run);
+  add_invariants(add_part(main, "invariants"), run);
+  add_families(add_part(main, "families"), run);
+  add_coverage(add_part(main, "generated"), run);
+  add_witnesses(add_part(main, "witnesses"), run, out_directory);
+  add_environment(add_part(main, "environment"), run);
+  add(add(body, "footer"), "p", {},
+      "How to read this page: docs/reading-a-report.md. The same as data: report.json and witnesses/ beside it.");
+  return serialized(document) + '\n';
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/html_witness.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/trial/in_words.hpp>
+
+#include "report/contact_drawing.hpp"
+#include "report/formula.hpp"
+#include "report/html_tables.hpp"
+#include "report/markup.hpp"
+
+namespace carom::tool {
+namespace {
+
+using oracles::Rational;
+using properties::in_words;
+using properties::Witness;
+
+/// A table whose rows begin with their header.
+class Rows {
+ public:
+  Rows(pugi::xml_node section, const std::string& caption, const std::vector<std::string>& columns)
+      : table_(add_table(section, caption, "numbers")) {
+    add_column_headers(table_, columns);
+    body_ = add(table_, "tbody");
+  }
+
+  void add_row(const std::string& name, const std::vector<std::string>& cells) {
+    const pugi::xml_node row = add(body_, "tr");
+    add(row, "th", {{"scope", "row"}}, name);
+    for (const std::string& cell : cells) {
+      add(row, "td", {}, cell);
+    }
+  }
+
+ private:
+  pugi::xml_node table_;
+  pugi::xml_node body_;
+};
+
+std::string vector_text(const Quaternion<double>& q) {
+  return fmt::format("({}, {}, {}, {})", in_words(q[0]), in_words(q[1]), in_words(q[2]), in_words(q[3]));
+}
+
+void add_collision(pugi::xml_node section, const Collision& c) {
+  Rows bodies(section, "Both bodies before the impulse", {"", "A", "B"});
+  const auto row = [&](const char* name, bool of_movable, const auto& text) {
+    const auto cell = [&](const Body& body) { return of_movable && body.immovable ? std::string("–") : text(body); };
+    bodies.add_row(name, {cell(c.a), cell(c.b)});
+  };
+  row("mass", false, [](const Body& b) { return b.immovable ? std::string("immovable") : in_words(b.mass); });
+  row("principal inertia", true, [](const Body& b) { return in_words(b.principal_inertia); });
+  row("orientation", true, [](const Body& b) { return vector_text(b.orientation); });
+  row("position", false, [](const Body& b) { return in_words(b.position); });
+  row("velocity", false, [](const Body& b) { return in_words(b.velocity); });
+  row("angular velocity", false, [](const Body& b) { return in_words(b.angular_velocity); });
+
+  Rows contact(section, "The contact", {"", "value"});
+  contact.add_row("point P", {in_words(c.point)});
+  contact.add_row("normal N", {in_words(c.normal)});
+  contact.add_row("restitution ε", {in_words(c.restitution)});
+  if (c.friction != 0 || c.tangential_restitution != 0) {
+    contact.add_row("friction μ", {in_words(c.friction)});
+    contact.add_row("tangential restitution", {in_words(c.tangential_restitution)});
+  }
+}
+
+/// The models whose truth an outcome of this subject can be compared with.
+std::vector<Model> models_shown(Model claimed) {
+  std::vector<Model> models;
+  for (const Model model : models_with_truth) {
+    if (claimed == model || claimed == Model::any) {
+      models.push_back(model);
+    }
+  }
+  return models;
+}
+
+void add_outcome(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
+                 Model claimed) {
+  if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
+    add(section, "p", {}, "The subject refused it:");
+    add(section, "pre", {{"tabindex", "0"}}, refused->why);
+  }
+  const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
+  std::vector<std::string> columns{""};
+  std::vector<std::array<const Vector3<Rational>*, 4>> exact;
+  if (computed != nullptr) {
+    columns.emplace_back("computed");
+  }
+  if (judged_case.is_valid()) {
+    for (const Model model : models_shown(claimed)) {
+      columns.push_back(claimed == Model::any ? fmt::format("exact, {}", name_of(model)) : "exact");
+      exact.push_back(vectors(judged_case.exact().truth(model).outcome));
+    }
+  }
+  if (columns.size() == 1) {
+    return;
+  }
+  Rows rows(section, "Both bodies after the impulse", columns);
+  constexpr std::array<const char*, 4> names{"velocity of A", "angular velocity of A", "velocity of B",
+                                             "angular velocity of B"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    std::vector<std::string> cells;
+    if (computed != nullptr) {
+      cells.push_back(in_words(*vectors(*computed)[k]));
+    }
+    for (const auto& truth : exact) {
+      cells.push_back(in_words(*truth[k]));
+    }
+    rows.add_row(names[k], cells);
+  }
+}
+
+void add_sides(pugi::xml_node section, const properties::Verdict& verdict) {
+  if (verdict.left.empty()) {
+    add(section, "p", {{"class", "sides"}}, verdict.detail);
+    return;
+  }
+  Rows rows(section, "What was compared: " + verdict.detail, {"", "value"});
+  rows.add_row("left side", {in_words(verdict.left)});
+  rows.add_row("right side", {in_words(verdict.right)});
+  rows.add_row("apart by", {fmt::format("{:.3g}", verdict.residual)});
+  rows.add_row("allowed", {fmt::format("{:.3g}", verdict.allowed)});
+}
+
+Motion motion_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& outcome) {
+  const Vector3<Rational> relative = oracles::relative_velocity<Rational>(collision, outcome);
+  Motion motion{map_outcome<double>(outcome, [](const Rational& x) { return oracles::nearest_double(x); }), {}};
+  for (int i = 0; i < 3; ++i) {
+    motion.relative_velocity[i] = oracles::nearest_double(relative[i]);
+  }
+  return motion;
+}
+
+void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
+                 Model claimed, const std::string& anchor, const std::string& title) {
+  if (!judged_case.is_valid()) {
+    add(section, "p", {}, "The collision is invalid: there is nothing to draw.");
+    return;
+  }
+  const oracles::ExactCase& exact_case = judged_case.exact();
+  const BasicCollision<Rational>& collision = exact_case.exact();
+  ContactPicture picture{witness.shrunk.collision, motion_of(collision, unchanged(collision)), std::nullopt,
+                         std::nullopt};
+  const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
+  if (computed != nullptr && oracles::is_finite(*computed)) {
+    picture.computed = motion_of(collision, oracles::lift(*computed));
+  }
+  if (claimed != Model::any) {
+    picture.exact = motion_of(collision, exact_case.truth(claimed).outcome);
+  }
+  add_contact_figure(section, picture, anchor, title);
+}
+
+void add_witness(pugi::xml_node section, const GateRun& run, std::size_t subject, const Witness& witness,
+                 const std::filesystem::path& out_directory) {
+  const properties::SubjectResult& result = run.report.results[subject];
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  const properties::Count count = result.count(witness.invariant);
+  const std::string anchor = witness_anchor(subject, witness.invariant);
+  const std::string title = result.subject.name + " violates " + witness.invariant;
+  const pugi::xml_node article = add(section, "article", {{"id", anchor}, {"aria-labelledby", anchor + "-heading"}});
+  add(article, "h4", {{"id", anchor + "-heading"}}, title);
+  add(article, "p", {},
+      fmt::format("{} Violated in {} of {} cases; this one comes from the family {}.", invariant.statement,
+                  count.violated, count.violated + count.holds, witness.family));
+  add_formula(add(article, "div", {{"class", "formula"}, {"tabindex", "0"}}), invariant.formula);
+  const properties::JudgedCase judged_case(witness.shrunk);
+  const pugi::xml_node columns = add(article, "div", {{"class", "columns"}});
+  const pugi::xml_node numbers = add(columns, "div", {{"class", "witness-numbers"}});
+  add_collision(numbers, witness.shrunk.collision);
+  add_outcome(numbers, witness, judged_case, result.subject.model);
+  add_sides(numbers, witness.verdict);
+  const pugi::xml_node pictures = add(columns, "div", {{"class", "pictures"}});
+  add_drawing(pictures, witness, judged_case, result.subject.model, anchor, title);
+  const std::filesystem::path file = witness_path(out_directory, result.subject, witness);
+  add(article, "p", {}, "To replay it:");
+  add(article, "pre", {{"tabindex", "0"}}, replay_command(file, result.subject, run.report.options.yardstick));
+}
+
+}  // namespace
+
+void add_witnesses(pugi::xml_node section, const GateRun& run, const std::filesystem::path& out_directory) {
+  bool any = false;
+  for (const bool counts : {true, false}) {
+    for (std::size_t s = 0; s < run.report.results.size(); ++s) {
+      const properties::SubjectResult& result = run.report.results[s];
+      if (run.counts[s] != counts || result.witnesses.empty()) {
+        continue;
+      }
+      any = true;
+      const pugi::xml_node of_subject = add(section, "section");
+      add(of_subject, "h3", {}, result.subject.name + (counts ? "" : " (expected to fail)"));
+      for (const Witness& witness : result.witnesses) {
+        add_witness(of_subject, run, s, witness, out_directory);
+      }
+    }
+  }
+  if (!any) {
+    add(section, "p", {}, "Nothing was violated: there is no witness.");
+  }
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/records.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+using oracles::Rational;
+using properties::Status;
+
+template <class S, class Convert>
+json velocities_record(const Outcome<S>& outcome, const Convert& convert) {
+  const auto vector = [&](const Vector3<S>& v) { return json::array({convert(v[0]), convert(v[1]), convert(v[2])}); };
+  const auto body = [&](const BodyVelocity<S>& motion) {
+    return json{{"velocity", vector(motion.velocity)}, {"angular_velocity", vector(motion.angular_velocity)}};
+  };
+  return {{"a", body(outcome.a)}, {"b", body(outcome.b)}};
+}
+
+json numbers(const std::vector<double>& values) {
+  json array = json::array();
+  for (const double value : values) {
+    array.push_back(number_to_json(value));
+  }
+  return array;
+}
+
+json optional_number(const std::optional<double>& value) { return value ? number_to_json(*value) : json(); }
+
+json coverage_record(const properties::Coverage& coverage) {
+  return {{"cases", coverage.cases},
+          {"colliding", coverage.colliding},
+          {"resting", coverage.resting},
+          {"separating", coverage.separating},
+          {"inert", coverage.inert},
+          {"invalid", coverage.invalid},
+          {"one_immovable", coverage.one_immovable},
+          {"spheres", coverage.spheres},
+          {"head_on", coverage.head_on},
+          {"inelastic", coverage.inelastic},
+          {"elastic", coverage.elastic}};
+}
+
+json count_record(const properties::Count& count) {
+  return {{"holds", count.holds}, {"violated", count.violated}, {"skipped", count.skipped}};
+}
+
+json yardstick_record(const oracles::Yardstick& yardstick) {
+  json record{{"limit_ulps", yardstick.limit_ulps}};
+  if (yardstick.digits) {
+    record["digits"] = *yardstick.digits;
+  }
+  return record;
+}
+
+}  // namespace
+
+std::string status_of(const properties::SubjectResult& result) {
+  if (!result.error.empty()) {
+    return "error";
+  }
+  if (!result.violated_invariants().empty()) {
+    return "violated";
+  }
+  return result.is_sound() ? "sound" : "not judged";
+}
+
+namespace {
+
+json subject_facts(const Subject& subject) {
+  json facts{{"name", subject.name},
+             {"summary", subject.summary},
+             {"model", name_of(subject.model)},
+             {"precision", name_of(subject.precision)},
+             {"expected_to_pass", subject.expected_to_pass},
+             {"deviates", subject.deviates}};
+  if (!subject.specification.empty()) {
+    facts["specification"] = subject.specification;
+  }
+  if (!subject.version.empty()) {
+    facts["version"] = subject.version;
+  }
+  return facts;
+}
+
+json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
+  json record = subject_facts(result.subject);
+  record["counts"] = counts;
+  record["status"] = status_of(result);
+  record["error"] = result.error;
+  record["cases"] = result.cases();
+  record["skipped"] = result.skipped();
+  const auto worst = result.worst_backward_error(options);
+  record["worst_backward_error"] = {{"ulps", number_to_json(worst.backward_error)}, {"family", worst.family}};
+  record["digits"] = {{"p50", optional_number(result.digits_at_least(0.5))},
+                      {"p99", optional_number(result.digits_at_least(0.99))},
+                      {"worst", optional_number(result.digits_at_least(1))}};
+  record["nanoseconds_per_solve"] = result.nanoseconds_per_solve;
+  record["families"] = json::array();
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const properties::FamilyResult& family = result.families[f];
+    json invariants = json::object();
+    for (const auto& [name, count] : family.counts) {
+      invariants[name] = count_record(count);
+    }
+    record["families"].push_back({{"family", options.families[f]->name},
+                                  {"cases", family.cases},
+                                  {"skipped", family.skipped},
+                                  {"violated", family.violated},
+                                  {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
+                                  {"invariants", std::move(invariants)}});
+  }
+  record["violations"] = json::array();
+  for (const properties::Witness& witness : result.witnesses) {
+    record["violations"].push_back({{"invariant", witness.invariant},
+                                    {"count", result.count(witness.invariant).violated},
+                                    {"family", witness.family},
+                                    {"case", witness.index},
+                                    {"witness", witness_path({}, result.subject, witness).string()}});
+  }
+  return record;
+}
+
+}  // namespace
+
+json outcome_record(const ReportedOutcome& outcome) {
+  return velocities_record(outcome, [](long double number) -> json {
+    const auto rounded = static_cast<double>(number);
+    const bool is_binary64 = static_cast<long double>(rounded) == number || number != number;
+    return is_binary64 ? number_to_json(rounded) : json(fmt::format("{:.21g}", number));
+  });
+}
+
+json answer_record(const Answer& answer) {
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    return outcome_record(*outcome);
+  }
+  if (const auto* refused = std::get_if<Refused>(&answer)) {
+    return {{"refused", refused->why}};
+  }
+  return {{"skipped", std::get<Skipped>(answer).why}};
+}
+
+json truth_record(const oracles::ExactCase& exact_case, Model model) {
+  const oracles::Truth<Rational>& truth = exact_case.truth(model);
+  json record = velocities_record(truth.outcome, [](const Rational& x) { return oracles::to_text(x); });
+  record["impulse"] = json::array();
+  for (int i = 0; i < 3; ++i) {
+    record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
+  }
+  record["nearest"] =
+      velocities_record(truth.outcome, [](const Rational& x) { return number_to_json(oracles::nearest_double(x)); });
+  return record;
+}
+
+json verdict_record(const properties::Verdict& verdict) {
+  switch (verdict.status) {
+    case Status::holds:
+      return {{"status", "holds"}};
+    case Status::skipped:
+      return {{"status", "skipped"}, {"detail", verdict.detail}};
+    case Status::violated:
+      break;
+  }
+  return {{"status", "violated"},
+          {"detail", verdict.detail},
+          {"left", numbers(verdict.left)},
+          {"right", numbers(verdict.right)},
+          {"residual", number_to_json(verdict.residual)},
+          {"allowed", number_to_json(verdict.allowed)}};
+}
+
+json witness_record(const properties::Witness& witness, const Subject& subject, const properties::GateOptions& options,
+                    const std::filesystem::path& witness_file) {
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  json record{{"subject", subject_facts(subject)},
+              {"invariant", witness.invariant},
+              {"statement", invariant.statement},
+              {"formula", invariant.formula},
+              {"family", witness.family},
+              {"seed", options.seed},
+              {"case", witness.index},
+              {"yardstick", yardstick_record(options.yardstick)},
+              {"convex_uniform", witness.shrunk.convex_uniform},
+              {"collision", collision_to_json(witness.shrunk.collision)},
+              {"drawn", collision_to_json(witness.original.collision)},
+              {"outcome", answer_record(witness.answer)},
+              {"verdict", verdict_record(witness.verdict)},
+              {"replay", replay_command(witness_file, subject, options.yardstick)}};
+  const properties::JudgedCase judged_case(witness.shrunk);
+  if (judged_case.is_valid()) {
+    record["truth"] = json::object();
+    for (const Model model : models_with_truth) {
+      if (subject.model == model || subject.model == Model::any) {
+        record["truth"][std::string(name_of(model))] = truth_record(judged_case.exact(), model);
+      }
+    }
+  }
+  return record;
+}
+
+int GateRun::exit_status() const {
+  bool judged = false;
+  bool violated = false;
+  bool failed = report.interrupted;
+  for (std::size_t s = 0; s < report.results.size(); ++s) {
+    if (!counts[s]) {
+      continue;
+    }
+    judged = true;
+    const std::string status = status_of(report.results[s]);
+    violated = violated || status == "violated";
+    failed = failed || status == "error" || status == "not judged";
+  }
+  if (failed || !judged) {
+    return exit_usage;
+  }
+  return violated ? exit_violated : exit_all_hold;
+}
+
+json report_record(const GateRun& run) {
+  const properties::GateOptions& options = run.report.options;
+  json record{{"carom", CAROM_VERSION},
+              {"environment", environment_record(run.environment)},
+              {"seed", options.seed},
+              {"cases_of_each_family", options.cases},
+              {"yardstick", yardstick_record(options.yardstick)},
+              {"exit_status", run.exit_status()},
+              {"interrupted", run.report.interrupted},
+              {"families", json::array()},
+              {"subjects", json::array()}};
+  for (std::size_t f = 0; f < options.families.size(); ++f) {
+    record["families"].push_back({{"name", options.families[f]->name},
+                                  {"summary", options.families[f]->summary},
+                                  {"coverage", coverage_record(run.report.coverage[f])}});
+  }
+  for (std::size_t s = 0; s < run.report.results.size(); ++s) {
+    record["subjects"].push_back(subject_record(run.report.results[s], options, run.counts[s]));
+  }
+  for (const Subject& subject : run.absent) {
+    json absent = subject_facts(subject);
+    absent["counts"] = false;
+    absent["status"] = "absent";
+    absent["error"] = subject.absent;
+    record["subjects"].push_back(std::move(absent));
+  }
+  return record;
+}
+
+std::string file_name_of(std::string name) {
+  for (char& letter : name) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
+    letter = is_plain ? letter : '_';
+  }
+  return name;
+}
+
+std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                   const properties::Witness& witness) {
+  return directory / "witnesses" / (file_name_of(subject.name) + '.' + witness.invariant + ".json");
+}
+
+std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+                           const oracles::Yardstick& yardstick) {
+  std::string command =
+      fmt::format("carom replay {} --subject {}", subjects::protocol::quoted(witness_file.string()),
+                  subjects::protocol::quoted(subject.specification.empty() ? subject.name : subject.specification));
+  if (yardstick.limit_ulps != oracles::default_limit_ulps) {
+    command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
+  }
+  if (yardstick.digits) {
+    command += fmt::format(" --digits {}", *yardstick.digits);
+  }
+  return command;
+}
+
+}  // namespace carom::tool

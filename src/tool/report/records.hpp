@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/properties/gate/gate.hpp>
+
+#include "report/environment.hpp"
+
+/// The JSON records that the program writes.
+namespace carom::tool {
+
+/// An outcome as numbers; what is not a binary64 number as a string with 21 digits.
+[[nodiscard]] nlohmann::json outcome_record(const ReportedOutcome& outcome);
+
+/// An outcome, {"refused": why} or {"skipped": why}.
+[[nodiscard]] nlohmann::json answer_record(const Answer& answer);
+
+/// The exact truth of one model: velocities, impulse and energy change as strings "p/q", and under `nearest` the
+/// velocities as binary64.
+[[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
+
+/// "holds", "violated" or "skipped", with both sides of the formula where violated.
+[[nodiscard]] nlohmann::json verdict_record(const properties::Verdict& verdict);
+
+/// A witness as one file.
+[[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
+                                            const properties::GateOptions& options,
+                                            const std::filesystem::path& witness_file);
+
+/// "sound", "violated", "error" where it could not be judged to the end, "not judged" where no case could be posed to
+/// it.
+[[nodiscard]] std::string status_of(const properties::SubjectResult& result);
+
+/// report.json. `counts` says of each subject whether it counts towards the exit status.
+struct GateRun {
+  properties::GateReport report;
+  std::vector<bool> counts;
+  std::vector<Subject> absent;  // asked for, or part of the default, and not installed
+  Environment environment;
+  /// 2 something that counts could not be judged to the end, or nothing was; else 1 something violated, 0 all hold.
+  [[nodiscard]] int exit_status() const;
+};
+
+[[nodiscard]] nlohmann::json report_record(const GateRun& run);
+
+/// A subject's name as part of a file's.
+[[nodiscard]] std::string file_name_of(std::string name);
+
+/// Where a witness is written: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
+[[nodiscard]] std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                                 const properties::Witness& witness);
+
+/// What to type in a POSIX shell to replay the witness in that file with the same verdict.
+[[nodiscard]] std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+                                         const oracles::Yardstick& yardstick);
+
+}  // namespace carom::tool

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/table.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <carom/properties/trial/in_words.hpp>
+
+namespace carom::tool {
+namespace {
+
+using properties::GateReport;
+using properties::SubjectResult;
+using properties::Witness;
+
+std::string coverage_table(const GateReport& report) {
+  std::string text = fmt::format("{:18} {:>8} {:>10} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
+                                 "family", "cases", "colliding", "resting", "separating", "inert", "invalid",
+                                 "one wall", "spheres", "head-on", "ε = 0", "ε = 1");
+  for (std::size_t f = 0; f < report.coverage.size(); ++f) {
+    const properties::Coverage& c = report.coverage[f];
+    text += fmt::format("{:18} {:8} {:10} {:8} {:11} {:6} {:8} {:9} {:8} {:8} {:8} {:8}\n",
+                        report.options.families[f]->name, c.cases, c.colliding, c.resting, c.separating, c.inert,
+                        c.invalid, c.one_immovable, c.spheres, c.head_on, c.inelastic, c.elastic);
+  }
+  return text;
+}
+
+std::string digits_text(const SubjectResult& result) {
+  const auto p50 = result.digits_at_least(0.5);
+  if (!p50) {
+    return "–";
+  }
+  return fmt::format("{:.1f} / {:.1f} / {:.1f}", *p50, *result.digits_at_least(0.99), *result.digits_at_least(1));
+}
+
+/// The families in which anything was violated, how often, and how far the outcomes are off.
+std::string families_text(const SubjectResult& result, const GateReport& report) {
+  std::string text;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const properties::FamilyResult& family = result.families[f];
+    if (family.violated > 0) {
+      text += fmt::format("{}{} {} % ({:.2g})", text.empty() ? "" : ", ", report.options.families[f]->name,
+                          (100 * family.violated + family.cases - 1) / family.cases, family.worst_backward_error);
+    }
+  }
+  return text;
+}
+
+/// The text with every line but the first moved in.
+std::string indented(const std::string& text, const std::string& by) {
+  std::string result;
+  for (const char letter : text) {
+    result += letter;
+    result += letter == '\n' ? by : "";
+  }
+  return result;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+std::string subject_line(const SubjectResult& result, const GateReport& report) {
+  const auto worst = result.worst_backward_error(report.options);
+  const std::size_t violated = result.violated_invariants().size();
+  const std::string status = status_of(result);
+  const std::string verdict = status == "violated" ? fmt::format("{} violated", violated) : status;
+  std::string line =
+      fmt::format("{:40} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
+                  worst.backward_error, worst.family, digits_text(result), result.nanoseconds_per_solve);
+  if (result.skipped() > 0) {
+    line += fmt::format("    {} cases skipped\n", result.skipped());
+  }
+  if (!result.error.empty()) {
+    line += indented("    error: " + result.error, "      ") + '\n';
+  }
+  if (!result.subject.deviates.empty()) {
+    line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
+  }
+  const std::string names = listed(result.violated_invariants());
+  return names.empty() ? line : line + "    violated: " + names + "\n    in: " + families_text(result, report) + '\n';
+}
+
+std::string subject_table(const GateRun& run, bool counts) {
+  std::string lines;
+  for (std::size_t s = 0; s < run.report.results.size(); ++s) {
+    if (run.counts[s] == counts) {
+      lines += subject_line(run.report.results[s], run.report);
+    }
+  }
+  return lines;
+}
+
+std::string witness_text(const SubjectResult& result, const Witness& witness, const GateReport& report,
+                         const std::string& out_directory) {
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  const auto family = std::find_if(report.options.families.begin(), report.options.families.end(),
+                                   [&](const properties::Family* f) { return f->name == witness.family; });
+  const auto f = static_cast<std::size_t>(family - report.options.families.begin());
+  std::string text =
+      fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name, witness.invariant,
+                  witness.family, result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
+                  result.count(witness.invariant).violated, invariant.statement);
+  text += properties::violation_in_words(witness.shrunk.collision, witness.answer, witness.verdict);
+  if (!out_directory.empty()) {
+    const auto file = witness_path(out_directory, result.subject, witness);
+    text += "  " + replay_command(file, result.subject, report.options.yardstick) + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const GateRun& run, const std::string& out_directory) {
+  const GateReport& report = run.report;
+  const oracles::Yardstick& yardstick = report.options.yardstick;
+  std::string text = fmt::format(
+      "Carom {}: {} cases of each of {} families, seed {}, limit {}\n\n", CAROM_VERSION, report.options.cases,
+      report.options.families.size(), report.options.seed,
+      yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps));
+  if (report.interrupted) {
+    text += "INTERRUPTED: what follows is what was judged until then\n\n";
+  }
+  text += coverage_table(report);
+  const std::string heading = fmt::format("\n{:40} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
+                                          "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");
+  text += heading + subject_table(run, true);
+  const std::string expected = subject_table(run, false);
+  if (!expected.empty()) {
+    text += "\nexpected to fail, not counted\n" + expected;
+  }
+  for (const Subject& subject : run.absent) {
+    text += fmt::format("{:40} absent: {}\n", subject.name, subject.absent);
+  }
+  for (const bool counts : {true, false}) {
+    for (std::size_t s = 0; s < report.results.size(); ++s) {
+      if (run.counts[s] != counts) {
+        continue;
+      }
+      for (const Witness& witness : report.results[s].witnesses) {
+        text += '\n' + witness_text(report.results[s], witness, report, out_directory);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace carom::tool

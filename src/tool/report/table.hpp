@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "report/records.hpp"
+
+namespace carom::tool {
+
+/// The report for a terminal: what was generated, a line a subject, then each violation with its witness in words.
+[[nodiscard]] std::string report_text(const GateRun& run, const std::string& out_directory);
+
+}  // namespace carom::tool
