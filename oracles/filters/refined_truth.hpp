@@ -3,9 +3,9 @@
 
 #include <array>
 
+#include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
-#include <carom/oracles/models/superposition.hpp>
 
 namespace carom::oracles {
 

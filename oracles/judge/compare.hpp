@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <optional>
 
-#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/judge.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
 #include <carom/oracles/numbers/norm.hpp>
-#include <carom/oracles/filters/stage.hpp>
 
 /// How a law is held against an outcome.
 namespace carom::oracles {

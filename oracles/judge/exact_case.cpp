@@ -7,10 +7,10 @@
 #include <utility>
 
 #include <carom/oracles/exact/definiteness.hpp>
-#include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 
 namespace carom::oracles {

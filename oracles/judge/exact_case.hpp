@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
-#include <carom/oracles/judge/judged_laws.hpp>
-#include <carom/oracles/filters/refined_truth.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
 
 namespace carom::oracles {
 

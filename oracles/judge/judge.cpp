@@ -6,9 +6,9 @@
 #include <optional>
 #include <type_traits>
 
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/judge.hpp>
 #include <carom/oracles/numbers/norm.hpp>
-#include <carom/oracles/filters/stage.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include <carom/oracles/numbers/components.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/judge/lifted_outcome.hpp>
-#include <carom/oracles/numbers/norm.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/oracles/numbers/components.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 

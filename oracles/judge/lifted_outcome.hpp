@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
-#include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {

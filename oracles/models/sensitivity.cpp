@@ -6,11 +6,11 @@
 
 #include <Eigen/LU>
 
-#include <carom/oracles/numbers/inputs.hpp>
-#include <carom/oracles/numbers/norm.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 namespace {

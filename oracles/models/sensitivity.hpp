@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <carom/collision/model.hpp>
+#include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/numbers/dual.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/norm.hpp>
-#include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
 

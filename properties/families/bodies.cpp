@@ -76,7 +76,7 @@ SizedShape any_convex_shape(Stream& stream) {
 }
 
 /// No sliver: solvers keep J⁻¹ in world coordinates, which costs the angular momentum of a body with moments 1 : ρ up
-/// to about ρ/10 ulps (tests/unit/sliver_test.cpp), whatever the solver.
+/// to about ρ/10 ulps (tests/impulse/sliver_test.cpp), whatever the solver.
 SizedShape convex_shape(Stream& stream) {
   constexpr double largest_ratio_of_moments = 128;
   for (;;) {

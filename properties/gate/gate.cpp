@@ -7,10 +7,10 @@
 #include <mutex>
 #include <thread>
 
-#include <carom/properties/trial/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/tally.hpp>
 #include <carom/properties/search/witness.hpp>
+#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <carom/properties/trial/answers.hpp>
 #include <carom/properties/search/shrink.hpp>
 #include <carom/properties/search/witness.hpp>
+#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties {
 namespace {

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/trial/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 namespace {

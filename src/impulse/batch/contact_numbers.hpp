@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include <carom/impulse/contact.hpp>
 #include <carom/impulse/batch/contact_arrays.hpp>
+#include <carom/impulse/contact.hpp>
 
 /// The numbers of contacts and outcomes, one by one, in the order of for_each_array (contact_arrays.hpp).
 namespace carom::impulse {

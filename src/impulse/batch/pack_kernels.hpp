@@ -5,7 +5,7 @@
 
 /// The units that pack_kernels.cpp is compiled to, one a namespace for each instruction set. What is declared here
 /// takes pointers alone: a unit of a wide instruction set must define nothing that another unit could be linked with
-/// (tests/batch/isolation.cmake).
+/// (tests/impulse/batch/isolation.cmake).
 #define CAROM_DECLARE_PACK_KERNELS(SET)                  \
   namespace carom::impulse::SET {                        \
   void solve_frictionless(const PackTask<float>& task);  \

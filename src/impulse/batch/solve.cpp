@@ -2,8 +2,8 @@
 #include <stdexcept>
 #include <string>
 
-#include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/batch/pack_kernels.hpp>
+#include <carom/impulse/batch/solve.hpp>
 
 namespace carom::impulse {
 namespace {

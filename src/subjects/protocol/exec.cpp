@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/text.hpp>
-#include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

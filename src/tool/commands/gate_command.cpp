@@ -11,15 +11,15 @@
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
-#include "report/environment.hpp"
-#include "report/html_report.hpp"
 #include "commands/interrupt.hpp"
-#include "report/junit.hpp"
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
-#include "report/records.hpp"
 #include "commands/subject_argument.hpp"
+#include "report/environment.hpp"
+#include "report/html_report.hpp"
+#include "report/junit.hpp"
+#include "report/records.hpp"
 #include "report/table.hpp"
 
 namespace carom::tool {

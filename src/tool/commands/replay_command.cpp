@@ -7,15 +7,15 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
-#include <carom/subjects/protocol/text.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/orphans.hpp"
-#include "report/records.hpp"
 #include "commands/subject_argument.hpp"
+#include "report/records.hpp"
 
 namespace carom::tool {
 namespace {

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/json/json.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom {
+namespace {
+
+using nlohmann::json;
+
+Collision through_text(const Collision& collision) {
+  return collision_from_json(json::parse(collision_to_json(collision).dump()));
+}
+
+/// A NaN is a NaN: the protocol has one word for all of them.
+void expect_same(const Collision& left, const Collision& right, const std::string& what) {
+  EXPECT_EQ(left.a.immovable, right.a.immovable) << what;
+  EXPECT_EQ(left.b.immovable, right.b.immovable) << what;
+  for_each_number(
+      [&](const FieldPath& path, const double& x, const double& y) {
+        EXPECT_TRUE(unit::same_bits(x, y) || (std::isnan(x) && std::isnan(y)))
+            << what << ": " << path.text() << ": " << x << " became " << y;
+      },
+      left, right);
+}
+
+TEST(CollisionJson, RoundTripsEveryFamilyBitForBit) {
+  for (const properties::Family& family : properties::all_families()) {
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const Collision collision = unit::case_of(family.name, i).collision;
+      expect_same(collision, through_text(collision), std::string(family.name) + " " + std::to_string(i));
+    }
+  }
+}
+
+TEST(CollisionJson, RoundTripsTheEndsOfBinary64) {
+  using Limits = std::numeric_limits<double>;
+  for (const double x :
+       {Limits::max(), Limits::min(), Limits::denorm_min(), -Limits::denorm_min(), -0.0, 0.1, 1e23, 9007199254740993.0,
+        0x1.fffffffffffffp-1023, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
+    Collision collision;
+    collision.a.velocity = {x, 1, -x};
+    collision.restitution = x;
+    expect_same(collision, through_text(collision), std::to_string(x));
+  }
+}
+
+TEST(CollisionJson, SpellsNumbersThatJsonHasNotAsStrings) {
+  using Limits = std::numeric_limits<double>;
+  EXPECT_EQ(number_to_json(Limits::quiet_NaN()), "nan");
+  EXPECT_EQ(number_to_json(Limits::infinity()), "inf");
+  EXPECT_EQ(number_to_json(-Limits::infinity()), "-inf");
+  EXPECT_EQ(number_to_json(0.5), 0.5);
+  EXPECT_TRUE(std::isnan(number_from_json("nan", "")));
+  EXPECT_EQ(number_from_json("inf", ""), Limits::infinity());
+  EXPECT_EQ(number_from_json("-inf", ""), -Limits::infinity());
+  EXPECT_EQ(number_from_json(7, ""), 7.0);
+}
+
+TEST(CollisionJson, LeavesOutWhatTheProtocolSaysIsAbsent) {
+  Collision collision;
+  collision.b.immovable = true;
+  const json written = collision_to_json(collision);
+  EXPECT_FALSE(written.contains("friction"));
+  EXPECT_FALSE(written.contains("tangential_restitution"));
+  EXPECT_FALSE(written.at("a").contains("immovable"));
+  EXPECT_EQ(written.at("b").at("immovable"), true);
+  for (const char* field : {"mass", "principal_inertia", "orientation"}) {
+    EXPECT_TRUE(written.at("a").contains(field)) << field;
+    EXPECT_FALSE(written.at("b").contains(field)) << field;
+  }
+  collision.friction = 0.25;
+  collision.tangential_restitution = -0.5;
+  EXPECT_EQ(collision_to_json(collision).at("friction"), 0.25);
+  EXPECT_EQ(collision_to_json(collision).at("tangential_restitution"), -0.5);
+}
+
+/// The example of the protocol, both bodies in full.
+json example() {
+  return json::parse(R"({
+    "a":{"mass":2.0,"principal_inertia":[0.8,0.7,0.5],"orientation":[1,0,0,0],
+         "position":[0,1,0],"velocity":[0.3,-2,0],"angular_velocity":[0,0,1]},
+    "b":{"immovable":true,"position":[0,0,0],"velocity":[0,0,0],"angular_velocity":[0,0,0]},
+    "point":[0,0.25,0],"normal":[0,1,0],"restitution":0.5,"friction":0.0})");
+}
+
+TEST(CollisionJson, ReadsTheExampleOfTheProtocol) {
+  const Collision c = collision_from_json(example());
+  EXPECT_FALSE(c.a.immovable);
+  EXPECT_EQ(c.a.mass, 2.0);
+  EXPECT_EQ(c.a.principal_inertia, (Vector3<double>{0.8, 0.7, 0.5}));
+  EXPECT_EQ(c.a.velocity, (Vector3<double>{0.3, -2, 0}));
+  EXPECT_TRUE(c.b.immovable);
+  EXPECT_EQ(c.point, (Vector3<double>{0, 0.25, 0}));
+  EXPECT_EQ(c.restitution, 0.5);
+}
+
+TEST(CollisionJson, TakesTheDefaultsOfOptionalFields) {
+  json record = example();
+  record.at("a").erase("orientation");
+  record.erase("friction");
+  const Collision c = collision_from_json(record);
+  EXPECT_EQ(c.a.orientation, (Quaternion<double>{1, 0, 0, 0}));
+  EXPECT_EQ(c.friction, 0);
+  EXPECT_EQ(c.tangential_restitution, 0);
+}
+
+/// The error of the example with this change; "" where there is none.
+template <class Change>
+std::string error_of(const Change& change, const std::string& place = {}) {
+  json record = example();
+  change(record);
+  try {
+    (void)collision_from_json(record, place);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CollisionJson, NamesAMissingField) {
+  for (const char* field :
+       {"/a/mass", "/a/principal_inertia", "/a/position", "/a/velocity", "/a/angular_velocity", "/b/position",
+        "/b/velocity", "/b/angular_velocity", "/a", "/b", "/point", "/normal", "/restitution"}) {
+    const json::json_pointer pointer(field);
+    EXPECT_EQ(error_of([&](json& r) { r.at(pointer.parent_pointer()).erase(pointer.back()); }),
+              std::string(field) + ": is missing");
+  }
+}
+
+TEST(CollisionJson, NamesAnUnknownFieldAndThoseThatAreKnown) {
+  EXPECT_EQ(error_of([](json& r) { r["resitution"] = 1; }),
+            "/resitution: unknown field; expected one of a, b, point, normal, restitution, friction, "
+            "tangential_restitution");
+  EXPECT_EQ(error_of([](json& r) { r["a"]["spin"] = 1; }).substr(0, 22), "/a/spin: unknown field");
+  // An immovable body has no mass.
+  EXPECT_EQ(error_of([](json& r) { r["b"]["mass"] = 1; }).substr(0, 22), "/b/mass: unknown field");
+}
+
+TEST(CollisionJson, NamesAFieldOfAnotherType) {
+  EXPECT_EQ(error_of([](json& r) { r["a"]["mass"] = true; }), "/a/mass: expected a number, found true");
+  EXPECT_EQ(error_of([](json& r) { r["a"]["mass"] = "2"; }), "/a/mass: expected a number, found \"2\"");
+  EXPECT_EQ(error_of([](json& r) { r["a"]["mass"] = nullptr; }), "/a/mass: expected a number, found null");
+  EXPECT_EQ(error_of([](json& r) { r["friction"] = json::array(); }), "/friction: expected a number, found []");
+  EXPECT_EQ(error_of([](json& r) { r["normal"][1] = "up"; }), "/normal/1: expected a number, found \"up\"");
+  EXPECT_EQ(error_of([](json& r) { r["point"] = 3; }), "/point: expected an array of 3 numbers, found 3");
+}
+
+TEST(CollisionJson, NamesAnArrayOfAnotherLength) {
+  EXPECT_EQ(error_of([](json& r) { r["normal"] = {0, 1}; }), "/normal: expected an array of 3 numbers, found [0,1]");
+  EXPECT_EQ(error_of([](json& r) {
+              r["a"]["orientation"] = {1, 0, 0};
+            }),
+            "/a/orientation: expected an array of 4 numbers, found [1,0,0]");
+  EXPECT_EQ(error_of([](json& r) {
+              r["b"]["velocity"] = {1, 0, 0, 0};
+            }),
+            "/b/velocity: expected an array of 3 numbers, found [1,0,0,0]");
+}
+
+TEST(CollisionJson, NamesWhatIsNoObject) {
+  EXPECT_EQ(error_of([](json& r) { r = 3; }), "/: expected an object, found 3");
+  EXPECT_EQ(error_of([](json& r) { r["a"] = {1, 2}; }), "/a: expected an object, found [1,2]");
+}
+
+TEST(CollisionJson, NamesAnImmovableThatIsNotBoolean) {
+  EXPECT_EQ(error_of([](json& r) { r["b"]["immovable"] = 1; }), "/b/immovable: expected true or false, found 1");
+  EXPECT_EQ(error_of([](json& r) { r["b"]["immovable"] = "yes"; }),
+            "/b/immovable: expected true or false, found \"yes\"");
+}
+
+TEST(CollisionJson, PutsTheGivenPlaceBeforeItsOwn) {
+  EXPECT_EQ(error_of([](json& r) { r.erase("normal"); }, "/cases/3"), "/cases/3/normal: is missing");
+}
+
+TEST(CollisionJson, CutsALongFindingShort) {
+  const std::string error = error_of([](json& r) { r["a"]["mass"] = std::string(1000, 'x'); });
+  EXPECT_LT(error.size(), 120U);
+  EXPECT_EQ(error.substr(0, 40), "/a/mass: expected a number, found \"xxxxx");
+}
+
+TEST(CollisionJson, DoesNotValidateTheNumbers) {
+  EXPECT_EQ(error_of([](json& r) { r["a"]["mass"] = -1; }), "");
+  EXPECT_EQ(error_of([](json& r) { r["normal"] = {"nan", "inf", "-inf"}; }), "");
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layout.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace carom::layout {
+namespace {
+
+/// One folder, the most special first: what its files may include beside the standard library, as beginnings of names.
+/// Without `only`, what they may not include.
+struct Rule {
+  std::string folder;
+  std::string name_begins;  // of the file; empty for any
+  bool only;
+  std::vector<std::string> names;
+};
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all{
+      {"src/collision/json/", "", true, {"carom/collision/", "Eigen/", "nlohmann/"}},
+      {"src/collision/", "", true, {"carom/collision/", "Eigen/"}},
+      {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/", "experimental/simd"}},
+      {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
+      {"src/tool/",
+       "",
+       true,
+       {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "benchmark/", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/",
+        "signal.h"}},
+      {"oracles/exact/", "rational.cpp", true, {"carom/collision/", "carom/oracles/", "CGAL/"}},
+      {"oracles/", "", true, {"carom/collision/", "carom/oracles/", "Eigen/"}},
+      {"properties/conformance/",
+       "",
+       true,
+       {"carom/collision/", "carom/impulse/contact.hpp", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/",
+        "gtest/", "rapidcheck"}},
+      {"properties/", "", true, {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/"}},
+      {"", "", false, {"carom/tool/", "CGAL/"}},
+  };
+  return all;
+}
+
+bool begins_with(std::string_view text, std::string_view beginning) {
+  return text.substr(0, beginning.size()) == beginning;
+}
+
+const Rule& rule_for(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return *std::find_if(rules().begin(), rules().end(), [&](const Rule& rule) {
+    return begins_with(path, rule.folder) && begins_with(file, rule.name_begins);
+  });
+}
+
+bool is_standard(const std::string& name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+bool is_allowed(const Rule& rule, const std::string& name) {
+  const bool named = std::any_of(rule.names.begin(), rule.names.end(),
+                                 [&](const std::string& beginning) { return begins_with(name, beginning); });
+  return rule.only ? named || is_standard(name) : !named;
+}
+
+bool ends_with(std::string_view text, std::string_view ending) {
+  return text.size() >= ending.size() && text.substr(text.size() - ending.size()) == ending;
+}
+
+bool is_source(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return ends_with(file, ".hpp") || ends_with(file, ".cpp") || ends_with(file, ".sh") || file == "CMakeLists.txt";
+}
+
+/// The licences that a file may have.
+std::vector<std::string> licences_of(const std::string& path) {
+  if (path == "src/CMakeLists.txt") {
+    return {"BSL-1.0", "GPL-3.0-or-later"};
+  }
+  for (const char* folder : {"src/collision/", "src/impulse/", "src/subjects/", "docs/examples/"}) {
+    if (begins_with(path, folder)) {
+      return {"BSL-1.0"};
+    }
+  }
+  return {"GPL-3.0-or-later"};
+}
+
+}  // namespace
+
+std::vector<std::string> include_offences(const std::string& path, const std::string& text) {
+  static const std::regex include(R"re(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])re");
+  const Rule& rule = rule_for(path);
+  std::vector<std::string> offences;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (!std::regex_search(line, match, include)) {
+      continue;
+    }
+    // A name in quotes leaves the folders' spelling <carom/…>, and could reach anywhere: only programs that install no
+    // header (the tool and the tests) may use one, for a neighbour.
+    const bool quoted = match[1] == "\"";
+    const bool may_quote = begins_with(path, "src/tool/") || begins_with(path, "tests/");
+    const std::string name = match[2];
+    const bool leaves_folder = name.find("..") != std::string::npos;
+    if (quoted ? !may_quote || leaves_folder : !is_allowed(rule, name) || leaves_folder) {
+      offences.push_back(path + ": includes " + (quoted ? '"' + name + '"' : '<' + name + '>'));
+    }
+  }
+  return offences;
+}
+
+std::vector<std::string> licence_offences(const std::string& path, const std::string& text) {
+  if (!is_source(path)) {
+    return {};
+  }
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  if (begins_with(line, "#!")) {
+    std::getline(lines, line);
+  }
+  const std::string comment = ends_with(path, "pp") ? "//" : "#";
+  const std::vector<std::string> licences = licences_of(path);
+  const bool right = std::any_of(licences.begin(), licences.end(), [&](const std::string& licence) {
+    return line == comment + " SPDX-License-Identifier: " + licence;
+  });
+  return right ? std::vector<std::string>{}
+               : std::vector{path + ": does not begin with SPDX-License-Identifier: " + licences[0]};
+}
+
+std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {
+  const std::set<std::string> house{"CMakeLists.txt", "README.md", "docs", "oracles", "properties", "src", "tests"};
+  std::vector<std::string> offences;
+  for (const std::string& name : house) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      offences.push_back(name + " is missing");
+    }
+  }
+  for (const std::string& name : names) {
+    if (!house.contains(name) && !begins_with(name, ".") && !begins_with(name, "build")) {
+      offences.push_back(name + " should not be there");
+    }
+  }
+  return offences;
+}
+
+std::vector<SourceFile> source_files(const std::filesystem::path& top) {
+  std::vector<SourceFile> files;
+  auto walk = std::filesystem::recursive_directory_iterator(top);
+  for (auto entry = std::filesystem::begin(walk); entry != std::filesystem::end(walk); ++entry) {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_directory()) {
+      if (begins_with(name, ".") || (entry.depth() == 0 && begins_with(name, "build"))) {
+        entry.disable_recursion_pending();
+      }
+      continue;
+    }
+    const std::string path = std::filesystem::relative(entry->path(), top).generic_string();
+    if (is_source(path)) {
+      std::ifstream stream(entry->path(), std::ios::binary);
+      files.push_back({path, std::string(std::istreambuf_iterator<char>(stream), {})});
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const SourceFile& left, const SourceFile& right) { return left.path < right.path; });
+  return files;
+}
+
+}  // namespace carom::layout

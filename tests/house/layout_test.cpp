@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layout.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+/// The tree keeps to the house of the design. The checker is tested on planted text first.
+namespace carom::layout {
+namespace {
+
+using Offences = std::vector<std::string>;
+
+const std::filesystem::path top = CAROM_SOURCE_DIR;
+
+std::string joined(const Offences& offences) {
+  std::string text;
+  for (const std::string& offence : offences) {
+    text += offence + '\n';
+  }
+  return text;
+}
+
+/// What a file at this path that includes this is reproached with.
+std::string offence_of(const std::string& path, const std::string& include) {
+  return joined(include_offences(path, "// SPDX\n#pragma once\n\n#include <vector>\n" + include + "\nint x;\n"));
+}
+
+TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
+  struct Planted {
+    const char* path;
+    const char* name;
+  };
+  for (const Planted& planted : std::vector<Planted>{
+           {"src/collision/collision.hpp", "carom/impulse/contact.hpp"},
+           {"src/collision/collision.hpp", "nlohmann/json.hpp"},
+           {"src/collision/collision.hpp", "fmt/format.h"},
+           {"src/collision/json/json.cpp", "carom/oracles/models/superposition.hpp"},
+           {"src/impulse/contact.hpp", "CGAL/Gmpq.h"},
+           {"src/impulse/contact.hpp", "carom/oracles/exact/rational.hpp"},
+           {"src/impulse/contact.hpp", "carom/subjects/catalogue.hpp"},
+           {"src/impulse/contact.hpp", "nlohmann/json.hpp"},
+           {"src/subjects/catalogue.cpp", "carom/oracles/models/superposition.hpp"},
+           {"src/subjects/catalogue.cpp", "carom/properties/gate/gate.hpp"},
+           {"src/subjects/engines/ode.cpp", "CGAL/Gmpq.h"},
+           {"src/subjects/engines/ode.cpp", "carom/tool/table.hpp"},
+           {"oracles/models/superposition.hpp", "carom/impulse/contact.hpp"},
+           {"oracles/models/superposition.hpp", "carom/properties/gate/gate.hpp"},
+           {"oracles/models/superposition.hpp", "fmt/format.h"},
+           {"oracles/exact/rational.hpp", "CGAL/Gmpq.h"},
+           {"oracles/models/superposition.hpp", "CGAL/Gmpq.h"},
+           {"properties/gate/gate.cpp", "carom/subjects/catalogue.hpp"},
+           {"properties/gate/gate.cpp", "carom/impulse/reflection.hpp"},
+           {"properties/families/bodies.cpp", "nlohmann/json.hpp"},
+           {"properties/gate/gate.cpp", "carom/tool/table.hpp"},
+           {"properties/gate/gate.cpp", "carom/impulse/contact.hpp"},
+           {"properties/gate/gate.cpp", "gtest/gtest.h"},
+           {"properties/gate/gate.cpp", "rapidcheck.h"},
+           {"properties/conformance/suite.hpp", "carom/impulse/frictionless.hpp"},
+           {"properties/conformance/suite.hpp", "carom/subjects/session.hpp"},
+           {"properties/conformance/suite.hpp", "carom/tool/table.hpp"},
+           {"tests/oracles/some_test.cpp", "carom/tool/table.hpp"},
+           {"tests/oracles/some_test.cpp", "CGAL/Gmpq.h"},
+           {"oracles/models/superposition.hpp", "carom/oracles/../impulse/contact.hpp"},
+       }) {
+    EXPECT_EQ(offence_of(planted.path, std::string("#include <") + planted.name + ">"),
+              std::string(planted.path) + ": includes <" + planted.name + ">\n");
+  }
+}
+
+TEST(LayoutChecker, FindsAnIncludeHoweverItIsSpaced) {
+  for (const char* line : {"#include <CGAL/Gmpq.h>", "  #  include   <CGAL/Gmpq.h>  // why", "#include<CGAL/Gmpq.h>"}) {
+    EXPECT_EQ(offence_of("src/impulse/contact.hpp", line), "src/impulse/contact.hpp: includes <CGAL/Gmpq.h>\n") << line;
+  }
+}
+
+TEST(LayoutChecker, FindsQuotesThatLeaveTheFolders) {
+  EXPECT_NE(offence_of("oracles/models/superposition.hpp", "#include \"kinematics.hpp\""), "");
+  EXPECT_NE(offence_of("src/tool/main.cpp", "#include \"../impulse/contact.hpp\""), "");
+  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include \"table.hpp\""), "");
+  EXPECT_EQ(offence_of("tests/oracles/some_test.cpp", "#include \"cases.hpp\""), "");
+}
+
+TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
+  EXPECT_EQ(offence_of("src/collision/json/json.hpp", "#include <nlohmann/json.hpp>"), "");
+  EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <Eigen/Geometry>"), "");
+  EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <carom/collision/outcome.hpp>"), "");
+  EXPECT_EQ(offence_of("src/impulse/numbers/pack.hpp", "#include <experimental/simd>"), "");
+  EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
+  EXPECT_EQ(offence_of("oracles/exact/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
+  EXPECT_EQ(offence_of("properties/gate/gate.cpp", "#include <carom/oracles/judge/judge.hpp>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/subject.hpp", "#include <carom/impulse/contact.hpp>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/suite.hpp", "#include <gtest/gtest.h>"), "");
+  EXPECT_EQ(offence_of("properties/conformance/finding.hpp", "#include <rapidcheck.h>"), "");
+  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include <carom/properties/gate/gate.hpp>"), "");
+  EXPECT_EQ(offence_of("src/impulse/contact.hpp", "// #include <CGAL/Gmpq.h>"), "");
+}
+
+TEST(LayoutChecker, FindsAMissingOrWrongLicence) {
+  const std::string gpl = " SPDX-License-Identifier: GPL-3.0-or-later\n";
+  const std::string bsl = " SPDX-License-Identifier: BSL-1.0\n";
+  EXPECT_EQ(licence_offences("oracles/x.cpp", "//" + gpl), Offences{});
+  EXPECT_EQ(licence_offences("src/impulse/x.hpp", "//" + bsl), Offences{});
+  EXPECT_EQ(licence_offences("tests/x.sh", "#!/bin/sh\n#" + gpl), Offences{});
+  EXPECT_EQ(licence_offences("tests/CMakeLists.txt", "#" + gpl), Offences{});
+  EXPECT_EQ(licence_offences("src/CMakeLists.txt", "#" + bsl), Offences{});
+  EXPECT_EQ(licence_offences("docs/x.md", "no source file"), Offences{});
+  for (const auto& [path, text] : std::vector<std::pair<std::string, std::string>>{
+           {"oracles/x.cpp", "//" + bsl},
+           {"src/impulse/x.hpp", "//" + gpl},
+           {"src/collision/x.cpp", "//" + gpl},
+           {"src/subjects/engines/x.cpp", "//" + gpl},
+           {"src/tool/x.cpp", "//" + bsl},
+           {"oracles/x.cpp", ""},
+           {"oracles/x.cpp", "\n//" + gpl},
+           {"oracles/x.cpp", "// SPDX-License-Identifier: GPL-3.0-or-later-or-not\n"},
+           {"tests/x.sh", "#!/bin/sh\necho\n#" + gpl},
+       }) {
+    EXPECT_EQ(licence_offences(path, text).size(), 1U) << path << '\n' << text;
+  }
+}
+
+TEST(LayoutChecker, FindsWhatIsMissingOrTooMuchAtTheTop) {
+  const std::vector<std::string> house{"CMakeLists.txt", "README.md", "docs", "oracles", "properties", "src", "tests"};
+  std::vector<std::string> names = house;
+  EXPECT_EQ(top_level_offences(names), Offences{});
+  names.insert(names.end(), {".github", ".clang-format", "build", "build-asan"});
+  EXPECT_EQ(top_level_offences(names), Offences{});
+  names.emplace_back("scripts");
+  EXPECT_EQ(top_level_offences(names), Offences{"scripts should not be there"});
+  for (const std::string& missing : house) {
+    std::vector<std::string> rest = house;
+    std::erase(rest, missing);
+    EXPECT_EQ(top_level_offences(rest), Offences{missing + " is missing"});
+  }
+}
+
+TEST(Layout, IsReadAtAll) {
+  std::vector<std::string> seen;
+  for (const SourceFile& file : source_files(top)) {
+    EXPECT_FALSE(file.text.empty()) << file.path;
+    seen.push_back(file.path);
+  }
+  for (const char* path : {"CMakeLists.txt", "oracles/models/superposition.hpp", "properties/gate/gate.cpp",
+                           "src/collision/collision.hpp", "src/impulse/reflection.hpp", "src/subjects/engines/ode.cpp",
+                           "src/tool/main.cpp", "tests/house/layout_test.cpp"}) {
+    EXPECT_NE(std::find(seen.begin(), seen.end(), path), seen.end()) << path;
+  }
+}
+
+TEST(Layout, KeepsTheArrowsBetweenTheFolders) {
+  Offences offences;
+  for (const SourceFile& file : source_files(top)) {
+    const Offences more = include_offences(file.path, file.text);
+    offences.insert(offences.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(joined(offences), "");
+}
+
+TEST(Layout, NamesTheLicenceOfEveryFile) {
+  Offences offences;
+  for (const SourceFile& file : source_files(top)) {
+    const Offences more = licence_offences(file.path, file.text);
+    offences.insert(offences.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(joined(offences), "");
+}
+
+TEST(Layout, HasNothingElseAtTheTop) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(top)) {
+    names.push_back(entry.path().filename().string());
+  }
+  EXPECT_EQ(joined(top_level_offences(names)), "");
+}
+
+}  // namespace
+}  // namespace carom::layout

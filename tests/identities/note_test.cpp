@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/impulse/reflection.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/laws/equations.hpp>
+
+#include "support/exact.hpp"
+
+/// What was found in the note (D. Eberly, "Computing Impulse Forces for Colliding Contact"), on exact numbers.
+namespace carom {
+namespace {
+
+using unit::ExactMatrix;
+using unit::ExactVector;
+using unit::ratio;
+using unit::Rational;
+using unit::same;
+
+/// Two unit masses without spin, their centres on the normal, A coming down with velocity 1 on B at rest, ε = 1.
+BasicCollision<Rational> newtons_cradle() {
+  BasicCollision<Rational> c;
+  c.a.position = {0, 1, 0};
+  c.b.position = {0, -1, 0};
+  c.a.velocity = {0, -1, 0};
+  return c;
+}
+
+/// eq. 9 and 13 reverse the normal velocity of each body by itself, N·v⁺ = −ε N·v⁻. The resting body that is hit would
+/// rest on; it takes over the whole velocity instead. Only the difference of the two equations, eq. 17, is right.
+TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
+  const auto c = newtons_cradle();
+  const auto contact = impulse::make_contact<Rational>(c);
+  const Outcome<Rational> after = impulse::reflection<impulse::Ldlt>(contact);
+  EXPECT_TRUE(same(after.a.velocity, ExactVector(0, 0, 0)));
+  EXPECT_TRUE(same(after.b.velocity, ExactVector(0, -1, 0)));
+  const Rational minus_epsilon = -c.restitution;
+  EXPECT_NE(c.normal.dot(after.a.velocity), minus_epsilon * c.normal.dot(c.a.velocity));  // eq. 9
+  EXPECT_NE(c.normal.dot(after.b.velocity), minus_epsilon * c.normal.dot(c.b.velocity));  // eq. 13
+  const auto sides = oracles::restitution(c, after);                                      // eq. 17
+  EXPECT_EQ(sides.left[0], sides.right[0]);
+}
+
+/// [r] in a basis: the matrix that the note calls Q, with Q y = r × y.
+ExactMatrix cross_matrix(const ExactVector& r) {
+  ExactMatrix q;
+  q << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+  return q;
+}
+
+/// "yᵀQy ≥ 0, so Q is positive semidefinite" proves nothing: Q is skew.
+TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
+  properties::Stream stream = properties::stream_from(3);
+  for (int i = 0; i < 500; ++i) {
+    const ExactMatrix q = cross_matrix(unit::exact_eighths3(stream, 50));
+    const ExactVector y = unit::exact_eighths3(stream, 50);
+    EXPECT_EQ(y.dot(ExactVector(q * y)), 0);
+    EXPECT_TRUE(same(ExactMatrix(q.transpose()), ExactMatrix(-q)));
+  }
+}
+
+/// What is semidefinite is QᵀJ⁻¹Q, because J⁻¹ is definite; and it is singular, along r.
+TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
+  properties::Stream stream = properties::stream_from(4);
+  for (int i = 0; i < 200; ++i) {
+    const auto contact = unit::exact_contact(unit::small_collision(stream));
+    const ExactMatrix q = cross_matrix(contact.a.lever_arm);
+    const ExactMatrix part = q.transpose() * contact.a.inverse_inertia * q;
+    EXPECT_TRUE(oracles::is_positive_semidefinite(part));
+    EXPECT_FALSE(oracles::is_positive_definite(part));
+    EXPECT_TRUE(same(part * contact.a.lever_arm, ExactVector(0, 0, 0)));
+    EXPECT_TRUE(oracles::is_positive_definite(ExactMatrix(part + ExactMatrix::Identity() * contact.a.inverse_mass)));
+  }
+}
+
+/// "λI is positive definite" needs a movable body.
+TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
+  auto c = newtons_cradle();
+  c.a.immovable = true;
+  EXPECT_TRUE(oracles::is_positive_definite(impulse::collision_matrix(impulse::make_contact<Rational>(c))));
+  c.b.immovable = true;
+  const ExactMatrix k = impulse::collision_matrix(impulse::make_contact<Rational>(c));
+  EXPECT_TRUE(same(k, ExactMatrix(ExactMatrix::Zero())));
+  EXPECT_FALSE(oracles::is_positive_definite(k));
+}
+
+/// λI ⪯ C on every family, and no more than that where the contact is at the centre of mass.
+TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
+  for (const auto& [family, one] : unit::valid_cases(4)) {
+    const oracles::ExactCase exact_case(one.collision);
+    const Rational lambda = exact_case.inverse_mass();
+    EXPECT_TRUE(oracles::is_at_least(exact_case.collision_matrix(), lambda)) << family;
+    EXPECT_TRUE(exact_case.is_definite()) << family;
+    if (one.collision.point == one.collision.a.position && one.collision.point == one.collision.b.position) {
+      EXPECT_FALSE(oracles::is_at_least(exact_case.collision_matrix(), lambda * ratio(1000001, 1000000))) << family;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/subjects/methods.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::impulse {
+namespace {
+
+/// Whether `scaled` is the vector times one power of two, with the largest component in [1/2, 1).
+void expect_scaled_by_power_of_two(const Vector3<double>& vector, const Vector3<double>& scaled) {
+  const double largest = scaled.cwiseAbs().maxCoeff();
+  EXPECT_GE(largest, 0.5);
+  EXPECT_LT(largest, 1);
+  int from = 0;
+  int to = 0;
+  std::frexp(vector.cwiseAbs().maxCoeff(), &from);
+  std::frexp(largest, &to);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(unit::same_bits(std::ldexp(scaled[i], from - to), vector[i])) << vector.transpose();
+  }
+}
+
+TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
+  properties::Stream stream = properties::stream_from(1);
+  for (int i = 0; i < 2000; ++i) {
+    Vector3<double> vector = stream.direction();
+    // Components up to 2^60 apart, so that the smallest stays a normal number on both sides.
+    vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
+    vector *= std::ldexp(1.0, stream.integer(-900, 1000));
+    expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
+  }
+}
+
+TEST(WithoutExtremeLength, BringsTheEndsOfTheRangeIntoTheMiddle) {
+  using Limits = std::numeric_limits<double>;
+  for (const double x : {Limits::max(), Limits::min(), Limits::denorm_min(), 3 * Limits::denorm_min(), 0.5, 1.0}) {
+    expect_scaled_by_power_of_two({x, -x, 0}, without_extreme_length<double>(Vector3<double>{x, -x, 0}));
+  }
+}
+
+TEST(WithoutExtremeLength, LeavesNoSquareToOverflowInFloat) {
+  for (const double x : {1e300, 1e30, 1e-30, 1e-300}) {
+    const Vector3<float> scaled = without_extreme_length<float>(Vector3<double>{x, 2 * x, -x});
+    const float squared = scaled.dot(scaled);
+    // Each component is at most 1, and the largest at least 1/2.
+    EXPECT_GE(squared, 0.25F);
+    EXPECT_LE(squared, 3.0F);
+    EXPECT_EQ(scaled[1], 2 * scaled[0]);
+    EXPECT_EQ(scaled[2], -scaled[0]);
+  }
+}
+
+TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Collision c = unit::case_of("driven_wall", 0).collision;
+  Body& wall = c.a.immovable ? c.a : c.b;
+  wall.mass = nan;
+  wall.principal_inertia.setConstant(nan);
+  wall.orientation.setConstant(nan);
+  const Contact<double> contact = make_contact<double>(c);
+  const ContactBody<double>& body = c.a.immovable ? contact.a : contact.b;
+  EXPECT_EQ(body.inverse_mass, 0);
+  EXPECT_EQ(body.inverse_inertia, Matrix3<double>(Matrix3<double>::Zero()));
+  const Outcome<double> outcome = reflection<Ldlt>(contact);
+  EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
+}
+
+/// The number as a method of that precision reads it; what claims binary32 may still read it as it is.
+bool is_unchanged(long double reported, double given, Precision precision) {
+  const auto is = [&](long double number) {
+    return reported == number && std::signbit(reported) == std::signbit(number);
+  };
+  return is(given) || (precision == Precision::binary32 && is(static_cast<float>(given)));
+}
+
+bool any_method(const Subject& /*method*/) { return true; }
+
+template <class Chosen>
+void expect_unchanged_by(const std::vector<Collision>& collisions, const Chosen& chosen) {
+  for (const subjects::Method& method : subjects::methods()) {
+    if (!chosen(method.subject)) {
+      continue;
+    }
+    Session session = method.subject.open();
+    const std::vector<Answer> answers = session(collisions);
+    ASSERT_EQ(answers.size(), collisions.size());
+    for (std::size_t i = 0; i < collisions.size(); ++i) {
+      const auto& outcome = std::get<ReportedOutcome>(answers[i]);
+      const Outcome<double> before = carom::unchanged(collisions[i]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (int j = 0; j < 3; ++j) {
+          EXPECT_TRUE(is_unchanged((*vectors(outcome)[k])[j], (*vectors(before)[k])[j], method.subject.precision))
+              << method.subject.name << ", collision " << i << ", " << outcome_vector_names[k] << '[' << j << ']';
+        }
+      }
+    }
+  }
+}
+
+std::vector<Collision> cases_of(const char* family) {
+  std::vector<Collision> collisions;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    collisions.push_back(unit::case_of(family, i).collision);
+  }
+  return collisions;
+}
+
+TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
+  expect_unchanged_by(cases_of("separating"), any_method);
+  expect_unchanged_by(cases_of("both_immovable"), any_method);
+}
+
+/// They do not spin there, so N·V is n0·(−n1 s) + n1·(n0 s): the products are rounded alike and cancel, but where the
+/// normal was normalised before, as a basis needs it.
+TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
+  expect_unchanged_by(cases_of("resting"),
+                      [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
+}
+
+TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
+  Collision c;
+  c.a.velocity = {-0.0, 0.0, -0.0};
+  c.b.angular_velocity = {-0.0, -0.0, 0.0};
+  expect_unchanged_by({c}, any_method);
+}
+
+TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
+  Collision c;
+  c.a.immovable = true;
+  c.b.immovable = true;
+  c.a.velocity = {0, -1, 0};
+  c.b.velocity = {0.1, 1, 0};
+  expect_unchanged_by({c}, any_method);
+}
+
+/// The unchanged tests above can fail: each method does act where the contact collides.
+TEST(Solvers, ChangeACollidingContact) {
+  const Collision collision = unit::case_of("elastic", 0).collision;
+  for (const subjects::Method& method : subjects::methods()) {
+    Session session = method.subject.open();
+    const auto outcome = std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0));
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_FALSE(is_unchanged(outcome.a.velocity[j], collision.a.velocity[j], method.subject.precision))
+          << method.subject.name << '[' << j << ']';
+    }
+  }
+}
+
+/// The bodies of the smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), a fixed plane below.
+Contact<double> box_on_plane(double tangential_velocity) {
+  Collision c;
+  c.a.principal_inertia.setConstant(1.0 / 6);
+  c.a.position = {-0.5, 0.5, 0};
+  c.a.velocity = {tangential_velocity, -1, 0};
+  c.b.immovable = true;
+  return make_contact<double>(c);
+}
+
+/// Head-on the outcome is frictionless, F = (0, 4/5, 0); with any tangential velocity it is F = (−3/4, 5/4, 0): the two
+/// differ by ‖(3/4, −9/20)‖ = 0.87, more than the impulse of the first.
+TEST(ReflectionInBasis, JumpsWhereTheTangentialVelocityVanishes) {
+  const double slight = std::ldexp(1.0, -40);
+  const Vector3<double> head_on = reflection_in_basis(box_on_plane(0)).a.velocity;
+  const Vector3<double> oblique = reflection_in_basis(box_on_plane(slight)).a.velocity;
+  EXPECT_GT((oblique - head_on).norm(), 0.8);
+}
+
+TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
+  const double slight = std::ldexp(1.0, -40);
+  const Vector3<double> head_on = reflection<Ldlt>(box_on_plane(0)).a.velocity;
+  const Vector3<double> oblique = reflection<Ldlt>(box_on_plane(slight)).a.velocity;
+  // F depends on N·V alone and is the same; adding v_t to a number below 1 rounds by at most 2^-53.
+  EXPECT_LE((oblique - head_on).norm(), slight * 2);
+  EXPECT_GT(oblique[0], head_on[0]);
+}
+
+/// A contact as a float has it 10¹⁰ m from the origin, where lever arms are multiples of 512 m, beside moments of a
+/// body of a metre: κ(C) is beyond 1/u, and C as rounded may be singular.
+Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
+  Collision c;
+  c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
+  c.a.principal_inertia[stream.integer(0, 2)] *= 2;
+  c.a.position = Vector3<double>{1.0 * stream.integer(-1, 1), 1.0 * stream.integer(-1, 1), 1} * 512;
+  c.a.velocity = -c.a.position;
+  c.normal = {1.0 * stream.integer(-1, 1), 1.0 * stream.integer(-1, 1), 1};
+  c.b.immovable = true;
+  return make_contact<float>(c);
+}
+
+template <class Solver>
+int not_finite(const Solver& solver) {
+  properties::Stream stream = properties::stream_from(98);
+  int found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Outcome<float> outcome = solver(contact_with_lost_lever_arms(stream));
+    found += outcome.a.velocity.allFinite() && outcome.a.angular_velocity.allFinite() ? 0 : 1;
+  }
+  return found;
+}
+
+TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
+  EXPECT_EQ(not_finite([](const auto& contact) { return reflection<Ldlt>(contact); }), 0);
+  EXPECT_EQ(not_finite([](const auto& contact) { return reflection_in_stable_basis(contact); }), 0);
+  // Without the bound of its eigenvalues the same matrices do divide by zero.
+  EXPECT_GT(not_finite([](const Contact<float>& contact) {
+              const Vector3<float> impulse = Ldlt::solve<float>(
+                  printed_collision_matrix(contact, stable_tangent_basis(contact)), Vector3<float>{1, 0, 0});
+              return apply_impulse(contact, impulse);
+            }),
+            0);
+}
+
+TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Contact<double> contact = make_contact<double>(unit::case_of("generic", i).collision);
+    const Vector3<double> n = contact.normal.normalized();
+    const Vector3<double> v = relative_velocity(contact);
+    const double v_t = n.cross(v).norm();
+    if (v_t < v.norm() / 16) {
+      continue;
+    }
+    const Matrix3<double> basis = tangent_basis(contact);
+    // T0 is off by a few roundings of ‖V‖, relative to v_t ≥ ‖V‖/16: below 2^-53 · 8 · 16.
+    const double bound = std::ldexp(1.0, -46);
+    EXPECT_LE((basis.transpose() * basis - Matrix3<double>::Identity()).cwiseAbs().maxCoeff(), bound) << i;
+  }
+}
+
+TEST(TangentBasis, HasNoTangentsWhereThereIsNoTangentialVelocity) {
+  const Matrix3<double> basis = tangent_basis(box_on_plane(0));
+  EXPECT_EQ(basis.col(0), (Vector3<double>{0, 1, 0}));
+  EXPECT_EQ(basis.col(1), (Vector3<double>{0, 0, 0}));
+  EXPECT_EQ(basis.col(2), (Vector3<double>{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace carom::impulse

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/guaranteed.hpp>
+#include <carom/oracles/judge/lifted_outcome.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::impulse {
+namespace {
+
+using unit::Rational;
+using unit::sign_of;
+
+constexpr std::uint64_t cases_of_each = 200;
+
+/// N·V for these velocities, in ℚ.
+Rational normal_velocity(const Collision& collision, const Outcome<Rational>& motion) {
+  const auto exact = oracles::lift(collision);
+  return exact.normal.dot(oracles::relative_velocity<Rational>(exact, motion));
+}
+
+Outcome<Rational> lifted(const Outcome<double>& motion) {
+  return map_outcome<Rational>(motion, [](double x) { return Rational(x); });
+}
+
+Outcome<double> outcome_of(Session& session, const Collision& collision) {
+  const std::vector<Answer> answers = session(std::span(&collision, 1));
+  return map_outcome<double>(std::get<ReportedOutcome>(answers.at(0)),
+                             [](long double x) { return static_cast<double>(x); });
+}
+
+/// Of the valid collisions of all families with a movable body: how many the subject leaves approaching, exactly.
+int approaching_outcomes(const std::string& subject) {
+  Session session = subjects::subject_named(subject)->open();
+  int approaching = 0;
+  for (const auto& [family, one] : unit::valid_cases(cases_of_each)) {
+    const Collision& c = one.collision;
+    if (!c.a.immovable || !c.b.immovable) {
+      approaching += normal_velocity(c, lifted(outcome_of(session, c))) < 0 ? 1 : 0;
+    }
+  }
+  return approaching;
+}
+
+TEST(Guaranteed, NeverPenetratesAndThePlainLawsDo) {
+  EXPECT_EQ(approaching_outcomes("frictionless-guaranteed-double"), 0);
+  EXPECT_EQ(approaching_outcomes("reflection-guaranteed-double"), 0);
+  EXPECT_GT(approaching_outcomes("frictionless-double"), 50);
+  EXPECT_GT(approaching_outcomes("reflection-double"), 50);
+}
+
+TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
+  for (const char* name : {"frictionless-guaranteed-double", "reflection-guaranteed-double"}) {
+    Session session = subjects::subject_named(name)->open();
+    int untouched = 0;
+    for (const auto& [family, one] : unit::valid_cases(cases_of_each)) {
+      const Outcome<double> before = unchanged(one.collision);
+      if (normal_velocity(one.collision, lifted(before)) < 0) {
+        continue;
+      }
+      const Outcome<double> after = outcome_of(session, one.collision);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(*vectors(after)[k], *vectors(before)[k]) << name << ' ' << family;
+      }
+      ++untouched;
+    }
+    EXPECT_GT(untouched, 200);
+  }
+}
+
+/// Where the law's outcome does not penetrate, it stays as it is.
+TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
+  Session plain = subjects::subject_named("reflection-double")->open();
+  int changed = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const Outcome<double> outcome = outcome_of(plain, one.collision);
+    const Outcome<double> mended = without_approach(one.collision, outcome);
+    bool same = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      same = same && *vectors(mended)[k] == *vectors(outcome)[k];
+    }
+    const bool penetrates = normal_velocity(one.collision, lifted(outcome)) < 0;
+    const bool movable = !one.collision.a.immovable || !one.collision.b.immovable;
+    EXPECT_EQ(!same, penetrates && movable) << family;
+    changed += same ? 0 : 1;
+  }
+  EXPECT_GT(changed, 5);
+}
+
+TEST(Guaranteed, MendsAnOutcomeThatIsFarOff) {
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const Outcome<double> idle = unchanged(one.collision);
+    if (!one.collision.a.immovable || !one.collision.b.immovable) {
+      EXPECT_GE(normal_velocity(one.collision, lifted(without_approach(one.collision, idle))), 0) << family;
+    }
+  }
+}
+
+TEST(NormalVelocitySign, IsThatOfRationals) {
+  int zeros = 0;
+  for (const auto& [family, one] : unit::valid_cases(cases_of_each)) {
+    const Outcome<double> before = unchanged(one.collision);
+    const int sign = sign_of(normal_velocity(one.collision, lifted(before)));
+    EXPECT_EQ(normal_velocity_sign(one.collision, before), sign) << family;
+    EXPECT_EQ(exact_normal_velocity(one.collision, before).sign(), sign) << family;
+    zeros += sign == 0 ? 1 : 0;
+  }
+  EXPECT_GT(zeros, 50);
+}
+
+}  // namespace
+}  // namespace carom::impulse

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/properties/families/bodies.hpp>
+
+#include "support/exact.hpp"
+
+/// The solvers run in rationals: what they promise, without a tolerance.
+namespace carom::impulse {
+namespace {
+
+using unit::exact_contact;
+using unit::ExactMatrix;
+using unit::ExactVector;
+using unit::ratio;
+using unit::Rational;
+using unit::same;
+
+properties::Stream stream_of(std::uint64_t index) { return properties::stream_from(1000 + index); }
+
+TEST(RotationMatrix, IsOrthogonalForAQuaternionOfAnyLength) {
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    properties::Stream stream = stream_of(i);
+    Quaternion<Rational> q;
+    for (int k = 0; k < 4; ++k) {
+      q[k] = Rational(stream.signed_unit());
+    }
+    q[stream.integer(0, 3)] += 1;
+    const ExactMatrix r = rotation_matrix(q);
+    EXPECT_TRUE(same(ExactMatrix(r * r.transpose()), ExactMatrix::Identity()));
+    const ExactVector r0 = r.col(0);
+    EXPECT_EQ(r0.dot(ExactVector(r.col(1)).cross(ExactVector(r.col(2)))), 1);
+    EXPECT_TRUE(same(rotation_matrix<Rational>(q * Rational(-7, 3)), r));
+  }
+}
+
+TEST(RotationMatrix, TurnsAboutTheAxisByTheRightHand) {
+  // A quarter turn about z: (1, 0, 0, 1)/√2 takes x to y and y to −x.
+  const ExactMatrix r = rotation_matrix(Quaternion<Rational>{3, 0, 0, 3});
+  EXPECT_TRUE(same(r * ExactVector(1, 0, 0), ExactVector(0, 1, 0)));
+  EXPECT_TRUE(same(r * ExactVector(0, 1, 0), ExactVector(-1, 0, 0)));
+}
+
+TEST(WorldInverseInertia, IsSymmetricAndInvertsTheInertiaOfTheOracle) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    const auto body = oracles::lift(unit::case_of("generic", i).collision).a;
+    const ExactMatrix inverse = world_inverse_inertia(body.principal_inertia, body.orientation);
+    EXPECT_TRUE(same(inverse, ExactMatrix(inverse.transpose())));
+    for (int axis = 0; axis < 3; ++axis) {
+      const ExactVector unit_vector = ExactMatrix::Identity().col(axis);
+      EXPECT_TRUE(same(inverse * oracles::apply_inertia<Rational>(body, unit_vector), unit_vector)) << i;
+    }
+  }
+}
+
+TEST(CollisionMatrix, IsSymmetricAndEqualsTheResponseToUnitImpulses) {
+  for (const auto& [family, one] : unit::valid_cases(4)) {
+    const ExactMatrix k = collision_matrix(exact_contact(one.collision));
+    EXPECT_TRUE(same(k, ExactMatrix(k.transpose()))) << family;
+    EXPECT_TRUE(same(k, oracles::response_matrix(oracles::lift(one.collision)))) << family;
+  }
+}
+
+/// Symmetric not only in exact arithmetic: both triangles hold the same computed entries.
+TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Matrix3<float> k = collision_matrix(make_contact<float>(unit::case_of("generic", i).collision));
+    EXPECT_EQ(k, Matrix3<float>(k.transpose()));
+  }
+}
+
+/// The note's eq. 27 by its entries: in the basis {N, T0, T1}, off the diagonal only the lever arms, on it λ and they.
+TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    properties::Stream stream = stream_of(i);
+    const auto contact = exact_contact(unit::small_collision(stream));
+    const ExactMatrix basis = rotation_matrix(Quaternion<Rational>{
+        1, unit::exact_eighths(stream, 16), unit::exact_eighths(stream, 16), unit::exact_eighths(stream, 16)});
+    EXPECT_TRUE(same(in_basis(collision_matrix(contact), basis), printed_collision_matrix(contact, basis))) << i;
+  }
+}
+
+/// As printed, λ stands twice in the entries (2,2) and (3,3): that is λ too much there, and wrong.
+TEST(PrintedCollisionMatrix, DiffersFromTheNoteWhichCountsLambdaTwice) {
+  properties::Stream stream = stream_of(0);
+  const auto contact = exact_contact(unit::small_collision(stream));
+  const ExactMatrix basis = rotation_matrix(Quaternion<Rational>{1, ratio(1, 2), ratio(1, 3), ratio(1, 5)});
+  const Rational lambda = contact.a.inverse_mass + contact.b.inverse_mass;
+  ExactMatrix as_in_the_note = printed_collision_matrix(contact, basis);
+  as_in_the_note(1, 1) += lambda;
+  as_in_the_note(2, 2) += lambda;
+  const ExactMatrix right = in_basis(collision_matrix(contact), basis);
+  EXPECT_FALSE(same(as_in_the_note, right));
+  EXPECT_EQ(as_in_the_note(1, 1) - right(1, 1), lambda);
+  EXPECT_EQ(as_in_the_note(2, 2) - right(2, 2), lambda);
+  as_in_the_note(1, 1) -= lambda;
+  as_in_the_note(2, 2) -= lambda;
+  EXPECT_TRUE(same(as_in_the_note, right));
+}
+
+TEST(InBasis, IsExactlySymmetricForAnyBasis) {
+  properties::Stream stream = stream_of(1);
+  for (int i = 0; i < 100; ++i) {
+    ExactMatrix matrix;
+    ExactMatrix basis;
+    matrix << unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20);
+    matrix = ExactMatrix(matrix + matrix.transpose());
+    basis << unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20);
+    EXPECT_TRUE(same(in_basis(matrix, basis), ExactMatrix(basis.transpose() * matrix * basis)));
+  }
+}
+
+template <class Solve>
+class Solve3 : public testing::Test {};
+using Policies = testing::Types<Ldlt, Adjugate>;
+TYPED_TEST_SUITE(Solve3, Policies);
+
+TYPED_TEST(Solve3, SolvesExactlyInAField) {
+  properties::Stream stream = stream_of(2);
+  for (int i = 0; i < 300; ++i) {
+    ExactMatrix factor;
+    factor << unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20), unit::exact_eighths3(stream, 20);
+    const ExactMatrix m = factor * factor.transpose() + ExactMatrix::Identity() * ratio(1, 7);
+    const ExactVector b = unit::exact_eighths3(stream, 20);
+    const ExactVector x = TypeParam::template solve<Rational>(m, b);
+    EXPECT_TRUE(same(m * x, b)) << unit::to_text(m);
+  }
+}
+
+/// Also with its least eigenvalue given: no pivot is below that in a field.
+TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
+  for (const auto& [family, one] : unit::valid_cases(3)) {
+    if (family == "both_immovable") {
+      continue;
+    }
+    const auto contact = exact_contact(one.collision);
+    const ExactMatrix k = collision_matrix(contact);
+    const ExactVector x = TypeParam::template solve<Rational>(k, contact.normal);
+    EXPECT_TRUE(same(k * x, contact.normal)) << family;
+    EXPECT_TRUE(same(TypeParam::template solve<Rational>(k, contact.normal, inverse_mass(contact)), x)) << family;
+  }
+}
+
+/// Twice the kinetic energy of A per unit mass, with J = I/6.
+Rational twice_energy(const BodyVelocity<Rational>& motion) {
+  return motion.velocity.dot(motion.velocity) + motion.angular_velocity.dot(motion.angular_velocity) / 6;
+}
+
+/// mathematics 3.6: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), V = (−1, −1, 0) against a fixed plane.
+Outcome<Rational> smallest_example(int restitution) {
+  BasicCollision<Rational> c;
+  c.a.principal_inertia = {ratio(1, 6), ratio(1, 6), ratio(1, 6)};
+  c.a.position = {ratio(-1, 2), ratio(1, 2), 0};
+  c.a.velocity = {-1, -1, 0};
+  c.b.immovable = true;
+  c.restitution = restitution;
+  return reflection<Ldlt>(make_contact<Rational>(c));
+}
+
+TEST(Reflection, CreatesEnergyInTheSmallestExample) {
+  EXPECT_EQ(twice_energy({{-1, -1, 0}, {0, 0, 0}}), 2);          // E = 1 before
+  EXPECT_EQ(twice_energy(smallest_example(1).a), ratio(7, 2));   // 1.75 at ε = 1
+  EXPECT_EQ(twice_energy(smallest_example(0).a), ratio(17, 8));  // 1.0625 at ε = 0
+  EXPECT_TRUE(same(smallest_example(1).a.velocity, ExactVector(ratio(-7, 4), ratio(1, 4), 0)));
+  EXPECT_TRUE(same(smallest_example(1).a.angular_velocity, ExactVector(0, 0, ratio(3, 2))));
+}
+
+/// For spheres r × N = 0, so C is block diagonal and the models are one: the angular velocities stay.
+TEST(Reflection, EqualsFrictionlessForSpheres) {
+  int colliding = 0;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    properties::Stream stream = stream_of(i);
+    const auto contact = exact_contact(properties::touching_spheres(stream).collision);
+    const Outcome<Rational> by_reflection = reflection<Ldlt>(contact);
+    EXPECT_TRUE(same(by_reflection, frictionless(contact))) << i;
+    EXPECT_TRUE(same(by_reflection.a.angular_velocity, contact.a.angular_velocity)) << i;
+    EXPECT_TRUE(same(by_reflection.b.angular_velocity, contact.b.angular_velocity)) << i;
+    colliding += same(by_reflection, unchanged(contact)) ? 0 : 1;
+  }
+  EXPECT_GT(colliding, 450);  // touching_spheres approach unless V·N = 0
+}
+
+TEST(Reflection, DiffersFromFrictionlessForGeneralBodies) {
+  const auto contact = exact_contact(unit::case_of("elastic", 0).collision);
+  EXPECT_FALSE(same(reflection<Ldlt>(contact), frictionless(contact)));
+}
+
+/// F depends on V⁻ through N·V⁻ alone: a tangential velocity is only added.
+TEST(Reflection, AddsATangentialVelocityAndChangesNothingElse) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    properties::Stream stream = stream_of(i);
+    const Collision head_on = unit::small_collision(stream);
+    auto contact = exact_contact(head_on);
+    const ExactVector n = contact.normal;
+    const ExactVector slip = n.cross(unit::exact_eighths3(stream, 9)) / Rational(1 << 20);
+    const Outcome<Rational> before = reflection<Ldlt>(contact);
+    contact.a.velocity += slip;
+    Outcome<Rational> expected = before;
+    expected.a.velocity += slip;
+    EXPECT_TRUE(same(reflection<Ldlt>(contact), expected)) << i;
+  }
+}
+
+TEST(Solvers, GiveTheSameForANormalOfAnyLength) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    properties::Stream stream = stream_of(i);
+    auto contact = exact_contact(unit::small_collision(stream));
+    const Outcome<Rational> by_frictionless = frictionless(contact);
+    const Outcome<Rational> by_reflection = reflection<Adjugate>(contact);
+    contact.normal *= ratio(11, 7);
+    EXPECT_TRUE(same(frictionless(contact), by_frictionless)) << i;
+    EXPECT_TRUE(same(reflection<Adjugate>(contact), by_reflection)) << i;
+  }
+}
+
+TEST(Solvers, EqualTheOracleExactly) {
+  for (const auto& [family, one] : unit::valid_cases(3)) {
+    const oracles::ExactCase exact_case(one.collision);
+    const auto contact = exact_contact(one.collision);
+    EXPECT_TRUE(same(frictionless(contact), exact_case.truth(Model::frictionless).outcome)) << family;
+    EXPECT_TRUE(same(reflection<Ldlt>(contact), exact_case.truth(Model::reflection).outcome)) << family;
+    EXPECT_TRUE(same(reflection<Adjugate>(contact), exact_case.truth(Model::reflection).outcome)) << family;
+  }
+}
+
+}  // namespace
+}  // namespace carom::impulse

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/numbers/double_double.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::impulse {
+namespace {
+
+using unit::Rational;
+
+Rational exact(const DoubleDouble& x) { return Rational(x.high()) + Rational(x.low()); }
+
+/// u² = 2⁻¹⁰⁶.
+const Rational u2 = Rational(std::ldexp(1.0, -106));
+
+Rational size(const Rational& x) { return x < 0 ? -x : x; }
+
+/// Between 2⁻²⁰ and 2²⁰ in size, all 106 bits drawn, of either sign.
+DoubleDouble draw(properties::Stream& stream) {
+  const double high = stream.between(1, 2) * stream.power_of_two(-20, 20) * (stream.chance(2) ? 1 : -1);
+  // A low part of at most half an ulp of high.
+  return DoubleDouble(high) + DoubleDouble(high * std::ldexp(stream.between(-1, 1), -54));
+}
+
+template <class F>
+void for_each_pair(const F& f) {
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    properties::Stream stream = properties::case_stream(unit::seed, "double_double", i);
+    const DoubleDouble x = draw(stream);
+    const DoubleDouble y = draw(stream);
+    f(x, y);
+    f(x, -(x + y * DoubleDouble(std::ldexp(1.0, -60))));  // nearly −x: cancels
+  }
+}
+
+TEST(DoubleDouble, KeepsTheBoundsOfThePaper) {
+  int inexact = 0;
+  for_each_pair([&](const DoubleDouble& x, const DoubleDouble& y) {
+    const Rational sum = exact(x) + exact(y);
+    const Rational difference = exact(x) - exact(y);
+    const Rational product = exact(x) * exact(y);
+    const Rational quotient = exact(x) / exact(y);
+    // 3u² / (1 − 4u) < 4u², and 15u² + 56u³ < 16u².
+    EXPECT_LE(size(exact(x + y) - sum), 4 * u2 * size(sum));
+    EXPECT_LE(size(exact(x - y) - difference), 4 * u2 * size(difference));
+    EXPECT_LE(size(exact(x * y) - product), 7 * u2 * size(product));
+    EXPECT_LE(size(exact(x / y) - quotient), 16 * u2 * size(quotient));
+    inexact += exact(x * y) != product && exact(x / y) != quotient ? 1 : 0;
+  });
+  EXPECT_GT(inexact, 3000);  // the pairs do use the bits
+}
+
+TEST(DoubleDouble, KeepsTheLowPartBelowHalfAnUlp) {
+  for_each_pair([](const DoubleDouble& x, const DoubleDouble& y) {
+    for (const DoubleDouble& z : {x + y, x - y, x * y, x / y}) {
+      EXPECT_EQ(z.high() + z.low(), z.high());
+    }
+  });
+}
+
+TEST(DoubleDouble, ComparesByBothParts) {
+  const DoubleDouble one(1);
+  const DoubleDouble more = DoubleDouble::of_parts(1, 1e-20);
+  EXPECT_TRUE(one < more && more > one && !(more < one) && !(one > more) && one == DoubleDouble(1) && !(one == more));
+  EXPECT_TRUE(DoubleDouble(-2) < one && DoubleDouble(2) > more);
+}
+
+}  // namespace
+}  // namespace carom::impulse

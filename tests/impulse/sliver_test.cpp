@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/frictionless.hpp>
+#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/families/bodies.hpp>
+
+#include "support/cases.hpp"
+
+/// What world coordinates cost slender and flat bodies. J⁻¹ = R diag(1/I) Rᵀ is rounded by u ‖J⁻¹‖ in each number, and
+/// J times that is u ρ for moments 1 : ρ. Turned into the body frame, divided by the moments there and turned back, a
+/// torque loses no more than a rotation of the body by u explains.
+namespace carom::impulse {
+namespace {
+
+double ratio_of_moments(const Body& body) {
+  return body.principal_inertia.maxCoeff() / body.principal_inertia.minCoeff();
+}
+
+/// The body compressed along one or two of its axes, to 2^−exponent of its width; the contact stays in or on it.
+Body compressed(const Body& body, const Vector3<double>& point, int axis, bool others, int exponent) {
+  const Vector3<double> moments = body.principal_inertia;
+  Vector3<double> squares = Vector3<double>::Constant(moments.sum() / 2) - moments;
+  Vector3<double> in_body = oracles::turned<double>(oracles::conjugate(body.orientation), point - body.position);
+  for (int i = 0; i < 3; ++i) {
+    if ((i == axis) != others) {
+      squares[i] = std::ldexp(squares[i], -2 * exponent);
+      in_body[i] = std::ldexp(in_body[i], -exponent);
+    }
+  }
+  Body result = body;
+  result.principal_inertia = {squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]};
+  result.position = point - oracles::turned<double>(body.orientation, in_body);
+  return result;
+}
+
+/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least.
+std::vector<Collision> slivers(double least, std::size_t count) {
+  std::vector<Collision> result;
+  properties::Stream stream = properties::stream_from(95);
+  const int about = std::ilogb(least) / 2;  // moments go with the square of a width
+  while (result.size() < count) {
+    Collision c = properties::convex_bodies(stream).collision;
+    c.a = compressed(c.a, c.point, stream.integer(0, 2), stream.chance(2),
+                     stream.integer(std::max(0, about - 2), about + 1));
+    properties::make_approaching(c);
+    const double ratio = ratio_of_moments(c.a);
+    if (ratio >= least && ratio < 2 * least) {
+      result.push_back(c);
+    }
+  }
+  return result;
+}
+
+/// By how many ulps of S the outcome misses a law.
+template <class S, class Law>
+double missed(const Law& law, const Collision& collision, const Outcome<S>& outcome) {
+  constexpr double least_that_is_shown = 0x1p-10;
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
+  yardstick.limit_ulps = least_that_is_shown;
+  const oracles::Comparison comparison = oracles::compare(
+      law, oracles::Relation::equal, oracles::ExactCase(collision),
+      oracles::LiftedOutcome(map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); })),
+      yardstick);
+  return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;
+}
+
+/// The laws that tell spins.
+template <class S>
+double missed(const Collision& collision, const Outcome<S>& outcome) {
+  return std::max({missed(oracles::law::AngularMomentum{true}, collision, outcome),
+                   missed(oracles::law::AngularMomentum{false}, collision, outcome),
+                   missed(oracles::law::Restitution{}, collision, outcome)});
+}
+
+/// The frictionless law with J⁻¹ (r × N) taken in the body frame: R diag(1/I) Rᵀ (r × N).
+template <class S>
+Outcome<S> frictionless_in_body_frames(const Collision& collision) {
+  const Contact<S> contact = make_contact<S>(collision);
+  const Vector3<S>& n = contact.normal;
+  const auto spin_of = [&](const Body& body, const Vector3<S>& torque_arm) -> Vector3<S> {
+    const Matrix3<S> rotation = rotation_matrix<S>(without_extreme_length<S>(body.orientation));
+    const Vector3<S> in_body = rotation.transpose() * torque_arm;
+    return rotation * in_body.cwiseQuotient(body.principal_inertia.cast<S>());
+  };
+  const Vector3<S> arm_a = contact.a.lever_arm.cross(n);
+  const Vector3<S> arm_b = contact.b.lever_arm.cross(n);
+  const Vector3<S> spin_a = spin_of(collision.a, arm_a);
+  const Vector3<S> spin_b = spin_of(collision.b, arm_b);
+  const S normal_velocity = n.dot(relative_velocity(contact));
+  if (!is_colliding(contact, normal_velocity)) {
+    return unchanged(contact);
+  }
+  const S f = -(S(1) + contact.restitution) * normal_velocity /
+              (inverse_mass(contact) * n.dot(n) + (arm_a.dot(spin_a) + arm_b.dot(spin_b)));
+  return {{contact.a.velocity + n * (f * contact.a.inverse_mass), contact.a.angular_velocity + spin_a * f},
+          {contact.b.velocity - n * (f * contact.b.inverse_mass), contact.b.angular_velocity - spin_b * f}};
+}
+
+struct Missed {
+  double worst = 0;
+  int beyond_limit = 0;
+
+  void add(double ulps) {
+    worst = std::max(worst, ulps);
+    beyond_limit += ulps > oracles::default_limit_ulps ? 1 : 0;
+  }
+};
+
+template <class S>
+class Slivers : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Slivers, Scalars);
+
+TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
+  for (const double ratio : {8.0, 64.0, 512.0, 8192.0, 131072.0}) {
+    Missed in_world;
+    Missed in_body;
+    const std::vector<Collision> cases = slivers(ratio, 1000);
+    for (const Collision& collision : cases) {
+      in_world.add(missed(collision, frictionless(make_contact<TypeParam>(collision))));
+      in_body.add(missed(collision, frictionless_in_body_frames<TypeParam>(collision)));
+    }
+    std::cout << "moments 1 : " << ratio << " to twice that, " << cases.size() << " bodies: worst " << in_world.worst
+              << " ulps in world coordinates, beyond 32 in " << in_world.beyond_limit << "; worst " << in_body.worst
+              << " in the body frame\n";
+    EXPECT_LT(in_body.worst, 2) << ratio;
+    if (ratio <= 64) {
+      EXPECT_LT(in_world.worst, oracles::default_limit_ulps / 2) << ratio;
+    }
+    if (ratio >= 8192) {
+      EXPECT_GT(in_world.beyond_limit, 20) << ratio;
+    }
+  }
+}
+
+/// The family `physical` ends where all solvers are sound.
+TEST(PhysicalBodies, AreNoSlivers) {
+  properties::Stream stream = properties::stream_from(96);
+  double largest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Collision c = properties::convex_bodies(stream).collision;
+    largest = std::max({largest, ratio_of_moments(c.a), ratio_of_moments(c.b)});
+  }
+  EXPECT_LE(largest, 128);
+  EXPECT_GT(largest, 64);
+}
+
+}  // namespace
+}  // namespace carom::impulse

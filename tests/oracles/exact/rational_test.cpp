@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <compare>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/rational.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using unit::two_to;
+using Limits = std::numeric_limits<double>;
+using LongLimits = std::numeric_limits<long double>;
+
+/// p · 2^exponent, by multiplication alone.
+Rational scaled(const Rational& p, int exponent) {
+  const Rational power = two_to(std::abs(exponent));
+  return exponent < 0 ? p / power : p * power;
+}
+
+Rational integer(const char* digits) { return Rational(digits); }
+
+/// Against integers: p/q and r/s with every one of the few values of each.
+TEST(Rational, IsTheFieldOfFractions) {
+  const auto fraction = [](long p, long q) { return Rational(static_cast<int>(p), static_cast<int>(q)); };
+  for (long p = -3; p <= 3; ++p) {
+    for (long q : {-2, 1, 3, 4}) {
+      for (long r = -3; r <= 3; ++r) {
+        for (long s : {1, 2, -6}) {
+          const Rational x = fraction(p, q);
+          const Rational y = fraction(r, s);
+          EXPECT_EQ(x + y, fraction(p * s + r * q, q * s));
+          EXPECT_EQ(x - y, fraction(p * s - r * q, q * s));
+          EXPECT_EQ(x * y, fraction(p * r, q * s));
+          if (r != 0) {
+            EXPECT_EQ(x / y, fraction(p * s, q * r));
+          }
+          const long difference = (p * s - r * q) * q * s;  // its sign
+          EXPECT_EQ(x <=> y, difference <=> 0L);
+          EXPECT_EQ(x == y, difference == 0);
+          EXPECT_EQ(x <=> static_cast<int>(r), (p - r * q) * q <=> 0L);
+          EXPECT_EQ(static_cast<int>(r) == x, p == r * q);
+        }
+      }
+      EXPECT_EQ(-fraction(p, q), fraction(-p, q));
+      EXPECT_EQ(abs(fraction(p, q)), fraction(std::abs(p), std::abs(q)));
+      EXPECT_EQ(sign_of(fraction(p, q)), (p * q > 0) - (p * q < 0));
+    }
+  }
+}
+
+static_assert(std::is_convertible_v<int, Rational>);
+static_assert(!std::is_convertible_v<double, Rational> && !std::is_convertible_v<unsigned, Rational> &&
+              !std::is_convertible_v<long, Rational>);
+template <class Number>
+concept ComparesWithRational = requires(Rational x, Number y) {
+  x == y || x < y;
+};
+static_assert(ComparesWithRational<int> && !ComparesWithRational<double> && !ComparesWithRational<unsigned>);
+
+TEST(Rational, IsAScalarOfEigen) {
+  const Vector3<Rational> x{ratio(1, 2), Rational(-3), Rational(0)};
+  EXPECT_EQ(unit::to_text(2 * x / 3), "1/3 -2 0 ");
+  std::ostringstream text;
+  text << x.transpose();
+  EXPECT_EQ(text.str(), "1/2  -3   0");
+}
+
+/// Copies share their digits until one of them changes.
+TEST(Rational, IsAValue) {
+  Rational x(2, 3);
+  const Rational copy = x;
+  x += copy;
+  EXPECT_EQ(x, ratio(4, 3));
+  EXPECT_EQ(copy, ratio(2, 3));
+  const Rational& same = x;
+  x *= same;
+  EXPECT_EQ(x, ratio(16, 9));
+  x -= same;
+  EXPECT_EQ(x, 0);
+  Rational moved(1, 7);
+  moved = std::move(x);
+  EXPECT_EQ(moved, 0);
+  moved = copy;
+  const Rational& itself = moved;
+  moved = itself;
+  EXPECT_EQ(moved, copy);
+  moved /= itself;
+  EXPECT_EQ(moved, 1);
+  EXPECT_EQ(copy, ratio(2, 3));
+}
+
+TEST(Rational, TimesAPowerOfTwo) {
+  for (const int exponent : {0, 1, -1, 63, -64, 16445, -16445}) {
+    EXPECT_EQ(ratio(-5, 3).times_power_of_two(exponent), ratio(-5, 3) * two_to(exponent)) << exponent;
+  }
+}
+
+TEST(Lift, IsExactForDoubles) {
+  EXPECT_EQ(lift(0.0L), 0);
+  EXPECT_EQ(lift(-0.0L), 0);
+  EXPECT_EQ(lift(1.5L), ratio(3, 2));
+  EXPECT_EQ(lift(-0.375L), ratio(-3, 8));
+  EXPECT_EQ(lift(0.1), scaled(integer("3602879701896397"), -55));
+  EXPECT_EQ(lift(Limits::denorm_min()), scaled(1, -1074));
+  EXPECT_EQ(lift(Limits::max()), scaled(integer("9007199254740991"), 971));
+}
+
+TEST(Lift, IsExactForExtendedNumbers) {
+  constexpr int digits = LongLimits::digits;
+  EXPECT_EQ(lift(1 + LongLimits::epsilon()), 1 + scaled(1, 1 - digits));
+  EXPECT_EQ(lift(1 - LongLimits::epsilon() / 2), 1 - scaled(1, -digits));
+  const Rational largest = scaled(scaled(1, digits) - 1, LongLimits::max_exponent - digits);
+  EXPECT_EQ(lift(LongLimits::max()), largest);
+  EXPECT_EQ(lift(-LongLimits::max()), -largest);
+  EXPECT_EQ(lift(LongLimits::min()), scaled(1, LongLimits::min_exponent - 1));
+  EXPECT_EQ(lift(LongLimits::denorm_min()), scaled(1, LongLimits::min_exponent - digits));
+  EXPECT_EQ(lift(3 * LongLimits::denorm_min()), scaled(3, LongLimits::min_exponent - digits));
+  // The largest subnormal: ones in all places but the first.
+  EXPECT_EQ(lift(LongLimits::min() - LongLimits::denorm_min()),
+            scaled(scaled(1, digits - 1) - 1, LongLimits::min_exponent - digits));
+  // 64 bits whose leading 53 round up.
+  EXPECT_EQ(lift(std::ldexp(18446744073709551614.0L, 100)), scaled(integer("18446744073709551614"), 100));
+}
+
+TEST(Lift, IsExactForRandomBitsAndExponents) {
+  properties::Stream stream = properties::stream_from(21);
+  for (int i = 0; i < 5000; ++i) {
+    const std::uint64_t bits = stream.bits();
+    const int exponent = stream.integer(-16445, 16319);
+    // ldexp rounds where bits fall below the smallest subnormal: keep those that do not.
+    const long double number = std::ldexp(static_cast<long double>(bits), exponent);
+    if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
+      continue;
+    }
+    const Rational expected = scaled(integer(std::to_string(bits).c_str()), exponent);
+    EXPECT_EQ(lift(number), expected) << bits << " 2^" << exponent;
+    EXPECT_EQ(lift(-number), -expected);
+  }
+}
+
+TEST(Lift, TakesEveryNumberOfACollision) {
+  const Collision c = unit::case_of("generic", 4).collision;
+  const BasicCollision<Rational> lifted = lift(c);
+  for_each_number(
+      [](const FieldPath& path, const double& x, const Rational& y) { EXPECT_EQ(Rational(x), y) << path.text(); }, c,
+      lifted);
+}
+
+TEST(ToDouble, IsWithinOneUnitInTheLastPlace) {
+  properties::Stream stream = properties::stream_from(22);
+  for (int i = 0; i < 2000; ++i) {
+    const Rational exact = ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30));
+    const double rounded = to_double(exact);
+    EXPECT_LE(Rational(std::nextafter(rounded, 0)), exact);
+    EXPECT_GE(Rational(std::nextafter(rounded, Limits::infinity())), exact);
+  }
+}
+
+TEST(NearestDouble, IsExactForDoubles) {
+  properties::Stream stream = properties::stream_from(23);
+  for (int i = 0; i < 5000; ++i) {
+    const double x = std::ldexp(stream.signed_unit(), stream.integer(-1080, 1023));
+    EXPECT_EQ(nearest_double(Rational(x)), x);
+  }
+  for (const double x : {0.0, Limits::max(), -Limits::max(), Limits::denorm_min(), -Limits::min()}) {
+    EXPECT_EQ(nearest_double(Rational(x)), x);
+  }
+}
+
+/// The mean of two neighbours goes to the even one; a hair beside it to the nearer one.
+void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
+  SCOPED_TRACE(lower);
+  const Rational half = (Rational(lower) + Rational(upper)) / 2;
+  const Rational hair = scaled(1, -1300);
+  ASSERT_EQ(nearest_double(half), lower_is_even ? lower : upper);
+  ASSERT_EQ(nearest_double(half - hair), lower);
+  ASSERT_EQ(nearest_double(half + hair), upper);
+  ASSERT_EQ(nearest_double(-half), lower_is_even ? -lower : -upper);
+}
+
+TEST(NearestDouble, BreaksTiesToEven) {
+  const double u = Limits::epsilon() / 2;
+  expect_ties_to_even(1, 1 + 2 * u, true);
+  expect_ties_to_even(1 + 2 * u, 1 + 4 * u, false);
+  expect_ties_to_even(1 - u, 1, false);
+  expect_ties_to_even(9007199254740992.0, 9007199254740994.0, true);   // 2^53 + 1
+  expect_ties_to_even(9007199254740994.0, 9007199254740996.0, false);  // 2^53 + 3
+}
+
+TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
+  const double least = Limits::denorm_min();
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_NO_FATAL_FAILURE(expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0));
+  }
+  // The last subnormal number is odd, the first normal one even.
+  expect_ties_to_even(Limits::min() - least, Limits::min(), false);
+}
+
+TEST(NearestDouble, IsTheNearestOfTheNeighbours) {
+  properties::Stream stream = properties::stream_from(24);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational exact =
+        scaled(ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)), stream.integer(-1090, 900));
+    const double nearest = nearest_double(exact);
+    const Rational distance = abs(exact - Rational(nearest));
+    for (const double to : {-Limits::infinity(), Limits::infinity()}) {
+      EXPECT_LE(distance, abs(exact - Rational(std::nextafter(nearest, to))));
+    }
+  }
+}
+
+TEST(ToText, WritesLowestTerms) {
+  EXPECT_EQ(to_text(ratio(6, -4)), "-3/2");
+  EXPECT_EQ(to_text(Rational(7)), "7");
+  EXPECT_EQ(to_text(Rational(0)), "0");
+  EXPECT_EQ(to_text(Rational(0.1)), "3602879701896397/36028797018963968");
+}
+
+TEST(IsFinite, SeesEachComponent) {
+  ReportedOutcome outcome;
+  EXPECT_TRUE(is_finite(outcome));
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      for (const long double bad : {LongLimits::infinity(), -LongLimits::infinity(), LongLimits::quiet_NaN()}) {
+        ReportedOutcome spoiled = outcome;
+        (*vectors(spoiled)[k])[i] = bad;
+        EXPECT_FALSE(is_finite(spoiled)) << k << ' ' << i;
+      }
+    }
+  }
+  // Beyond binary64, but a number.
+  outcome.b.velocity[1] = LongLimits::max();
+  EXPECT_TRUE(is_finite(outcome));
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/judge.hpp>
+
+#include "equality/wild.hpp"
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+
+/// The exact outcome rounded to the precision, with one vector moved by so many times what is allowed of it, so that
+/// the verdicts come out both ways and close.
+ReportedOutcome perturbed(const ExactCase& exact_case, Model model, double allowance, properties::Stream& stream) {
+  ReportedOutcome outcome = map_outcome<long double>(
+      exact_case.truth(model).outcome, [](const Rational& x) { return static_cast<long double>(nearest_double(x)); });
+  const auto k = static_cast<std::size_t>(stream.integer(0, 3));
+  // 0.01 to 1000, evenly by its logarithm.
+  const double times = std::pow(10.0, stream.between(-2, 3));
+  const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(model, allowance)[k]);
+  *vectors(outcome)[k] += step.cast<long double>();
+  return outcome;
+}
+
+struct Counts {
+  int holds = 0;
+  int violated = 0;
+};
+
+/// What is printed of a violation is rounded from enclosures where these decide. They are known to 2^-100 of the terms,
+/// and a violation is above 32 ulps of extended of them, 2^-59 where that has 64 bits: they agree to twice the quotient
+/// of the residual, and to an ulp.
+void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
+  constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
+  if (filtered != exact) {
+    EXPECT_NEAR(filtered, exact, of_residual * residual + 0x1p-52 * std::abs(exact)) << name;
+  }
+}
+
+/// One law with the filter and without it.
+template <class Law>
+void expect_same_verdict(const std::string& name, const Law& law, Relation relation, const ExactCase& exact_case,
+                         const LiftedOutcome& outcome, Yardstick yardstick, std::map<std::string, Counts>& counts) {
+  yardstick.filtered = true;
+  const Comparison filtered = compare(law, relation, exact_case, outcome, yardstick);
+  yardstick.filtered = false;
+  const Comparison exact = compare(law, relation, exact_case, outcome, yardstick);
+  ASSERT_EQ(filtered.holds, exact.holds) << name;
+  EXPECT_EQ(filtered.allowed, exact.allowed) << name;
+  expect_printed_alike(filtered.residual, exact.residual, exact.residual, name);
+  ASSERT_EQ(filtered.left.size(), exact.left.size()) << name;
+  for (std::size_t i = 0; i < exact.left.size(); ++i) {
+    expect_printed_alike(filtered.left[i], exact.left[i], exact.residual, name);
+    expect_printed_alike(filtered.right[i], exact.right[i], exact.residual, name);
+  }
+  ++(exact.holds ? counts[name].holds : counts[name].violated);
+}
+
+void expect_same_verdicts(const ExactCase& exact_case, const LiftedOutcome& outcome, const Yardstick& yardstick,
+                          std::map<std::string, Counts>& counts) {
+  const Collision& collision = exact_case.collision();
+  const auto hold = [&](const std::string& name, Relation relation, const auto& law) {
+    expect_same_verdict(name, law, relation, exact_case, outcome, yardstick, counts);
+  };
+  if (!collision.a.immovable && !collision.b.immovable) {
+    hold("linear_momentum", Relation::equal, law::LinearMomentum{});
+    hold("total_angular_momentum", Relation::equal, law::TotalAngularMomentum{});
+  }
+  if (!collision.a.immovable) {
+    hold("angular_momentum", Relation::equal, law::AngularMomentum{true});
+  }
+  hold("untouched", Relation::equal, law::Untouched{false});
+  hold("restitution", Relation::equal, law::Restitution{});
+  hold("non_penetration", Relation::at_least, law::NonPenetration{});
+  hold("reflection_plane", Relation::equal, law::ReflectionPlane{});
+  if (exact_case.approach() != Approach::inert) {
+    const bool off_a = exact_case.reads_impulse_off_a();
+    hold("push", Relation::at_least, law::Push{off_a});
+    hold("frictionless_direction", Relation::equal, law::FrictionlessDirection{off_a});
+    hold("energy", Relation::at_most, law::Energy{});
+  }
+}
+
+class Filter : public testing::TestWithParam<Precision> {};
+
+TEST_P(Filter, DecidesAsExactArithmeticDoes) {
+  std::map<std::string, Counts> counts;
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(GetParam());
+  properties::Stream stream = properties::stream_from(71);
+  int pairs = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    for (int i = 0; i < 10; ++i) {
+      const Model model = i % 2 == 0 ? Model::frictionless : Model::reflection;
+      const LiftedOutcome outcome(perturbed(exact_case, model, yardstick.allowance(), stream));
+      expect_same_verdicts(exact_case, outcome, yardstick, counts);
+      ASSERT_FALSE(testing::Test::HasFatalFailure()) << family << ' ' << i;
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, 4000);
+  for (const auto& [name, count] : counts) {
+    EXPECT_GT(count.holds, 20) << name;
+    EXPECT_GT(count.violated, 5) << name;  // a push is missed only where there is hardly one
+  }
+  EXPECT_EQ(counts.size(), 10U);
+}
+
+TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
+  Yardstick filtered;
+  filtered.unit_roundoff = unit_roundoff(GetParam());
+  Yardstick exact = filtered;
+  exact.filtered = false;
+  properties::Stream stream = properties::stream_from(72);
+  Counts counts;
+  for (const auto& [family, one] : unit::valid_cases(10)) {
+    const ExactCase exact_case(one.collision);
+    for (int i = 0; i < 10; ++i) {
+      const Model model = i % 2 == 0 ? Model::frictionless : Model::reflection;
+      const LiftedOutcome outcome(perturbed(exact_case, model, filtered.allowance(), stream));
+      const Accuracy by_filter = accuracy(exact_case, model, outcome, filtered);
+      const Accuracy by_rationals = accuracy(exact_case, model, outcome, exact);
+      EXPECT_EQ(by_filter.allowed, by_rationals.allowed) << family << ' ' << i;
+      for (std::size_t k = 0; k < 4; ++k) {
+        ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
+        // For print: where the filter decides, each component is known to a thousandth of itself or of what is allowed.
+        EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
+                    0x1p-9 * (by_rationals.error[k] + filtered.allowance() * by_filter.sensitivity[k]))
+            << family << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(counts.holds, 500);
+  EXPECT_GT(counts.violated, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+/// A ball that rests beside a wall: what is allowed of the restitution is known by hand.
+TEST(Compare, AllowsWhatTheScaleSays) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  yardstick.limit_ulps = 32;
+  // g = N·V⁺ + ε N·V⁻ with N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0), ε = 1. Terms |∂g/∂x||x|: of N (V⁺ + εV⁻
+  // along y) d, of ε and of v_A⁻ 1 each; of the outputs ‖∂g/∂v_A⁺‖ (‖v_A⁺‖ + ‖v_A⁻‖) = 2 + d; of w nothing, the lever
+  // arm is zero. The scale is 4 + 2d.
+  const double allowed = yardstick.allowance() * 4;
+  for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
+                                                                             {allowed * 0.99, true},
+                                                                             {-allowed * 0.99, true},
+                                                                             {allowed * 1.01, false},
+                                                                             {-allowed * 1.01, false}}) {
+    ReportedOutcome outcome;
+    outcome.a.velocity = {0, 1 + static_cast<long double>(deviation), 0};
+    const Comparison comparison =
+        compare(law::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+    EXPECT_EQ(comparison.holds, holds) << deviation;
+    if (!holds) {
+      EXPECT_NEAR(comparison.allowed, allowed, 0x1p-40 * allowed);
+      EXPECT_NEAR(comparison.residual, std::abs(deviation), 0x1p-9 * allowed);  // 1 + deviation is rounded to extended
+      EXPECT_EQ(comparison.right, std::vector<double>{1});
+    }
+  }
+}
+
+TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Outcome<Rational> outcome = exact_case.truth(Model::frictionless).outcome;
+  const law::Restitution law;
+  EXPECT_TRUE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
+  EXPECT_FALSE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+}
+
+TEST(Compare, KnowsTheSideOfAnInequality) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  const law::NonPenetration law;
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = 0x1p-53;
+    yardstick.filtered = filtered;
+    for (const double after : {-0.5, 0.5}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, after, 0};
+      const LiftedOutcome lifted(outcome);
+      EXPECT_EQ(compare(law, Relation::at_least, exact_case, lifted, yardstick).holds, after > 0);
+      EXPECT_EQ(compare(law, Relation::at_most, exact_case, lifted, yardstick).holds, after < 0);
+      EXPECT_FALSE(compare(law, Relation::equal, exact_case, lifted, yardstick).holds);
+    }
+  }
+}
+
+/// A valid collision whose fields have exponents up to `most`, each its own.
+Collision extreme_collision(properties::Stream& stream, int most) {
+  const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
+  return equality::scaled_fields(c, most, stream);
+}
+
+/// Judges so many collisions with exponents up to `most`, and leaves with 0 if the filter made no difference.
+void judge_extreme_collisions(int most) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  std::map<std::string, Counts> counts;
+  properties::Stream stream = properties::stream_from(static_cast<std::uint64_t>(most));
+  for (int i = 0; i < 60; ++i) {
+    const ExactCase exact_case(extreme_collision(stream, most));
+    const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()),
+                                                         [](double x) { return static_cast<long double>(x); }));
+    expect_same_verdicts(exact_case, outcome, yardstick, counts);
+    for (const Model model : models_with_truth) {
+      Yardstick exact = yardstick;
+      exact.filtered = false;
+      EXPECT_EQ(accuracy(exact_case, model, outcome, yardstick).allowed,
+                accuracy(exact_case, model, outcome, exact).allowed);
+    }
+    EXPECT_TRUE(exact_case.is_definite());
+  }
+  std::exit(testing::Test::HasFailure() ? 1 : 0);
+}
+
+/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+TEST(Judge, SurvivesEveryValidCollision) {
+  for (const int most : {50, 150, 300, 600, 1000}) {
+    EXPECT_EXIT(judge_extreme_collisions(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+  }
+}
+
+TEST(NormAtMost, IsExactAtTheBound) {
+  EXPECT_TRUE(norm_at_most(std::vector<Rational>{3, 4}, 5));
+  EXPECT_FALSE(norm_at_most(std::vector<Rational>{3, 4}, std::nextafter(5.0, 0)));
+  EXPECT_TRUE(norm_at_most(std::vector<Rational>{}, 0));
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5.001), true);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 4.999), false);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
+}
+
+/// The ball turns round by 2 m/s, so an outcome off by 2 · 10⁻³ is off by exactly 10⁻³; the next number of extended
+/// precision is not within it, though both round to the same relative error.
+TEST(Accuracy, HasDigitsUpToTheLastBit) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::extended);
+  yardstick.digits = 3;
+  const auto bound = static_cast<long double>(yardstick.allowance());
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    for (const int ulps : {-1, 0, 1}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + 2 * bound + static_cast<long double>(ulps) * 0x1p-63L, 0};
+      const Accuracy result = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.has_digits, ulps <= 0) << filtered << ' ' << ulps;
+    }
+  }
+}
+
+TEST(Accuracy, CountsUlpsAndDigits) {
+  // A unit mass meets a wall head-on at ε = 1: Δ = (0, 2, 0) for A; the outcome is off by 2^-20.
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 1 + 0x1p-20L, 0};
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-24;
+  const Accuracy result = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
+  EXPECT_EQ(result.error[0], 0x1p-20);
+  EXPECT_EQ(result.relative_error, 0x1p-21);
+  EXPECT_NEAR(result.digits(), 21 * std::log10(2.0), 1e-12);  // 21 log10 2 = 6.3, to a few roundings
+  EXPECT_EQ(result.backward_error(0x1p-24), 0x1p-20 / (0x1p-24 * result.sensitivity[0]));
+  outcome.a.velocity = {0, 1, 0};
+  const Accuracy exact = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
+  EXPECT_EQ(exact.backward_error(0x1p-24), 0);
+  EXPECT_EQ(exact.digits(), 40);
+}
+
+/// On both sides of limit · u · sensitivity, with the filter and without.
+TEST(Accuracy, AllowsWhatTheYardstickSays) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = 0x1p-30;
+    yardstick.limit_ulps = 8;
+    yardstick.filtered = filtered;
+    const double allowed = 0x1p-27 * exact_case.sensitivity(Model::reflection, 0x1p-27)[0];
+    for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
+      const Accuracy result = accuracy(exact_case, Model::reflection, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.allowed[0], std::abs(part) < 1) << part;
+    }
+  }
+}
+
+TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
+  Collision c;
+  c.a.velocity = {0, 1, 0};
+  c.b.immovable = true;
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 2, 0};
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  const Accuracy result = accuracy(ExactCase(c), Model::reflection, LiftedOutcome(outcome), yardstick);
+  EXPECT_FALSE(result.allowed[0]);
+  EXPECT_TRUE(result.allowed[1] && result.allowed[2] && result.allowed[3]);
+  EXPECT_TRUE(std::isinf(result.relative_error));
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using ExactDual = Dual<Rational, collision_inputs>;
+
+/// The law's answer with its exact derivatives, and the inputs that they are by.
+struct Differentiated {
+  Differentiated(const Collision& collision, Model model)
+      : truth(colliding_truth(
+            dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); }).collision,
+            model)) {
+    for_each_number(
+        [&](const FieldPath& path, const double& x) {
+          paths.push_back(path);
+          numbers.emplace_back(x);
+        },
+        collision);
+  }
+
+  /// Σ_j degree(path_j) x_j ∂y/∂x_j: by Euler d · y, where y is homogeneous of degree d under x_j → k^degree x_j.
+  template <class Degree>
+  [[nodiscard]] Rational euler_sum(const ExactDual& y, const Degree& degree) const {
+    Rational sum(0);
+    for (std::size_t j = 0; j < numbers.size(); ++j) {
+      sum += degree(paths[j]) * numbers[j] * y.derivative[j];
+    }
+    return sum;
+  }
+
+  Truth<ExactDual> truth;
+  std::vector<FieldPath> paths;
+  std::vector<Rational> numbers;
+};
+
+/// Small dyadic numbers, one case with all 53 bits, and one with a driven wall.
+std::vector<Collision> collisions() {
+  std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision};
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    properties::Stream stream = properties::stream_from(600 + i);
+    result.push_back(unit::small_collision(stream));
+  }
+  return result;
+}
+
+/// Σ_j degree x_j ∂y/∂x_j = d y for each component y, d the degree of velocities and that of angular velocities.
+template <class Degree>
+void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_velocity) {
+  for (const Collision& collision : collisions()) {
+    for (const Model model : models_with_truth) {
+      const Differentiated differentiated(collision, model);
+      const auto parts = vectors(differentiated.truth.outcome);
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        for (int i = 0; i < 3; ++i) {
+          const ExactDual& y = (*parts[k])[i];
+          const int expected = k % 2 == 0 ? of_velocity : of_angular_velocity;
+          EXPECT_EQ(differentiated.euler_sum(y, degree), expected * y.value)
+              << name_of(model) << ' ' << outcome_vector_names[k] << '[' << i << ']';
+        }
+      }
+    }
+  }
+}
+
+bool is_velocity(const FieldPath& path) { return path.field == "velocity" || path.field == "angular_velocity"; }
+
+TEST(Derivatives, SumOverTheVelocitiesToTheOutcome) {
+  expect_homogeneous([](const FieldPath& path) { return is_velocity(path) ? 1 : 0; }, 1, 1);
+}
+
+TEST(Derivatives, SumToNothingOverTheUnitOfMass) {
+  expect_homogeneous(
+      [](const FieldPath& path) { return path.field == "mass" || path.field == "principal_inertia" ? 1 : 0; }, 0, 0);
+}
+
+TEST(Derivatives, SumOverTheUnitOfLengthToTheVelocities) {
+  expect_homogeneous(
+      [](const FieldPath& path) {
+        if (path.field == "principal_inertia") {
+          return 2;
+        }
+        return path.field == "position" || path.field == "point" || path.field == "velocity" ? 1 : 0;
+      },
+      1, 0);
+}
+
+TEST(Derivatives, SumToNothingOverTheLengthOfTheNormal) {
+  expect_homogeneous([](const FieldPath& path) { return path.field == "normal" ? 1 : 0; }, 0, 0);
+}
+
+TEST(Derivatives, SumToNothingOverTheLengthOfAnOrientation) {
+  expect_homogeneous([](const FieldPath& path) { return path.field == "orientation" && path.body == "a" ? 1 : 0; }, 0,
+                     0);
+}
+
+/// Sensitivity by its definition: exact derivatives, each norm and the sum rounded.
+Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
+  const Differentiated differentiated(collision, model);
+  const Outcome<double> before = unchanged(collision);
+  Sensitivity result{};
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Vector3<ExactDual>& y = *vectors(differentiated.truth.outcome)[k];
+    result[k] = vectors(before)[k]->norm();
+    for (std::size_t j = 0; j < differentiated.numbers.size(); ++j) {
+      const Vector3<double> derivative{to_double(y[0].derivative[j]), to_double(y[1].derivative[j]),
+                                       to_double(y[2].derivative[j])};
+      result[k] += derivative.norm() * std::abs(to_double(differentiated.numbers[j]));
+    }
+  }
+  return result;
+}
+
+/// In binary64 the sums lose κ(K) u per operation: κ < 2^20 there, and fewer than 2^7 operations follow one another, so
+/// they are good to 2^(20 + 7 − 53).
+TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
+  constexpr double relative = 0x1p-26;
+  std::vector<Collision> all = collisions();
+  for (const char* family : {"near_head_on", "mass_ratio", "far_from_origin", "collinear_spheres", "long_normal"}) {
+    all.push_back(unit::case_of(family, 0).collision);
+  }
+  for (const Collision& collision : all) {
+    const ExactCase exact_case(collision);
+    if (exact_case.approach() != Approach::colliding) {
+      continue;
+    }
+    for (const Model model : models_with_truth) {
+      const Sensitivity expected = sensitivity_by_definition(collision, model);
+      const Sensitivity& actual = exact_case.sensitivity(model, 0);
+      for (std::size_t k = 0; k < actual.size(); ++k) {
+        EXPECT_NEAR(actual[k], expected[k], relative * expected[k]) << name_of(model) << ' ' << outcome_vector_names[k];
+      }
+    }
+  }
+}
+
+/// The quick way and the whole law differentiated, to what binary64 may lose where κ(K) < 2^20.
+TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
+  constexpr double relative = 0x1p-26;
+  std::size_t compared = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
+      continue;
+    }
+    const Matrix3<double> k =
+        exact_case.approximate_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
+    if (k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant()) {
+      continue;
+    }
+    for (const Model model : models_with_truth) {
+      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model);
+      const std::optional<Sensitivity> whole = enclosed_sensitivity(one.collision, model);
+      ASSERT_TRUE(quick && whole) << family;
+      ++compared;
+      for (std::size_t i = 0; i < whole->size(); ++i) {
+        EXPECT_NEAR((*quick)[i], (*whole)[i], relative * (*whole)[i])
+            << family << ' ' << name_of(model) << ' ' << outcome_vector_names[i];
+      }
+    }
+  }
+  EXPECT_GT(compared, 400U);
+}
+
+/// Moments of inertia far too small for the lever arm, which is along the normal but for rounding: of r × N binary64
+/// keeps nothing.
+TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
+  for (const double length : {1.0, 1e3, 1e6}) {
+    Collision c;
+    c.normal = {0.1, 0.3, 0.7};
+    c.point = {0.2, -0.4, 0.5};
+    c.a.principal_inertia = {1e-19, 2e-19, 3e-19};
+    c.a.orientation = {3, 1, 2, 1};
+    c.a.position = c.point + length * c.normal;
+    c.a.velocity = {0.25, -1, -0.5};
+    c.a.angular_velocity = {1, 2, -3};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.approach(), Approach::colliding);
+    const Sensitivity expected = sensitivity_by_definition(c, Model::frictionless);
+    const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0);
+    for (std::size_t k = 0; k < actual.size(); ++k) {
+      EXPECT_NEAR(actual[k], expected[k], 0x1p-26 * expected[k]) << length << ' ' << outcome_vector_names[k];
+    }
+  }
+}
+
+/// A thin body, κ(K) = 2^60: there the sums are taken in rationals, and are good to a few roundings.
+TEST(Sensitivity, IsExactForThinBodiesToo) {
+  Collision c;
+  c.a.principal_inertia = {1, 0x1p-60, 1};
+  c.a.orientation = {3, 1, 2, 1};
+  c.a.position = {1, 2, -1};
+  c.a.velocity = {0.25, -1, 0.5};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  const Sensitivity expected = sensitivity_by_definition(c, Model::reflection);
+  const Sensitivity& actual = exact_case.sensitivity(Model::reflection, 0);
+  for (std::size_t k = 0; k < actual.size(); ++k) {
+    EXPECT_NEAR(actual[k], expected[k], 0x1p-45 * expected[k]);  // fewer than 2^8 roundings of positive terms
+  }
+}
+
+TEST(Sensitivity, IsAtLeastItsLowerBound) {
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    for (const Model model : models_with_truth) {
+      const Sensitivity below = exact_case.sensitivity_below(model);
+      const Sensitivity& all = exact_case.sensitivity(model, 0x1p-48);
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        EXPECT_LE(below[k], all[k]) << family << ' ' << outcome_vector_names[k];
+      }
+    }
+  }
+}
+
+/// Where nothing happens y = y⁻: ‖∂y/∂x_j‖ = 1 for its own components, so Σ|y_i| + ‖y‖.
+TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
+  const Collision c = unit::case_of("separating", 0).collision;
+  const ExactCase exact_case(c);
+  ASSERT_FALSE(exact_case.is_grazing(0x1p-48));
+  const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0x1p-48);
+  const Vector3<double>& v = c.b.velocity;
+  const double expected = std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]) + std::sqrt(v.dot(v));
+  EXPECT_NEAR(actual[2], expected, 0x1p-50 * expected);  // at most eight roundings of positive terms
+}
+
+/// N = (1, 1, 0), V = (1, −1 ∓ 2^-40, 0): N·V = ∓2^-40, and Σ|∂(N·V)/∂x_j||x_j| = 2 Σ|N_i V_i| = 4 and a little.
+TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
+  for (const double side : {-1.0, 1.0}) {
+    Collision c;
+    c.normal = {1, 1, 0};
+    c.a.velocity = {1, -1 + side * 0x1p-40, 0};
+    const ExactCase exact_case(c);
+    EXPECT_EQ(exact_case.approach(), side < 0 ? Approach::colliding : Approach::separating);
+    EXPECT_TRUE(exact_case.is_grazing(0x1p-41));
+    EXPECT_FALSE(exact_case.is_grazing(0x1p-43));
+    EXPECT_FALSE(exact_case.is_grazing(0));
+  }
+}
+
+/// The band ends where forward differentiation says.
+TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
+  int seen = 0;
+  for (const auto& [family, one] : unit::valid_cases(4)) {
+    const ExactCase exact_case(one.collision);
+    const auto& inputs = exact_case.differentiated();
+    const auto velocity = normal_velocity_before(inputs.collision);
+    const double edge = std::abs(velocity.value) / sensitivity_of({&velocity}, inputs.magnitude);
+    if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20)) {
+      continue;  // where N·V⁻ cancels, its own rounding moves the edge
+    }
+    EXPECT_TRUE(exact_case.is_grazing(edge * (1 + 0x1p-20))) << family;
+    EXPECT_FALSE(exact_case.is_grazing(edge * (1 - 0x1p-20))) << family;
+    ++seen;
+  }
+  EXPECT_GT(seen, 50);
+}
+
+/// w_A·X_A is beyond binary64 in the derivative by a component that is zero, and so has no part in the sum.
+TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
+  Collision c;
+  c.normal = {1e200, 0, 0};
+  c.a.angular_velocity = {0, 1e200, 0};
+  c.a.position = {1, 0, 0};
+  c.b.position = {-1, 0, 0};
+  c.a.velocity = {1, 0, 0};
+  c.b.velocity = {1 + 0x1p-52, 0, 0};
+  const ExactCase exact_case(c);
+  EXPECT_EQ(exact_case.approach(), Approach::colliding);
+  EXPECT_TRUE(exact_case.is_grazing(0x1p-48));
+  EXPECT_FALSE(exact_case.is_grazing(0x1p-56));
+}
+
+/// Separating by less than the allowance, the contact is given the sensitivity of a collision.
+TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
+  Collision c;
+  c.normal = {1, 1, 0};
+  c.a.velocity = {1, -1 + 0x1p-40, 0};
+  const ExactCase exact_case(c);
+  const double colliding = exact_case.sensitivity(Model::frictionless, 0x1p-41)[2];
+  const double untouched = exact_case.sensitivity(Model::frictionless, 0)[2];
+  EXPECT_EQ(untouched, 0);  // B is at rest and stays so
+  EXPECT_GT(colliding, 1);  // of order ‖V‖
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/elimination.hpp>
+#include <carom/oracles/models/superposition.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using unit::same;
+
+void expect_same_truth(const Collision& collision, const std::string& what) {
+  const BasicCollision<Rational> exact = lift(collision);
+  for (const Model model : models_with_truth) {
+    const Truth<Rational> fast = colliding_truth(exact, model);
+    const Truth<Rational> slow = truth_by_elimination(exact, model);
+    EXPECT_TRUE(same(fast.impulse, slow.impulse)) << what << ", " << name_of(model);
+    EXPECT_TRUE(same(fast.outcome, slow.outcome)) << what << ", " << name_of(model);
+  }
+}
+
+/// Neither asks for the sign of N·V⁻, so contacts that rest or separate are compared as well.
+TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    properties::Stream stream = properties::stream_from(50000 + i);
+    expect_same_truth(unit::small_collision(stream), std::to_string(i));
+  }
+}
+
+TEST(Truth, EqualsEliminationOnEveryFamily) {
+  for (const auto& [family, one] : unit::valid_cases(50)) {
+    if (family != "both_immovable") {
+      expect_same_truth(one.collision, std::string(family));
+    }
+  }
+}
+
+TEST(Truth, RefusesTheModelThatDeterminesNoOutcome) {
+  const BasicCollision<Rational> exact = lift(unit::case_of("generic", 0).collision);
+  EXPECT_THROW((void)colliding_truth(exact, Model::any), std::invalid_argument);
+  EXPECT_THROW((void)truth_by_elimination(exact, Model::any), std::invalid_argument);
+}
+
+/// A ball of mass 2 falls with (1, −4, 0) on a fixed plane, ε = 1/2: the impulse is (0, 12, 0), the outcome (1, 2, 0).
+TEST(Truth, IsWhatATextbookSays) {
+  Collision c;
+  c.a.mass = 2;
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {1, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  const ExactCase exact_case(c);
+  for (const Model model : models_with_truth) {
+    const Truth<Rational>& truth = exact_case.truth(model);
+    EXPECT_TRUE(same(truth.impulse, unit::ExactVector(0, 12, 0))) << name_of(model);
+    EXPECT_TRUE(same(truth.outcome.a.velocity, unit::ExactVector(1, 2, 0)));
+    EXPECT_TRUE(same(truth.outcome.a.angular_velocity, unit::ExactVector(0, 0, 0)));
+  }
+}
+
+TEST(Truth, IsTheVelocitiesBeforeWhereTheContactDoesNotCollide) {
+  for (const char* family : {"separating", "resting", "both_immovable"}) {
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const ExactCase exact_case(unit::case_of(family, i).collision);
+      for (const Model model : models_with_truth) {
+        EXPECT_TRUE(same(exact_case.truth(model).outcome, unchanged(exact_case.exact()))) << family;
+        EXPECT_TRUE(same(exact_case.truth(model).impulse, unit::ExactVector(0, 0, 0))) << family;
+      }
+    }
+  }
+}
+
+TEST(Approach, IsTheSignOfTheExactNormalVelocity) {
+  for (const auto& [family, one] : unit::valid_cases(30)) {
+    const Collision& c = one.collision;
+    const Rational normal_velocity = lift(c).normal.dot(unit::velocity_before(lift(c)));
+    const Approach approach = ExactCase(c).approach();
+    if (c.a.immovable && c.b.immovable) {
+      EXPECT_EQ(approach, Approach::inert) << family;
+    } else {
+      EXPECT_EQ(approach, normal_velocity < 0    ? Approach::colliding
+                          : normal_velocity == 0 ? Approach::resting
+                                                 : Approach::separating)
+          << family;
+    }
+  }
+}
+
+/// N·V⁻ = ±2^-150 or 0 beside terms of size 1: beyond double-double, so the exact sign has to decide.
+TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
+  for (const int sign : {-1, 0, 1}) {
+    Collision c;
+    c.normal = {1, 1, std::ldexp(1.0, -75)};
+    c.a.velocity = {0.1, -0.1, sign * std::ldexp(1.0, -75)};
+    const Approach expected = sign < 0 ? Approach::colliding : sign == 0 ? Approach::resting : Approach::separating;
+    EXPECT_EQ(ExactCase(c).approach(), expected) << sign;
+  }
+}
+
+/// A contact of each kind: two movable bodies, and one of them a moving wall.
+std::vector<Collision> contacts_to_certify() {
+  std::vector<Collision> contacts;
+  for (const char* family : {"elastic", "inelastic", "immovable_a", "immovable_b", "driven_wall", "zero_lever"}) {
+    contacts.push_back(unit::case_of(family, 0).collision);
+  }
+  return contacts;
+}
+
+void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Model model, Approach approach,
+                                     const Outcome<Rational>& outcome) {
+  EXPECT_NO_THROW(certify(exact, model, approach, outcome));
+  for (const int exponent : {-200, 0, 100}) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (int i = 0; i < 3; ++i) {
+        Outcome<Rational> corrupted = outcome;
+        (*vectors(corrupted)[k])[i] += Rational(std::ldexp(1.0, exponent));
+        EXPECT_THROW(certify(exact, model, approach, corrupted), std::logic_error)
+            << outcome_vector_names[k] << '[' << i << "] by 2^" << exponent;
+      }
+    }
+  }
+}
+
+TEST(Certify, NoticesEachCorruptedComponent) {
+  for (const Collision& collision : contacts_to_certify()) {
+    const ExactCase exact_case(collision);
+    ASSERT_EQ(exact_case.approach(), Approach::colliding);
+    for (const Model model : models_with_truth) {
+      expect_every_corruption_noticed(exact_case.exact(), model, Approach::colliding, exact_case.truth(model).outcome);
+    }
+  }
+}
+
+TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
+  for (const char* family : {"separating", "resting", "both_immovable"}) {
+    const ExactCase exact_case(unit::case_of(family, 1).collision);
+    expect_every_corruption_noticed(exact_case.exact(), Model::reflection, exact_case.approach(),
+                                    unchanged(exact_case.exact()));
+  }
+}
+
+/// What certify finds wrong; "" where it finds nothing.
+std::string reproach(const BasicCollision<Rational>& exact, Model model, const Outcome<Rational>& outcome) {
+  try {
+    certify(exact, model, Approach::colliding, outcome);
+  } catch (const std::logic_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A spin about the lever arm does not move the contact point, so all other equations hold.
+TEST(Certify, NeedsTheAngularMomentumOfEachBody) {
+  for (const Model model : models_with_truth) {
+    const ExactCase exact_case(unit::case_of("elastic", 0).collision);
+    const BasicCollision<Rational>& c = exact_case.exact();
+    Outcome<Rational> outcome = exact_case.truth(model).outcome;
+    outcome.a.angular_velocity += lever_arm(c.a, c.point);
+    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy the angular momentum of A");
+    outcome = exact_case.truth(model).outcome;
+    outcome.b.angular_velocity += lever_arm(c.b, c.point);
+    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy the angular momentum of B");
+  }
+}
+
+TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
+  for (const char* family : {"immovable_a", "immovable_b"}) {
+    const bool a_is_fixed = std::string(family) == "immovable_a";
+    const ExactCase exact_case(unit::case_of(family, 0).collision);
+    const BasicCollision<Rational>& c = exact_case.exact();
+    for (const Model model : models_with_truth) {
+      Outcome<Rational> outcome = exact_case.truth(model).outcome;
+      BodyVelocity<Rational>& wall = a_is_fixed ? outcome.a : outcome.b;
+      wall.angular_velocity += lever_arm(a_is_fixed ? c.a : c.b, c.point);
+      EXPECT_EQ(reproach(c, model, outcome), std::string("the truth does not satisfy the immovable ") +
+                                                 (a_is_fixed ? "A" : "B") + " being untouched");
+    }
+  }
+}
+
+/// A alone is given an impulse, as if B were a wall: it obeys its own laws and all that is asked of V⁺.
+TEST(Certify, NeedsLinearMomentum) {
+  const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
+  BasicCollision<Rational> against_a_wall = c;
+  against_a_wall.b.immovable = true;
+  for (const Model model : models_with_truth) {
+    const Outcome<Rational> outcome = colliding_truth(against_a_wall, model).outcome;
+    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy linear momentum");
+  }
+}
+
+TEST(Certify, NeedsTheTangentialLawOfTheModel) {
+  const ExactCase exact_case(unit::case_of("elastic", 0).collision);
+  const BasicCollision<Rational>& c = exact_case.exact();
+  EXPECT_EQ(reproach(c, Model::frictionless, exact_case.truth(Model::reflection).outcome),
+            "the truth does not satisfy the frictionless direction");
+  EXPECT_EQ(reproach(c, Model::reflection, exact_case.truth(Model::frictionless).outcome),
+            "the truth does not satisfy the reflection plane");
+}
+
+/// The answer for another ε keeps every momentum and breaks eq. 17 alone.
+TEST(Certify, NeedsRestitution) {
+  BasicCollision<Rational> exact = lift(unit::case_of("elastic", 0).collision);
+  exact.restitution = ratio(99, 100);
+  for (const Model model : models_with_truth) {
+    const Outcome<Rational> outcome = colliding_truth(exact, model).outcome;
+    BasicCollision<Rational> asked = exact;
+    asked.restitution = 1;
+    EXPECT_EQ(reproach(asked, model, outcome), "the truth does not satisfy restitution");
+  }
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/filters/refined_truth.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+
+/// A number, approximated and exactly.
+struct Approximated {
+  Approximation approximate;
+  Rational exact;
+};
+
+/// |x − middle| ≤ radius, and what follows from it for the size and the sign of x.
+testing::AssertionResult contains(const Approximated& both) {
+  const Approximation& x = both.approximate;
+  if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
+    return x.sign() ? testing::AssertionFailure() << "the sign of no number" : testing::AssertionSuccess();
+  }
+  const Rational magnitude = abs(both.exact);
+  if (abs(both.exact - Rational(x.middle())) > Rational(x.radius())) {
+    return testing::AssertionFailure() << "off by more than " << x.radius();
+  }
+  if (std::isfinite(x.magnitude_above()) && Rational(x.magnitude_above()) < magnitude) {
+    return testing::AssertionFailure() << "magnitude_above " << x.magnitude_above();
+  }
+  if (Rational(x.magnitude_below()) > magnitude) {
+    return testing::AssertionFailure() << "magnitude_below " << x.magnitude_below();
+  }
+  if (x.sign().value_or(sign_of(both.exact)) != sign_of(both.exact)) {
+    return testing::AssertionFailure() << "wrong sign";
+  }
+  return testing::AssertionSuccess();
+}
+
+Approximated expression(properties::Stream& stream, int depth, int exponents, int& operations, int& decided) {
+  if (depth == 0 || stream.chance(8)) {
+    const double x = stream.chance(8)
+                         ? stream.integer(-3, 3)
+                         : std::ldexp(stream.signed_unit(), stream.integer(-exponents, std::min(exponents, 1020)));
+    return {Approximation(x), Rational(x)};
+  }
+  const Approximated x = expression(stream, depth - 1, exponents, operations, decided);
+  Approximated y = expression(stream, depth - 1, exponents, operations, decided);
+  if (stream.chance(6) && std::isfinite(x.approximate.middle())) {
+    // Near cancellation.
+    y = {Approximation(x.approximate.middle()), Rational(x.approximate.middle())};
+  }
+  Approximated result;
+  switch (stream.integer(0, 3)) {
+    case 0:
+      result = {x.approximate + y.approximate, x.exact + y.exact};
+      break;
+    case 1:
+      result = {x.approximate - y.approximate, x.exact - y.exact};
+      break;
+    case 2:
+      result = {x.approximate * y.approximate, x.exact * y.exact};
+      break;
+    default:
+      if (y.exact == 0) {
+        EXPECT_EQ((x.approximate / y.approximate).sign(), std::nullopt);
+        return x;
+      }
+      result = {x.approximate / y.approximate, x.exact / y.exact};
+  }
+  ++operations;
+  decided += result.approximate.sign() ? 1 : 0;
+  EXPECT_TRUE(contains(result));
+  EXPECT_TRUE(contains({-result.approximate, -result.exact}));
+  return result;
+}
+
+TEST(Approximation, ContainsTheExactValueOfEveryExpression) {
+  for (const int exponents : {4, 60, 250, 1000, 1070}) {
+    int operations = 0;
+    int decided = 0;
+    for (std::uint64_t i = 0; operations < 20000; ++i) {
+      properties::Stream stream = properties::case_stream(static_cast<std::uint64_t>(exponents), "approximation", i);
+      expression(stream, 5, exponents, operations, decided);
+      ASSERT_FALSE(testing::Test::HasFailure()) << "exponents " << exponents << ", expression " << i;
+    }
+    if (exponents <= 60) {
+      EXPECT_GT(decided, operations / 10 * 7);
+    }
+  }
+}
+
+TEST(Approximation, KeepsExactZeros) {
+  const Approximation third = Approximation(1) / Approximation(3);
+  EXPECT_EQ((Approximation(0) * third).sign(), 0);
+  EXPECT_EQ((Approximation(0.25) - Approximation(0.25)).sign(), 0);
+  EXPECT_EQ((third * Approximation(3) - Approximation(1)).sign(), std::nullopt);  // 0, but it cannot know
+}
+
+TEST(Approximation, GoesToEnclosuresAndBack) {
+  properties::Stream stream = properties::stream_from(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Rational x = ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30));
+    EXPECT_TRUE(contains({approximation_of(Enclosure(x)), x}));
+    const Approximated third{Approximation(to_double(x)) / Approximation(3), Rational(to_double(x)) / 3};
+    EXPECT_TRUE(contains({approximation_of(enclosure_of(third.approximate)), third.exact}));
+  }
+}
+
+/// The step of refinement contains the truth, and is about as good as double-double throughout.
+TEST(RefinedTruth, ContainsTheTruth) {
+  int good = 0;
+  int all = 0;
+  for (const auto& [family, one] : unit::valid_cases(8)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding) {
+      continue;
+    }
+    for (const Model model : models_with_truth) {
+      const Truth<Enclosure> refined = refined_truth(one.collision, exact_case.enclosed(), exact_case.approximate(),
+                                                     model, ApproximateResponse(exact_case.approximate()));
+      const auto enclosed = vectors(refined.outcome);
+      const auto exact = vectors(exact_case.truth(model).outcome);
+      for (std::size_t k = 0; k < enclosed.size(); ++k) {
+        double radius = 0;
+        for (int i = 0; i < 3; ++i) {
+          const Enclosure difference = (*enclosed[k])[i] - Enclosure((*exact[k])[i]);
+          EXPECT_EQ(difference.magnitude_below(), 0) << family << ' ' << k;
+          radius = std::max(radius, (*enclosed[k])[i].radius());
+        }
+        ++all;
+        good += radius <= 0x1p-80 * exact_case.sensitivity(model, 0x1p-48)[k] ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(all, 500);
+  EXPECT_GT(good, all / 10 * 9);
+}
+
+}  // namespace
+}  // namespace carom::oracles

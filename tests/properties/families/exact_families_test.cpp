@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/definiteness.hpp>
+
+#include "support/exact.hpp"
+
+/// What the families promise of N, V and K, exactly.
+namespace carom::properties {
+namespace {
+
+using oracles::Approach;
+using oracles::ExactCase;
+using unit::ExactVector;
+using unit::Rational;
+
+constexpr std::uint64_t cases = 200;
+
+/// How many cases of a family are in the approach.
+int count(std::string_view family, Approach approach) {
+  int found = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    found += ExactCase(unit::case_of(family, i).collision).approach() == approach ? 1 : 0;
+  }
+  return found;
+}
+
+TEST(Families, ApproachAsTheyPromise) {
+  EXPECT_EQ(count("resting", Approach::resting), 200);
+  EXPECT_EQ(count("both_immovable", Approach::inert), 200);
+  EXPECT_EQ(count("head_on", Approach::colliding), 200);
+  EXPECT_EQ(count("near_head_on", Approach::colliding), 200);
+  // The sign of N·V is looked at in binary64, and may be wrong within rounding of 0 alone.
+  EXPECT_GE(count("separating", Approach::separating), 198);
+  for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
+                             "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
+    EXPECT_GE(count(family, Approach::colliding), 198) << family;
+  }
+  // Seven in eight: 175, five standard deviations of √(200·7/64) = 4.7 either way.
+  EXPECT_NEAR(count("generic", Approach::colliding), 175, 24);
+}
+
+TEST(Families, AreExactlyHeadOnInAboutHalfOfHeadOn) {
+  int exactly = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const ExactCase exact_case(unit::case_of("head_on", i).collision);
+    const bool is_head_on = exact_case.is_head_on();
+    exactly += is_head_on ? 1 : 0;
+    const ExactVector v = unit::velocity_before(exact_case.exact());
+    const ExactVector across = exact_case.exact().normal.cross(v);
+    EXPECT_EQ(is_head_on, across[0] == 0 && across[1] == 0 && across[2] == 0);
+  }
+  // Half are set exactly: 100, five standard deviations of √(200/4) = 7.1 less; rounding adds some by luck.
+  EXPECT_GE(exactly, 64);
+}
+
+TEST(Families, AreNeverExactlyHeadOnInNearHeadOnWithoutRounding) {
+  int exactly = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    exactly += ExactCase(unit::case_of("near_head_on", i).collision).is_head_on() ? 1 : 0;
+  }
+  // Of 10^-1 … 10^-18 two or three are below rounding: 3/18 of 200 is 33, five standard deviations of 5.3 more.
+  EXPECT_LE(exactly, 60);
+}
+
+TEST(Families, AreCollinearAndIsotropicInCollinearSpheres) {
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const Collision c = unit::case_of("collinear_spheres", i).collision;
+    const auto exact = oracles::lift(c);
+    EXPECT_TRUE(ExactCase(c).is_collinear()) << i;
+    for (const BasicBody<Rational>* body : {&exact.a, &exact.b}) {
+      if (body->immovable) {
+        continue;
+      }
+      const ExactVector moment = ExactVector(exact.point - body->position).cross(exact.normal);
+      EXPECT_TRUE(unit::same(moment, ExactVector(0, 0, 0))) << i;
+      EXPECT_EQ(body->principal_inertia[0], body->principal_inertia[1]);
+      EXPECT_EQ(body->principal_inertia[1], body->principal_inertia[2]);
+    }
+  }
+}
+
+TEST(Families, AreSeldomCollinearElsewhere) {
+  int near = 0;
+  int general = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    near += ExactCase(unit::case_of("near_collinear", i).collision).is_collinear() ? 1 : 0;
+    general += ExactCase(unit::case_of("generic", i).collision).is_collinear() ? 1 : 0;
+  }
+  // 10^-16 and 10^-15 of a radius may be lost in the place of the contact: 2/16 of 200 is 25, five times 4.7 more.
+  EXPECT_LE(near, 49);
+  EXPECT_EQ(general, 0);
+}
+
+/// Grazing: |N·V| ≤ 10^-1 ‖N‖‖V‖ up to √2 for the other part of V, and mostly far less; on both sides.
+TEST(Families, GrazeInGrazing) {
+  int slight = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const auto exact = oracles::lift(unit::case_of("grazing", i).collision);
+    const ExactVector v = unit::velocity_before(exact);
+    const ExactVector& n = exact.normal;
+    const Rational squared = n.dot(v) * n.dot(v);
+    const Rational scale = n.dot(n) * v.dot(v);
+    slight += squared * 1000000 <= scale ? 1 : 0;  // |N·V| ≤ 10^-3
+  }
+  // k = 3 … 18 of 1 … 18 at least: 8/9 of 200 is 178, five standard deviations of √(200·8/81) = 4.4 less.
+  EXPECT_GE(slight, 155);
+  EXPECT_GT(count("grazing", Approach::separating), 10);
+  EXPECT_GT(count("grazing", Approach::colliding), 100);
+}
+
+/// λI ⪯ C ⪯ 16 λI. Each stored moment and coordinate carries fewer than 64 roundings of the construction, which move an
+/// eigenvalue by at most 64 u Σ‖∂K/∂x_j‖|x_j| (Weyl).
+TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
+  Rational largest(0);
+  for (const char* family : {"physical", "collinear_spheres"}) {
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      const ExactCase exact_case(unit::case_of(family, i).collision);
+      const Rational lambda = exact_case.inverse_mass();
+      const Rational rounding(64 * 0x1p-53 * exact_case.collision_matrix_sensitivity());
+      EXPECT_TRUE(oracles::is_at_most(exact_case.collision_matrix(), 16 * lambda + rounding)) << family << ' ' << i;
+      EXPECT_TRUE(exact_case.is_bounded_by(16 * lambda + rounding)) << family << ' ' << i;
+      const Rational trace = exact_case.collision_matrix().trace() / lambda;
+      largest = std::max(largest, trace);
+    }
+  }
+  // Not vacuous: some contact has a mean eigenvalue of twice λ at least.
+  EXPECT_GT(largest, 6);
+}
+
+TEST(Families, ExceedSixteenLambdaSomewhereInGeneric) {
+  int above = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const ExactCase exact_case(unit::case_of("generic", i).collision);
+    above += exact_case.is_bounded_by(16 * exact_case.inverse_mass()) ? 0 : 1;
+  }
+  EXPECT_GT(above, 0);
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariants/verdicts.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// Whether Σ_i (left_i − right_i)² ≤ (allowance scale)², in ℚ.
+bool is_near(const Vector3<oracles::Rational>& left, const Vector3<oracles::Rational>& right, double allowed) {
+  const Vector3<oracles::Rational> difference = left - right;
+  return difference.dot(difference) <= oracles::Rational(allowed) * oracles::Rational(allowed);
+}
+
+struct Counts {
+  int near = 0;
+  int shown = 0;
+  int far = 0;
+};
+
+/// y + (to − from), rounded as relations have it, beside an outcome that misses the exact sum in one component, by
+/// between `least` and `most` of what is allowed: what is shown to be near is, by the exact sum.
+Counts expect_shown_to_be_near(double allowance, double least, double most) {
+  Counts counts;
+  Stream stream = stream_from(91);
+  // Numbers of many sizes, so that sums are rounded.
+  const auto any = [&] { return std::ldexp(stream.between(-1, 1), -stream.integer(0, 30)); };
+  for (int i = 0; i < 20000; ++i) {
+    using Wide = long double;
+    using oracles::Rational;
+    ReportedOutcome left;
+    Vector3<Rational> exact;
+    double squares_of_to = 0;
+    double squares_of_from = 0;
+    for (int j = 0; j < 3; ++j) {
+      const double y = any();
+      const double from = any();
+      const double to = any();
+      left.a.velocity[j] = Wide(y) + (Wide(to) - Wide(from));
+      exact[j] = Rational(y) + Rational(to) - Rational(from);
+      squares_of_to += to * to;
+      squares_of_from += from * from;
+    }
+    const double scale = std::sqrt(squares_of_to) + std::sqrt(squares_of_from);
+    ReportedOutcome right = left;
+    right.a.velocity[stream.integer(0, 2)] +=
+        Wide(allowance) * Wide(scale * stream.between(least, most)) * (stream.chance(2) ? 1 : -1);
+    const bool shown = surely_near(left, right, allowance, {scale, 0, 0, 0}, {0});
+    const bool near = is_near(exact, oracles::lift(right).a.velocity, allowance * scale);
+    EXPECT_TRUE(near || !shown) << i;
+    counts.near += near ? 1 : 0;
+    counts.shown += shown ? 1 : 0;
+    counts.far += near ? 0 : 1;
+  }
+  return counts;
+}
+
+TEST(SurelyNear, ShowsOnlyWhatIsNear) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);
+    EXPECT_GT(counts.far, 8000);
+    // Of extended, two ulps of numbers larger than the scale are no small part of what is allowed.
+    EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 2 : counts.near * 9 / 10);
+  }
+}
+
+/// Allowed eight ulps of extended, and missed by about as much: here the rounding of the numbers decides.
+TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
+  const Counts counts = expect_shown_to_be_near(8 * unit_roundoff(Precision::extended), 0.5, 1.1);
+  EXPECT_GT(counts.far, 2000);
+  EXPECT_GT(counts.near, 10000);
+  EXPECT_GT(counts.shown, 100);
+}
+
+/// The rounding of the numbers themselves counts where the allowance is no larger.
+TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
+  const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
+  const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  EXPECT_TRUE(surely_near(reported, reported, 0x1p-50, scale));
+  EXPECT_FALSE(surely_near(reported, reported, unit_roundoff(Precision::extended), scale));
+}
+
+TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  for (std::size_t moved = 0; moved < 4; ++moved) {
+    const ReportedOutcome rest;
+    ReportedOutcome other;
+    (*vectors(other)[moved])[2] = 0x1p-20L;
+    for (std::size_t named = 0; named < 4; ++named) {
+      EXPECT_EQ(surely_near(rest, other, 0x1p-30, scale, {named}), named != moved);
+    }
+    EXPECT_FALSE(surely_near(rest, other, 0x1p-30, scale));
+    EXPECT_TRUE(surely_near(rest, other, 0x1p-10, scale));
+  }
+}
+
+/// What is no number is near to nothing.
+TEST(SurelyNear, DoesNotTakeANaNForNear) {
+  const std::array<double, 4> scale{1, 1, 1, 1};
+  ReportedOutcome nothing;
+  nothing.b.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
+  EXPECT_FALSE(surely_near(nothing, {}, 1, scale));
+  EXPECT_FALSE(surely_near({}, nothing, 1, scale));
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// A valid collision whose fields have exponents up to `most`, each its own.
+Case extreme_case(Stream& stream, int most) {
+  Case one = unit::case_of("physical", stream.bits() % 100);
+  const auto factor = [&] { return std::ldexp(1.0, stream.integer(-most, most)); };
+  for (Body* body : {&one.collision.a, &one.collision.b}) {
+    body->mass *= factor();
+    body->principal_inertia *= factor();
+    body->orientation *= factor();
+    body->velocity *= factor();
+    body->angular_velocity *= factor();
+  }
+  one.collision.normal *= factor();
+  return one;
+}
+
+/// Judges solvers on such collisions, all that they claim and the matrices that they show; leaves with 0 at the end.
+/// What the verdicts are is not the question.
+void judge_to_the_end(int most) {
+  Stream stream = stream_from(static_cast<std::uint64_t>(most));
+  for (int i = 0; i < 20; ++i) {
+    const Case one = extreme_case(stream, most);
+    for (const char* name : {"frictionless-float", "reflection-double", "reflection-in-basis-long-double"}) {
+      const Subject subject = subjects::subject_named(name).value();
+      if (judge_one(subject, claim_of(subject, {}), one).judgement.verdicts.empty()) {
+        std::exit(1);
+      }
+    }
+  }
+  std::exit(0);
+}
+
+/// A contact that rests, and an answer that pulls by less than rounding of the inputs would push: no violation. What
+/// pulls harder is one.
+TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
+  Case resting;
+  Collision& c = resting.collision;
+  c.a.mass = 2;
+  c.a.position = {1, 1, 0};
+  c.a.velocity = {1, -1, 0};
+  c.b.position = {-1, -1, 0};
+  c.normal = {1, 1, 0};
+  const auto push_of = [&](double pull) {
+    const Subject subject = subjects::subject_named("frictionless-double").value();
+    Claim claim = claim_of(subject, {});
+    claim.invariants = {invariant_named("push")};
+    const auto pulled = [&](const Collision& collision) -> ExactAnswer {
+      auto outcome =
+          map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); });
+      outcome.b.velocity += Vector3<long double>{pull, pull, 0};
+      return oracles::LiftedOutcome(outcome);
+    };
+    return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
+  };
+  // The velocities are 1: a hundredth of what one of them rounds by, and ten thousand times that, where 32 are allowed.
+  const double rounding = unit_roundoff(Precision::binary64);
+  EXPECT_EQ(push_of(rounding / 100), Status::holds);
+  EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
+}
+
+/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
+  for (const int most : {50, 100, 200, 400, 900}) {
+    Stream stream = stream_from(static_cast<std::uint64_t>(most));
+    for (int i = 0; i < 20; ++i) {
+      ASSERT_EQ(describe(validate(extreme_case(stream, most).collision)), "");
+    }
+    EXPECT_EXIT(judge_to_the_end(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties

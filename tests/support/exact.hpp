@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/contact.hpp>
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+
+#include "support/cases.hpp"
+
+/// Rational arithmetic as the tests write it.
+namespace carom::unit {
+
+using oracles::Rational;
+using ExactVector = Vector3<Rational>;
+using ExactMatrix = Matrix3<Rational>;
+
+using oracles::sign_of;
+
+/// p/q.
+[[nodiscard]] inline Rational ratio(int p, int q) { return Rational(p, q); }
+
+/// 2^exponent, by multiplication alone.
+[[nodiscard]] inline Rational two_to(int exponent) {
+  Rational power(1);
+  Rational square = exponent < 0 ? ratio(1, 2) : Rational(2);
+  for (int rest = std::abs(exponent); rest > 0; rest /= 2) {
+    if (rest % 2 == 1) {
+      power *= square;
+    }
+    square *= square;
+  }
+  return power;
+}
+
+template <class Derived>
+[[nodiscard]] std::string to_text(const Eigen::MatrixBase<Derived>& matrix) {
+  std::string text;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+      text += oracles::to_text(matrix(i, j)) + ' ';
+    }
+  }
+  return text;
+}
+
+template <class Derived, class OtherDerived>
+[[nodiscard]] bool same(const Eigen::MatrixBase<Derived>& left, const Eigen::MatrixBase<OtherDerived>& right) {
+  for (Eigen::Index i = 0; i < left.rows(); ++i) {
+    for (Eigen::Index j = 0; j < left.cols(); ++j) {
+      if (left(i, j) != right(i, j)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+[[nodiscard]] inline bool same(const Outcome<Rational>& left, const Outcome<Rational>& right) {
+  return same(left.a.velocity, right.a.velocity) && same(left.a.angular_velocity, right.a.angular_velocity) &&
+         same(left.b.velocity, right.b.velocity) && same(left.b.angular_velocity, right.b.angular_velocity);
+}
+
+[[nodiscard]] inline impulse::Contact<Rational> exact_contact(const Collision& collision) {
+  return impulse::make_contact<Rational>(oracles::lift(collision));
+}
+
+/// V⁻, exactly.
+[[nodiscard]] inline ExactVector velocity_before(const BasicCollision<Rational>& c) {
+  return oracles::relative_velocity<Rational>(c, unchanged(c));
+}
+
+/// k/8 with |k| ≤ most.
+[[nodiscard]] inline Rational exact_eighths(properties::Stream& stream, int most) {
+  return ratio(stream.integer(-most, most), 8);
+}
+
+[[nodiscard]] inline ExactVector exact_eighths3(properties::Stream& stream, int most) {
+  ExactVector result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = exact_eighths(stream, most);
+  }
+  return result;
+}
+
+}  // namespace carom::unit
