@@ -10,7 +10,7 @@
 
 #include "support/program.hpp"
 
-/// The examples of docs/plug-in.md are sound, and are found out where a defect is planted in them.
+/// The examples of docs/guide/plug-in.md are sound, and are found out where a defect is planted in them.
 namespace carom::tests {
 namespace {
 
@@ -31,7 +31,7 @@ TEST(Examples, StandWordForWordInTheGuide) {
   for (const char* name : {"solver.py", "solver.mjs", "solver.cpp"}) {
     const std::string text = content_of(documents / "examples" / name);
     ASSERT_FALSE(text.empty()) << name;
-    EXPECT_NE(guide.find(text), std::string::npos) << name << " differs from what docs/plug-in.md shows";
+    EXPECT_NE(guide.find(text), std::string::npos) << name << " differs from what docs/guide/plug-in.md shows";
   }
 }
 

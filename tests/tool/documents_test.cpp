@@ -16,7 +16,7 @@ namespace {
 TEST(Documents, InvariantsPageIsWhatTheProgramPrints) {
   const RunResult result = run_carom({"invariants", "--format", "markdown"});
   EXPECT_EQ(result.exit_status, 0);
-  EXPECT_EQ(result.output, content_of(std::string(CAROM_SOURCE_DIR) + "/docs/invariants.md"));
+  EXPECT_EQ(result.output, content_of(std::string(CAROM_SOURCE_DIR) + "/docs/reference/invariants.md"));
 }
 
 TEST(Documents, EveryInvariantSaysWhatItClaims) {

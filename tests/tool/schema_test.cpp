@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* python = "/usr/bin/python3";
-const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/report.schema.json";
+const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/report.schema.json";
 
 RunResult validate(const std::string& report) {
   return run_program(python, {"-W", "ignore", "-m", "jsonschema", "-i", report, schema});

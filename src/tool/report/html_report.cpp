@@ -174,7 +174,7 @@ std::string html_report(const GateRun& run, const std::filesystem::path& out_dir
   add_witnesses(add_part(main, "witnesses"), run, out_directory);
   add_environment(add_part(main, "environment"), run);
   add(add(body, "footer"), "p", {},
-      "How to read this page: docs/reading-a-report.md. The same as data: report.json and witnesses/ beside it.");
+      "How to read this page: docs/guide/reading-a-report.md. The same as data: report.json and witnesses/ beside it.");
   return serialized(document) + '\n';
 }
 
