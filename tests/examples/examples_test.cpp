@@ -27,7 +27,7 @@ json report_on(const std::string& subject, const std::string& cases) {
 }
 
 TEST(Examples, StandWordForWordInTheGuide) {
-  const std::string guide = content_of(documents / "plug-in.md");
+  const std::string guide = content_of(documents / "guide" / "plug-in.md");
   for (const char* name : {"solver.py", "solver.mjs", "solver.cpp"}) {
     const std::string text = content_of(documents / "examples" / name);
     ASSERT_FALSE(text.empty()) << name;

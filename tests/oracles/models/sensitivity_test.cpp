@@ -49,7 +49,7 @@ struct Differentiated {
 };
 
 /// Small dyadic numbers, one case with all 53 bits, and one with a driven wall.
-std::vector<Collision> collisions() {
+std::vector<Collision> binary64_collisions() {
   std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision};
   for (std::uint64_t i = 0; i < 6; ++i) {
     properties::Stream stream = properties::stream_from(600 + i);
@@ -61,7 +61,7 @@ std::vector<Collision> collisions() {
 /// Σ_j degree x_j ∂y/∂x_j = d y for each component y, d the degree of velocities and that of angular velocities.
 template <class Degree>
 void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_velocity) {
-  for (const Collision& collision : collisions()) {
+  for (const Collision& collision : binary64_collisions()) {
     for (const Model model : models_with_truth) {
       const Differentiated differentiated(collision, model);
       const auto parts = vectors(differentiated.truth.outcome);
@@ -129,7 +129,7 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
 /// they are good to 2^(20 + 7 − 53).
 TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   constexpr double relative = 0x1p-26;
-  std::vector<Collision> all = collisions();
+  std::vector<Collision> all = binary64_collisions();
   for (const char* family : {"near_head_on", "mass_ratio", "far_from_origin", "collinear_spheres", "long_normal"}) {
     all.push_back(unit::case_of(family, 0).collision);
   }
