@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <array>
 
-#include <carom/oracles/numbers/approximation.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/exact/rational.hpp>
 
 /// Only the lower triangle of a matrix is read.
 namespace carom::oracles {
+
+/// The seven principal minors, the determinant last. T is a ring.
+template <class T>
+[[nodiscard]] std::array<T, 7> principal_minors(const Matrix3<T>& m) {
+  const auto minor = [&](int i, int j) -> T { return m(i, i) * m(j, j) - m(j, i) * m(j, i); };
+  const T determinant = m(0, 0) * minor(1, 2) - m(1, 0) * (m(1, 0) * m(2, 2) - m(2, 1) * m(2, 0)) +
+                        m(2, 0) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
+  return {m(0, 0), m(1, 1), m(2, 2), minor(0, 1), minor(0, 2), minor(1, 2), determinant};
+}
 
 /// Whether xᵀ M x > 0 for every x ≠ 0, by the leading minors (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
@@ -15,11 +23,7 @@ namespace carom::oracles {
 /// Whether xᵀ M x ≥ 0 for every x. Leading minors do not decide this (they can vanish), all seven principal minors do.
 [[nodiscard]] bool is_positive_semidefinite(const Matrix3<Rational>& matrix);
 
-/// The same where the bounds decide it.
-[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
-[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix);
-
-/// M − bound I, for T rational or known to within an error.
+/// M − bound I.
 template <class T>
 [[nodiscard]] Matrix3<T> less_multiple_of_identity(Matrix3<T> matrix, const T& bound) {
   for (int i = 0; i < 3; ++i) {

@@ -110,6 +110,24 @@ std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
   return result;
 }
 
+/// What the model says along a tangent t.
+void write_tangential_law(System& system, std::size_t row, const BasicCollision<Rational>& c,
+                          const Vector3<Rational>& t, Model model) {
+  switch (model) {
+    case Model::frictionless:  // t·F = 0
+      for (std::size_t i = 0; i < 3; ++i) {
+        system[row][first_of_f + i] = t[static_cast<int>(i)];
+      }
+      return;
+    case Model::reflection:  // t·V⁺ = t·V⁻
+      write_relative_velocity(system, row, c, t, velocity_before_along(c, t));
+      return;
+    case Model::any:
+      break;
+  }
+  determines_no_outcome(model);
+}
+
 std::array<Rational, unknowns> eliminate(System system) {
   for (std::size_t column = 0; column < unknowns; ++column) {
     std::size_t pivot = column;
@@ -148,16 +166,8 @@ Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, 
   const Vector3<Rational>& n = collision.normal;
   write_relative_velocity(system, 12, collision, n, -collision.restitution * velocity_before_along(collision, n));
   const auto tangent = tangents(n);
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (model == Model::reflection) {
-      write_relative_velocity(system, 13 + k, collision, tangent[k], velocity_before_along(collision, tangent[k]));
-    } else if (model == Model::frictionless) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        system[13 + k][first_of_f + i] = tangent[k][static_cast<int>(i)];
-      }
-    } else {
-      throw std::invalid_argument("the model `any` determines no outcome");
-    }
+  for (std::size_t k = 0; k < tangent.size(); ++k) {
+    write_tangential_law(system, 13 + k, collision, tangent[k], model);
   }
   const auto x = eliminate(std::move(system));
   const auto part = [&](std::size_t first) { return Vector3<Rational>{x[first], x[first + 1], x[first + 2]}; };

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/laws/truth.hpp>
 
 namespace carom::oracles {
 
 /// The law's answer to a contact that collides, the long way: the defining equations as one linear system in the 15
 /// unknowns v_A⁺, w_A⁺, v_B⁺, w_B⁺, F, solved by elimination in ℚ. Slow; it checks `colliding_truth`, with which it
 /// shares no formula (the inertia tensor is R diag(I) Rᵀ, with R written out). Preconditions: a body is movable; the
-/// model is frictionless or reflection.
+/// model is one of `models_with_truth`.
 [[nodiscard]] Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Model model);
 
 }  // namespace carom::oracles

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <initializer_list>
+#include <span>
 
-#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/filters/case_bounds.hpp>
+#include <carom/oracles/filters/lifted_outcome.hpp>
 
 namespace carom::oracles {
 
@@ -25,29 +24,30 @@ class Closeness {
   /// Close to nothing.
   Closeness() = default;
 
-  /// Preconditions: the yardstick uses bounds, collision and outcome are moderate; the accuracy is of this outcome.
-  Closeness(const ExactCase& exact_case, const LiftedOutcome& outcome, const Accuracy& accuracy, double allowance);
+  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the model is one of `models_with_truth`; the allowance is
+  /// that of a yardstick that uses bounds; collision and outcome are moderate.
+  Closeness(const CaseBounds& bounds, Model model, const LiftedOutcome& outcome, const PerVector<double>& error_above,
+            double allowance);
 
-  /// Whether it shows that the law holds.
-  [[nodiscard]] bool shows(AffineLaw law) const;
+  /// Whether it shows that the equation holds. Precondition: the equation speaks of this collision.
+  [[nodiscard]] bool shows(const Equation& equation) const;
 
-  /// Whether it shows that the energy grows by no more than the work of a driven wall. Of an outcome by the
-  /// frictionless law, whose truth does not.
+  /// Whether it shows that the energy grows by no more than the work of a driven wall.
   [[nodiscard]] bool shows_energy() const;
 
   /// Whether it shows that the vectors are as before the impulse, to within a · ‖y_k⁻‖. Precondition: so are those of
   /// the truth.
-  [[nodiscard]] bool shows_untouched(std::initializer_list<std::size_t> which) const;
+  [[nodiscard]] bool shows_untouched(std::span<const OutcomeVector> which) const;
 
  private:
-  [[nodiscard]] bool is_close(std::initializer_list<std::size_t> which) const;
   [[nodiscard]] bool knows_normal_velocity() const;
 
-  const ExactCase* exact_case_ = nullptr;
+  const CaseBounds* bounds_ = nullptr;
+  Model model_ = Model::any;
   const LiftedOutcome* outcome_ = nullptr;
-  std::array<double, 4> error_above_{};
-  std::array<double, 4> sizes_{};  // ‖ŷ_k‖ + ‖y_k⁻‖
-  std::array<bool, 4> is_close_{};
+  PerVector<double> error_above_{};
+  PerVector<double> sizes_{};  // ‖ŷ_k‖ + ‖y_k⁻‖
+  PerVector<bool> is_close_{};
   double allowance_ = 0;
 };
 

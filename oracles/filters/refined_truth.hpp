@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include <carom/oracles/laws/truth.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>

@@ -1,35 +1,191 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
+#include <carom/oracles/filters/slopes.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
-#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 
 namespace carom::oracles {
+namespace {
 
-template Comparison compare(const law::LinearMomentum&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::AngularMomentum&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::TotalAngularMomentum&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::Untouched&, Relation, const ExactCase&, const LiftedOutcome&, const Yardstick&);
-template Comparison compare(const law::Restitution&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::NonPenetration&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::Push&, Relation, const ExactCase&, const LiftedOutcome&, const Yardstick&);
-template Comparison compare(const law::FrictionlessDirection&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::ReflectionPlane&, Relation, const ExactCase&, const LiftedOutcome&,
-                            const Yardstick&);
-template Comparison compare(const law::Energy&, Relation, const ExactCase&, const LiftedOutcome&, const Yardstick&);
+/// What is left of left − right once what an inequality permits is taken away.
+template <class T, int N, class IsPermitted>
+Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermitted& is_permitted) {
+  Components<T> all = difference(sides.left, sides.right);
+  if (relation == Relation::equal) {
+    return all;
+  }
+  const int permitted_sign = relation == Relation::at_least ? 1 : -1;
+  Components<T> result;
+  for (const T& x : all) {
+    if (!is_permitted(x, permitted_sign)) {
+      result.push_back(x);
+    }
+  }
+  return result;
+}
 
-template std::array<double, 4> slopes_of(const law::LinearMomentum&, const Collision&);
-template std::array<double, 4> slopes_of(const law::AngularMomentum&, const Collision&);
-template std::array<double, 4> slopes_of(const law::TotalAngularMomentum&, const Collision&);
-template std::array<double, 4> slopes_of(const law::Untouched&, const Collision&);
-template std::array<double, 4> slopes_of(const law::Restitution&, const Collision&);
-template std::array<double, 4> slopes_of(const law::NonPenetration&, const Collision&);
-template std::array<double, 4> slopes_of(const law::Push&, const Collision&);
-template std::array<double, 4> slopes_of(const law::FrictionlessDirection&, const Collision&);
-template std::array<double, 4> slopes_of(const law::ReflectionPlane&, const Collision&);
+/// The same of numbers known to within an error: what may be missing counts.
+template <class OneEquation, class T>
+Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
+                            const Outcome<T>& outcome) {
+  return missing(equation(collision, outcome), relation,
+                 [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
+}
+
+/// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖). An output is its velocity before the impulse plus a change, and so is known to u
+/// times the larger of both: its own size alone would allow nothing where the exact sum is zero.
+template <class S>
+S part_by_outputs(const PerVector<S>& slopes, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+  const PerVector<double> norms = outcome.norms();
+  S part(0);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    part += slopes[k] * static_cast<S>(norms[k] + exact_case.bounds().norms_before()[k]);
+  }
+  return part;
+}
+
+/// Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision.
+template <class S, class OneEquation>
+S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
+                 const Outcome<double>& outcome) {
+  using T = Dual<S, collision_inputs>;
+  const auto sides = equation(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
+  S part(0);
+  for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
+    part += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
+  }
+  return part;
+}
+
+/// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
+template <class S>
+bool is_in_range(S scale) {
+  constexpr S smallest = 0x1p-900;
+  constexpr S largest = 0x1p+1000;
+  return scale >= smallest && scale <= largest;
+}
+
+/// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.
+template <class OneEquation>
+double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+  const Collision& collision = exact_case.collision();
+  if (const std::optional<AffineEquation> name = equation.name()) {
+    return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }),
+                           exact_case, outcome);
+  }
+  return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), exact_case,
+                         outcome);
+}
+
+/// Both parts; none where the sum leaves the range of numbers.
+template <class OneEquation>
+std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+  const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
+                       part_by_outputs(equation, exact_case, outcome);
+  if (is_in_range(scale)) {
+    return scale;
+  }
+  // Products of extreme numbers leave the range of binary64; extended has the same bits and more range.
+  using Wide = long double;
+  const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
+  const Wide wide =
+      part_by_inputs(equation, inputs, outcome.rounded()) +
+      part_by_outputs(output_slopes<Wide, collision_inputs>(equation, exact_case.collision(), outcome.rounded()),
+                      exact_case, outcome);
+  return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
+}
+
+/// A lower bound of the scale at a small part of its cost: of the two parts the one by outputs.
+/// Precondition: collision and outcome are moderate.
+template <class OneEquation>
+double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+  const double part = part_by_outputs(equation, exact_case, outcome);
+  return is_in_range(part) ? part : 0;
+}
+
+/// Whether approximations alone show that the law holds; where they do not, nothing is known.
+template <class OneEquation>
+bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
+                  const LiftedOutcome& outcome, double allowance) {
+  if (allowance < least_allowance_for_approximations || !exact_case.bounds().is_moderate() || !outcome.is_moderate()) {
+    return false;
+  }
+  const auto missed = maybe_missing(equation, relation, exact_case.bounds().approximate(), outcome.approximate());
+  return missed.empty() ||
+         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome)).value_or(false);
+}
+
+/// Both sides and by how much they miss each other, rounded for print.
+template <class T, int N>
+Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
+  Comparison comparison{false, true, norm(missed), allowed, {}, {}};
+  for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
+    comparison.left.push_back(rounded(sides.left[i]));
+    comparison.right.push_back(rounded(sides.right[i]));
+  }
+  return comparison;
+}
+
+template <class OneEquation>
+Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
+                       const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  const double allowance = yardstick.allowance();
+  std::optional<double> scale;
+  const auto allowed = [&]() -> std::optional<double> {
+    if (allowance == 0) {
+      return 0;
+    }
+    if (!scale) {
+      scale = scale_of(equation, exact_case, outcome);
+    }
+    return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
+  };
+  if (yardstick.uses_bounds()) {
+    if (surely_holds(equation, relation, exact_case, outcome, allowance)) {
+      count(Stage::approximation);
+      return {};
+    }
+    const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
+    // Elsewhere the whole scale may leave the range of numbers where a part of it does not.
+    const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
+    if (missed.empty() ||
+        (is_moderate &&
+         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome)).value_or(false))) {
+      count(Stage::enclosure);
+      return {};
+    }
+    const std::optional<double> bound = allowed();
+    const std::optional<bool> within = bound ? norm_at_most(missed, *bound) : std::nullopt;
+    if (within) {
+      count(Stage::enclosure);
+      return *within ? Comparison{}
+                     : violation(equation(exact_case.bounds().enclosed(), outcome.enclosed()), missed, *bound);
+    }
+  }
+  count(Stage::rational);
+  const auto sides = equation(exact_case.exact(), outcome.exact());
+  const auto missed = missing(sides, relation, [](const Rational& x, int sign) { return x * sign >= 0; });
+  if (missed.empty() || norm_at_most(missed, 0)) {
+    return {};
+  }
+  const std::optional<double> bound = allowed();
+  if (!bound) {
+    return {true, false, 0, 0, {}, {}};
+  }
+  if (norm_at_most(missed, *bound)) {
+    return {};
+  }
+  return violation(sides, missed, *bound);
+}
+
+}  // namespace
+
+Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
+                   const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  return std::visit([&](const auto& one) { return compare_one(one, relation, exact_case, outcome, yardstick); },
+                    equation);
+}
 
 }  // namespace carom::oracles

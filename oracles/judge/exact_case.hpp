@@ -2,55 +2,34 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 
-#include <carom/oracles/filters/refined_truth.hpp>
-#include <carom/oracles/judge/judged_laws.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
-#include <carom/oracles/numbers/approximation.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
-#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/filters/case_bounds.hpp>
 
 namespace carom::oracles {
+
+/// Whether bounds may decide facts of a case where they can. The facts are the same without, only slower.
+enum class Filters { used, unused };
 
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
 class ExactCase {
  public:
   /// Precondition: the collision is valid.
-  explicit ExactCase(const Collision& collision);
+  explicit ExactCase(const Collision& collision, Filters filters = Filters::used);
 
-  [[nodiscard]] const Collision& collision() const { return collision_; }
+  [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
-  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
-  [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
+
+  /// What the filters know of it.
+  [[nodiscard]] const CaseBounds& bounds() const { return bounds_; }
+
   [[nodiscard]] Approach approach() const;
-
-  /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
-  [[nodiscard]] bool is_moderate() const;
-
-  /// ‖y_k⁻‖; also a lower bound of any `sensitivity`, of which it is a term.
-  [[nodiscard]] const std::array<double, 4>& norms_before() const;
-
-  /// The norms of the derivatives of an affine law by the vectors of an outcome; worked out by `differentiate` when
-  /// first asked for.
-  template <class Differentiate>
-  [[nodiscard]] const std::array<double, 4>& slopes(AffineLaw law, const Differentiate& differentiate) const {
-    std::optional<std::array<double, 4>>& known = slopes_[static_cast<std::size_t>(law)];
-    if (!known) {
-      known = differentiate();
-    }
-    return *known;
-  }
-
-  /// The collision with its numbers as inputs of differentiation.
-  [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
 
-  /// The law's answer, certified: each residual of the defining equations is exactly zero.
-  /// Throws std::logic_error where it is not. Precondition: the model is one of `models_with_truth`.
+  /// The law's answer, certified: both sides of each of its defining equations are the same.
+  /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`.
   [[nodiscard]] const Truth<Rational>& truth(Model model) const;
 
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
@@ -60,25 +39,13 @@ class ExactCase {
   /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides ‖y_k⁻‖ + ½ ‖y_k‖.
-  /// The law's answer is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖
-  /// (Euler); the half covers the rounding of the sum. Elsewhere ‖y_k⁻‖, whether grazing or not.
+  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of CaseBounds,
+  /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: bounds().is_moderate().
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
   /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
   [[nodiscard]] double collision_matrix_sensitivity() const;
-
-  /// K and λ with bounds.
-  [[nodiscard]] const Matrix3<Approximation>& approximate_collision_matrix() const;
-  [[nodiscard]] Approximation approximate_inverse_mass() const;
-  [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
-
-  /// A lower bound of `collision_matrix_sensitivity`: K is homogeneous of degree −1 in the masses and moments, so the
-  /// sum over these alone is at least ‖K‖_F (Euler), and that over the masses alone at least λ. The first is given only
-  /// where binary64 cannot have lost it: the rounding of the derivatives is below 2¹⁰ u ‖r‖² / I_min for each body, and
-  /// ‖K‖_F, of which half is given, is a millionth of that or more, without u. Precondition: is_moderate().
-  [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// Whether λI ⪯ K, decided exactly. Where a body is movable it always is: K − λI is the sum of [r]ᵀ J⁻¹ [r] over the
   /// movable bodies, a congruence of a positive diagonal matrix each (an identity that the tests prove by exact random
@@ -88,15 +55,13 @@ class ExactCase {
   /// Whether K ⪯ bound I, decided exactly.
   [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
-  /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
-  [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors()[0]; }
-  [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors()[1]; }
-
   /// The kinetic-energy norm of the change of the velocities by the law, rounded; worked out by `from_truth` when first
   /// asked for, once for each of the two judges: bounds may leave it unknown.
   template <class FromTruth>
   [[nodiscard]] double energy_norm_of_change(Model model, bool exactly, const FromTruth& from_truth) const {
-    std::optional<double>& known = of(model).energy_norm_of_change[exactly ? 1 : 0];
+    OfModel& of_model = of_model_[model];
+    std::optional<double>& known =
+        exactly ? of_model.exact_energy_norm_of_change : of_model.bounded_energy_norm_of_change;
     if (!known) {
       known = from_truth();
     }
@@ -109,60 +74,31 @@ class ExactCase {
   /// Whether N × V⁻ = 0, exactly.
   [[nodiscard]] bool is_head_on() const;
 
-  /// λ = 1/m_A + 1/m_B.
-  [[nodiscard]] Rational inverse_mass() const;
-
-  /// Whether the impulse is best read off A: the lighter movable body. Precondition: a body is movable.
-  [[nodiscard]] bool reads_impulse_off_a() const;
-
  private:
   /// What is known of one model.
   struct OfModel {
     std::optional<Truth<Rational>> truth;
-    std::optional<Truth<Enclosure>> enclosed_truth;
     std::optional<Sensitivity> colliding_sensitivity;
-    std::optional<Sensitivity> sensitivity_below;
-    std::array<std::optional<double>, 2> energy_norm_of_change;
-  };
-  struct NormalVelocity {
-    double value;  // rounded
-    int sign;
+    std::optional<double> exact_energy_norm_of_change;
+    std::optional<double> bounded_energy_norm_of_change;
   };
 
-  [[nodiscard]] OfModel& of(Model model) const { return of_model_[static_cast<std::size_t>(model)]; }
-  [[nodiscard]] const NormalVelocity& normal_velocity() const;
-  [[nodiscard]] double sensitivity_above_of_normal_velocity() const;
-  [[nodiscard]] const ApproximateResponse& approximate_response() const;
+  [[nodiscard]] const CaseBounds::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
-  [[nodiscard]] const std::array<Matrix3<double>, 2>& inertia_tensors() const;
 
-  Collision collision_;
-  mutable std::optional<BasicCollision<Enclosure>> enclosed_;
-  mutable std::optional<BasicCollision<Approximation>> approximate_;
-  mutable std::optional<NormalVelocity> normal_velocity_;
+  CaseBounds bounds_;
+  Filters filters_;
   mutable std::optional<BasicCollision<Rational>> exact_;
-  mutable std::unique_ptr<DualInputs<double, collision_inputs>> differentiated_;  // large, and seldom asked for
+  mutable std::optional<CaseBounds::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
-  mutable std::optional<double> sensitivity_above_of_normal_velocity_;
-  mutable std::optional<std::array<double, 4>> norms_before_;
-  mutable std::array<std::optional<std::array<double, 4>>, affine_law_count> slopes_;
-  mutable std::array<OfModel, models_with_truth.size()> of_model_;
+  mutable PerModel<OfModel> of_model_;
+  mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;
   mutable std::optional<double> collision_matrix_sensitivity_;
-  mutable std::optional<ApproximateResponse> approximate_response_;
-  mutable std::optional<double> collision_matrix_sensitivity_below_;
-  mutable std::optional<Enclosure> enclosed_inverse_mass_;
-  mutable std::optional<std::array<Matrix3<double>, 2>> inertia_tensors_;
-  mutable std::optional<bool> is_moderate_;
   mutable std::optional<bool> is_definite_;
   mutable std::optional<bool> is_collinear_;
   mutable std::optional<bool> is_head_on_;
 };
-
-/// The residuals of the defining equations for a given outcome; each is exactly zero where the outcome is the law's.
-/// Throws std::logic_error that names the equation where one is not.
-void certify(const BasicCollision<Rational>& collision, Model model, Approach approach,
-             const Outcome<Rational>& outcome);
 
 }  // namespace carom::oracles

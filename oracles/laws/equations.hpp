@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <carom/oracles/laws/kinematics.hpp>
+#include <array>
+#include <optional>
+#include <variant>
 
-/// The defining equations, about a page: what has to be trusted. Each gives the two sides of an equation or inequality
-/// for any outcome, exact or not, in any field T. Everything is judged by these.
+#include <carom/oracles/laws/approach.hpp>
+#include <carom/oracles/laws/mechanics.hpp>
+#include <carom/oracles/laws/truth.hpp>
+
+/// The equations, and which of them define each law: what has to be trusted. Everything is judged by these.
 namespace carom::oracles {
 
 template <class T, int N>
@@ -16,123 +21,270 @@ struct Sides {
 template <class T>
 using Scalar1 = Eigen::Matrix<T, 1, 1>;
 
-/// m Δv, the impulse that a movable body received [N s].
-template <class T>
-[[nodiscard]] Vector3<T> impulse_on(const BasicBody<T>& body, const BodyVelocity<T>& after) {
-  return body.mass * Vector3<T>(after.velocity - body.velocity);
-}
-
-/// F on A, read off the movable body whose velocity shows it best: the lighter one.
-/// Precondition: a body is movable.
-template <class T>
-[[nodiscard]] Vector3<T> impulse_on_a(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
-  return read_off_a ? impulse_on(c.a, after.a) : Vector3<T>(-impulse_on(c.b, after.b));
-}
+/// The equations that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a
+/// collision.
+enum class AffineEquation {
+  linear_momentum,
+  angular_momentum_of_a,
+  angular_momentum_of_b,
+  total_angular_momentum,
+  restitution,
+  non_penetration,
+  push_read_off_a,
+  push_read_off_b,
+  frictionless_direction_read_off_a,
+  frictionless_direction_read_off_b,
+  reflection_plane,
+  untouched_a,
+  untouched_b,
+};
+/// Each gives the two sides of an equation or inequality, (collision, outcome) → Sides, for any outcome, exact or not,
+/// in any field T; its name where it is affine in the outcome; and whether its derivatives by the outcome are sums that
+/// may cancel, as r × N does, so that rounding may be most of them.
+namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
-template <class T>
-[[nodiscard]] Sides<T, 3> linear_momentum(const BasicCollision<T>& c, const Outcome<T>& after) {
-  return {impulse_on(c.a, after.a), -impulse_on(c.b, after.b)};
-}
+struct LinearMomentum {
+  static constexpr bool slopes_may_cancel = false;
 
-/// J Δw = r × m Δv. Precondition: the body is movable.
-template <class T>
-[[nodiscard]] Sides<T, 3> angular_momentum(const BasicBody<T>& body, const Vector3<T>& point,
-                                           const BodyVelocity<T>& after) {
-  return {apply_inertia<T>(body, after.angular_velocity - body.angular_velocity),
-          lever_arm(body, point).cross(impulse_on(body, after))};
-}
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::linear_momentum; }
 
-/// X × m Δv + J Δw: the change of a movable body's angular momentum about the world's origin.
-template <class T>
-[[nodiscard]] Vector3<T> angular_impulse_about_origin(const BasicBody<T>& body, const BodyVelocity<T>& after) {
-  return body.position.cross(impulse_on(body, after)) +
-         apply_inertia<T>(body, after.angular_velocity - body.angular_velocity);
-}
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {impulse_on(c.a, after.a), -impulse_on(c.b, after.b)};
+  }
+};
 
-/// What A gains about the origin, B loses. With linear momentum kept it then holds about every point.
-/// Precondition: both bodies are movable.
-template <class T>
-[[nodiscard]] Sides<T, 3> total_angular_momentum(const BasicCollision<T>& c, const Outcome<T>& after) {
-  return {angular_impulse_about_origin(c.a, after.a), -angular_impulse_about_origin(c.b, after.b)};
-}
+/// J Δw = r × m Δv, of A or of B. Precondition: the body is movable.
+struct AngularMomentum {
+  bool of_a;
 
-/// The velocities of one body are as before.
-template <class T>
-[[nodiscard]] Sides<T, 6> untouched(const BasicBody<T>& body, const BodyVelocity<T>& after) {
-  Sides<T, 6> sides;
-  sides.left << after.velocity, after.angular_velocity;
-  sides.right << body.velocity, body.angular_velocity;
-  return sides;
-}
+  static constexpr bool slopes_may_cancel = false;
 
-/// N·V⁻.
-template <class T>
-[[nodiscard]] T normal_velocity_before(const BasicCollision<T>& c) {
-  return c.normal.dot(relative_velocity<T>(c, unchanged(c)));
-}
+  [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
+    return of_a ? AffineEquation::angular_momentum_of_a : AffineEquation::angular_momentum_of_b;
+  }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const BasicBody<T>& body = of_a ? c.a : c.b;
+    const BodyVelocity<T>& motion = of_a ? after.a : after.b;
+    return {apply_inertia<T>(body, motion.angular_velocity - body.angular_velocity),
+            lever_arm(body, c.point).cross(impulse_on(body, motion))};
+  }
+};
+
+/// What A gains in angular momentum about the origin, B loses. With linear momentum kept it then holds about every
+/// point. Precondition: both bodies are movable.
+struct TotalAngularMomentum {
+  static constexpr bool slopes_may_cancel = false;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::total_angular_momentum; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {angular_impulse_about_origin(c.a, after.a), -angular_impulse_about_origin(c.b, after.b)};
+  }
+};
+
+/// The velocities of A or of B are as before.
+struct Untouched {
+  bool a;
+
+  static constexpr bool slopes_may_cancel = false;
+
+  [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
+    return a ? AffineEquation::untouched_a : AffineEquation::untouched_b;
+  }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 6> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const BasicBody<T>& body = a ? c.a : c.b;
+    const BodyVelocity<T>& motion = a ? after.a : after.b;
+    Sides<T, 6> sides;
+    sides.left << motion.velocity, motion.angular_velocity;
+    sides.right << body.velocity, body.angular_velocity;
+    return sides;
+  }
+};
 
 /// N·V⁺ = −ε N·V⁻ (note eq. 17).
-template <class T>
-[[nodiscard]] Sides<T, 1> restitution(const BasicCollision<T>& c, const Outcome<T>& after) {
-  return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))),
-          Scalar1<T>(-c.restitution * normal_velocity_before(c))};
-}
+struct Restitution {
+  static constexpr bool slopes_may_cancel = true;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::restitution; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))),
+            Scalar1<T>(-c.restitution * normal_velocity_before(c))};
+  }
+};
 
 /// N·V⁺ ≥ 0.
-template <class T>
-[[nodiscard]] Sides<T, 1> non_penetration(const BasicCollision<T>& c, const Outcome<T>& after) {
-  return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))), Scalar1<T>(T(0))};
-}
+struct NonPenetration {
+  static constexpr bool slopes_may_cancel = true;
 
-/// N·F ≥ 0: contacts push. Precondition: a body is movable.
-template <class T>
-[[nodiscard]] Sides<T, 1> push(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
-  return {Scalar1<T>(c.normal.dot(impulse_on_a(c, after, read_off_a))), Scalar1<T>(T(0))};
-}
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::non_penetration; }
 
-/// N × F = 0 (note eq. 10 to 18). Precondition: a body is movable.
-template <class T>
-[[nodiscard]] Sides<T, 3> frictionless_direction(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
-  return {c.normal.cross(impulse_on_a(c, after, read_off_a)), Vector3<T>{T(0), T(0), T(0)}};
-}
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))), Scalar1<T>(T(0))};
+  }
+};
+
+/// N·F ≥ 0: contacts push. F is read off A or off B. Precondition: that body is movable.
+struct Push {
+  bool read_off_a;
+
+  static constexpr bool slopes_may_cancel = false;
+
+  [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
+    return read_off_a ? AffineEquation::push_read_off_a : AffineEquation::push_read_off_b;
+  }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {Scalar1<T>(c.normal.dot(impulse_on_a(c, after, read_off_a))), Scalar1<T>(T(0))};
+  }
+};
+
+/// N × F = 0 (note eq. 10 to 18). F is read off A or off B. Precondition: that body is movable.
+struct FrictionlessDirection {
+  bool read_off_a;
+
+  static constexpr bool slopes_may_cancel = false;
+
+  [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
+    return read_off_a ? AffineEquation::frictionless_direction_read_off_a
+                      : AffineEquation::frictionless_direction_read_off_b;
+  }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {c.normal.cross(impulse_on_a(c, after, read_off_a)), Vector3<T>{T(0), T(0), T(0)}};
+  }
+};
 
 /// N × V⁺ = N × V⁻ (note eq. 20, 21 without the basis).
-template <class T>
-[[nodiscard]] Sides<T, 3> reflection_plane(const BasicCollision<T>& c, const Outcome<T>& after) {
-  return {c.normal.cross(relative_velocity<T>(c, after)), c.normal.cross(relative_velocity<T>(c, unchanged(c)))};
-}
+struct ReflectionPlane {
+  static constexpr bool slopes_may_cancel = false;
 
-/// The kinetic energy that a movable body gains, ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻), written with sums and
-/// differences so that a large common velocity cancels. [J]
-template <class T>
-[[nodiscard]] T kinetic_energy_gain(const BasicBody<T>& body, const BodyVelocity<T>& after) {
-  const Vector3<T> sum = after.velocity + body.velocity;
-  const Vector3<T> angular_sum = after.angular_velocity + body.angular_velocity;
-  const Vector3<T> angular_change = after.angular_velocity - body.angular_velocity;
-  return (sum.dot(impulse_on(body, after)) + angular_sum.dot(apply_inertia<T>(body, angular_change))) / T(2);
-}
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::reflection_plane; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {c.normal.cross(relative_velocity<T>(c, after)), c.normal.cross(relative_velocity<T>(c, unchanged(c)))};
+  }
+};
 
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
-/// its contact point's velocity. Precondition: a body is movable.
+/// its contact point's velocity. Not affine, but convex in the outcome. Precondition: a body is movable.
+struct Energy {
+  static constexpr bool slopes_may_cancel = true;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    T gain(0);
+    T work(0);
+    const auto wall_velocity = [&](const BasicBody<T>& body) {
+      return point_velocity<T>({body.velocity, body.angular_velocity}, lever_arm(body, c.point));
+    };
+    if (c.a.immovable) {
+      work += wall_velocity(c.a).dot(impulse_on(c.b, after.b));
+    } else {
+      gain += kinetic_energy_gain(c.a, after.a);
+    }
+    if (c.b.immovable) {
+      work += wall_velocity(c.b).dot(impulse_on(c.a, after.a));
+    } else {
+      gain += kinetic_energy_gain(c.b, after.b);
+    }
+    return {Scalar1<T>(gain), Scalar1<T>(work)};
+  }
+};
+
+}  // namespace equation
+
+/// What the judge holds an outcome against.
+using Equation = std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
+                              equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
+                              equation::FrictionlessDirection, equation::ReflectionPlane, equation::Energy>;
+
+/// Those that are affine in the outcome, in the order of their names.
+inline constexpr std::array<Equation, 13> affine_equations{equation::LinearMomentum{},
+                                                           equation::AngularMomentum{true},
+                                                           equation::AngularMomentum{false},
+                                                           equation::TotalAngularMomentum{},
+                                                           equation::Restitution{},
+                                                           equation::NonPenetration{},
+                                                           equation::Push{true},
+                                                           equation::Push{false},
+                                                           equation::FrictionlessDirection{true},
+                                                           equation::FrictionlessDirection{false},
+                                                           equation::ReflectionPlane{},
+                                                           equation::Untouched{true},
+                                                           equation::Untouched{false}};
+
+[[nodiscard]] constexpr std::optional<AffineEquation> name_of(const Equation& equation) {
+  return std::visit([](const auto& one) { return one.name(); }, equation);
+}
+
+/// A value for each of them.
 template <class T>
-[[nodiscard]] Sides<T, 1> energy(const BasicCollision<T>& c, const Outcome<T>& after) {
-  T gain(0);
-  T work(0);
-  const auto wall_velocity = [&](const BasicBody<T>& body) {
-    return point_velocity<T>({body.velocity, body.angular_velocity}, lever_arm(body, c.point));
-  };
+using PerAffineEquation = EnumArray<AffineEquation, T, affine_equations.size()>;
+
+namespace detail {
+consteval bool stand_in_the_order_of_their_names() {
+  for (std::size_t i = 0; i < affine_equations.size(); ++i) {
+    if (name_of(affine_equations[i]) != static_cast<AffineEquation>(i)) {
+      return false;
+    }
+  }
+  return true;
+}
+}  // namespace detail
+static_assert(detail::stand_in_the_order_of_their_names());
+
+/// The equations that define the answer of a model to a contact with this approach: calls visit(name, equation) for
+/// each. They determine it. Precondition: the model is one of `models_with_truth`.
+template <class T, class Visit>
+void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approach approach, const Visit& visit) {
+  if (approach != Approach::colliding) {
+    visit("the velocities of A being untouched", equation::Untouched{true});
+    visit("the velocities of B being untouched", equation::Untouched{false});
+    return;
+  }
+  // There is an impulse at the contact, F on A and −F on B.
   if (c.a.immovable) {
-    work += wall_velocity(c.a).dot(impulse_on(c.b, after.b));
+    visit("the immovable A being untouched", equation::Untouched{true});
   } else {
-    gain += kinetic_energy_gain(c.a, after.a);
+    visit("the angular momentum of A", equation::AngularMomentum{true});
   }
   if (c.b.immovable) {
-    work += wall_velocity(c.b).dot(impulse_on(c.a, after.a));
+    visit("the immovable B being untouched", equation::Untouched{false});
   } else {
-    gain += kinetic_energy_gain(c.b, after.b);
+    visit("the angular momentum of B", equation::AngularMomentum{false});
   }
-  return {Scalar1<T>(gain), Scalar1<T>(work)};
+  if (!c.a.immovable && !c.b.immovable) {
+    visit("linear momentum", equation::LinearMomentum{});
+  }
+  // What the model says of F, or of V⁺.
+  switch (model) {
+    case Model::frictionless:
+      visit("restitution", equation::Restitution{});
+      visit("the frictionless direction", equation::FrictionlessDirection{reads_impulse_off_a(c)});
+      return;
+    case Model::reflection:
+      visit("restitution", equation::Restitution{});
+      visit("the reflection plane", equation::ReflectionPlane{});
+      return;
+    case Model::any:
+      break;
+  }
+  determines_no_outcome(model);
 }
 
 }  // namespace carom::oracles

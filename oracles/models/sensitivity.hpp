@@ -20,10 +20,10 @@ namespace carom::oracles {
 /// + Δy_k, which no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that
 /// hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
 /// Algorithms, §1.5.
-using Sensitivity = std::array<double, 4>;
+using Sensitivity = PerVector<double>;
 
 /// ‖y_k⁻‖.
-[[nodiscard]] std::array<double, 4> norms_before(const Collision& collision);
+[[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
 /// Of the law's answer to a contact that collides, in binary64, which loses about κ(K) u of the reflection law. By
 /// implicit differentiation: the impulse F solves K F = b, so K dF = db − dK F, and what bodies answer is linear in F,

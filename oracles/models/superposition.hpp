@@ -2,29 +2,12 @@
 #pragma once
 
 #include <array>
-#include <stdexcept>
 
-#include <carom/collision/model.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 
 /// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and
-/// the law picks the combination. `certify` substitutes it into the defining equations.
+/// the law picks the combination. T is a field.
 namespace carom::oracles {
-
-/// What happens at the contact.
-enum class Approach {
-  colliding,   // N·V⁻ < 0 and a body can move
-  resting,     // N·V⁻ = 0
-  separating,  // N·V⁻ > 0
-  inert,       // both bodies immovable
-};
-
-/// The answer of the law to a collision.
-template <class T>
-struct Truth {
-  Vector3<T> impulse;  // F on A, −F on B [N s]
-  Outcome<T> outcome;
-};
 
 /// The change of a body's velocities by the impulse F at the contact point; zero where the body is immovable.
 template <class T>
@@ -82,52 +65,25 @@ template <class T>
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
 }
 
-/// The impulse on A by which the law changes the relative velocity: by `change`, or, of the frictionless law, by as
-/// much along the normal. Linear in `change`. `matrix` is the response matrix where it is known already. Preconditions:
-/// a body is movable; the model determines an outcome (`models_with_truth`).
+/// F with K F = change. `matrix` is K where it is known already. Precondition: a body is movable.
 template <class T>
-[[nodiscard]] Vector3<T> impulse_for(const BasicCollision<T>& collision, Model model, const Vector3<T>& change,
-                                     const Matrix3<T>* matrix = nullptr) {
-  const Vector3<T>& n = collision.normal;
-  switch (model) {
-    case Model::frictionless: {
-      const Vector3<T> answer =
-          matrix != nullptr ? Vector3<T>(*matrix * n) : relative_velocity<T>(collision, response<T>(collision, n));
-      return n * T(n.dot(change) / n.dot(answer));
-    }
-    case Model::reflection:
-      return cramer<T>(matrix != nullptr ? *matrix : response_matrix(collision), change);
-    case Model::any:
-      break;
-  }
-  throw std::invalid_argument("the model `any` determines no outcome");
+[[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
+                                           const Matrix3<T>* matrix) {
+  return cramer<T>(matrix != nullptr ? *matrix : response_matrix(collision), change);
 }
 
-/// The change of relative velocity that both laws ask for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
+/// The change of relative velocity that restitution asks for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
 template <class T>
-[[nodiscard]] Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution, const Vector3<T>& velocity_before) {
+[[nodiscard]] Vector3<T> change_by_restitution(const Vector3<T>& n, const T& restitution,
+                                               const Vector3<T>& velocity_before) {
   const T wanted = -(T(1) + restitution) * n.dot(velocity_before);
   return n * T(wanted / n.dot(n));
-}
-
-template <class T>
-[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& collision) {
-  return wanted_change<T>(collision.normal, collision.restitution,
-                          relative_velocity<T>(collision, unchanged(collision)));
 }
 
 template <class T>
 [[nodiscard]] Outcome<T> sum(const Outcome<T>& x, const Outcome<T>& y) {
   return {{x.a.velocity + y.a.velocity, x.a.angular_velocity + y.a.angular_velocity},
           {x.b.velocity + y.b.velocity, x.b.angular_velocity + y.b.angular_velocity}};
-}
-
-/// The law's answer to a contact that collides. T is a field; the sign of N·V⁻ is not asked.
-/// Preconditions: as of impulse_for.
-template <class T>
-[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& collision, Model model) {
-  const Vector3<T> impulse = impulse_for<T>(collision, model, wanted_change(collision));
-  return {impulse, sum(unchanged(collision), response<T>(collision, impulse))};
 }
 
 }  // namespace carom::oracles

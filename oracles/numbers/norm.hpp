@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -37,9 +36,9 @@ template <class S>
 }
 
 /// The same of the four vectors of an outcome.
-[[nodiscard]] inline std::array<double, 4> norms_of(const Outcome<double>& outcome) {
-  const auto parts = vectors(outcome);
-  return {norm_of(*parts[0]), norm_of(*parts[1]), norm_of(*parts[2]), norm_of(*parts[3])};
+[[nodiscard]] inline PerVector<double> norms_of(const Outcome<double>& outcome) {
+  return {norm_of(outcome.a.velocity), norm_of(outcome.a.angular_velocity), norm_of(outcome.b.velocity),
+          norm_of(outcome.b.angular_velocity)};
 }
 
 }  // namespace carom::oracles

@@ -9,8 +9,8 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/filters/closeness.hpp>
-#include <carom/oracles/judge/judge.hpp>
-#include <carom/oracles/judge/lifted_matrix.hpp>
+#include <carom/oracles/filters/lifted_matrix.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
 
 namespace carom::properties {
 

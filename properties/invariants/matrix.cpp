@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/invariants/checks.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -31,7 +31,7 @@ Rational eigenvalue_rounding(const Evidence& e) {
 
 bool may_be_filtered(const Evidence& e) {
   const bool is_reported = e.collision_matrix == nullptr || e.collision_matrix->reported() != nullptr;
-  return is_reported && e.yardstick.uses_bounds() && e.exact_case.is_moderate();
+  return is_reported && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
 template <class T>
@@ -45,17 +45,17 @@ bool is_surely_definite(const Evidence& e) {
   if (e.collision_matrix == nullptr) {
     return true;
   }
-  const double rounding = e.allowance() * e.exact_case.collision_matrix_sensitivity_below();
+  const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
     return is_positive_semidefinite(less_multiple_of_identity<T>(shown_matrix<T>(e), lambda - T(rounding)))
         .value_or(false);
   };
   if (e.allowance() >= oracles::least_allowance_for_approximations &&
-      is_surely_above(e.exact_case.approximate_inverse_mass())) {
+      is_surely_above(e.exact_case.bounds().approximate_inverse_mass())) {
     count(oracles::Stage::approximation);
     return true;
   }
-  if (is_surely_above(e.exact_case.enclosed_inverse_mass())) {
+  if (is_surely_above(e.exact_case.bounds().enclosed_inverse_mass())) {
     count(oracles::Stage::enclosure);
     return true;
   }
@@ -64,11 +64,11 @@ bool is_surely_definite(const Evidence& e) {
 
 /// Whether bounds show that C ⪯ 16 λI, without any rounding, for the exact C and for the computed one.
 bool is_surely_well_conditioned(const Evidence& e) {
-  const Approximation bound = Approximation(16) * e.exact_case.approximate_inverse_mass();
+  const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
     return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-matrix, -bound)).value_or(false);
   };
-  if (is_below(e.exact_case.approximate_collision_matrix()) &&
+  if (is_below(e.exact_case.bounds().collision_matrix()) &&
       (e.collision_matrix == nullptr || is_below(shown_matrix<Approximation>(e)))) {
     count(oracles::Stage::approximation);
     return true;
@@ -88,7 +88,7 @@ Verdict check_definite(const Evidence& e) {
   if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
     return beyond_range();
   }
-  const Rational lambda = e.exact_case.inverse_mass();
+  const Rational lambda = inverse_mass(e.exact_case.exact());
   count(oracles::Stage::rational);
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
@@ -111,7 +111,7 @@ Verdict check_well_conditioned(const Evidence& e) {
     return beyond_range();
   }
   count(oracles::Stage::rational);
-  const Rational bound = 16 * e.exact_case.inverse_mass();
+  const Rational bound = 16 * inverse_mass(e.exact_case.exact());
   // The bound is sharp, and the stored moments and lever arms are rounded.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -12,48 +13,47 @@
 namespace carom::properties {
 namespace {
 
-namespace law = oracles::law;
+namespace equation = oracles::equation;
 using oracles::Approach;
 using oracles::compare;
 using oracles::Rational;
 using oracles::Relation;
 
+constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
+
 bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::colliding; }
 
 bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
 
-/// The verdict of one law.
-template <class Law>
-Verdict law_holds(const Evidence& e, Relation relation, const char* what, const Law& law) {
-  const std::optional<oracles::AffineLaw> name = law.name();
-  if (name && e.closeness.shows(*name)) {
+/// The verdict of one equation.
+Verdict holds(const Evidence& e, Relation relation, const char* what, const oracles::Equation& equation) {
+  if (e.closeness.shows(equation)) {
     count(oracles::Stage::closeness);
     return {};
   }
-  return verdict_of(compare(law, relation, e.exact_case, e.outcome, e.yardstick), what);
+  return verdict_of(compare(equation, relation, e.exact_case, e.outcome, e.yardstick), what);
 }
 
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
 
 Verdict untouched_body(const Evidence& e, bool a) {
-  return law_holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
-                   law::Untouched{a});
+  return holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
+               equation::Untouched{a});
 }
 
 /// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
-Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensitivity& sensitivity) {
-  const auto before = unchanged(e.exact_case.enclosed());
+Verdict vector_untouched(const Evidence& e, OutcomeVector k, const oracles::Sensitivity& sensitivity) {
+  const auto before = unchanged(e.exact_case.bounds().enclosed());
   const auto exact_pair = [&] {
     const auto exactly_before = unchanged(e.exact_case.exact());
     return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.allowance() * sensitivity[k], e.yardstick.filtered, outcome_vector_names[k],
-                       "after and before");
+                       e.allowance() * sensitivity[k], e.yardstick.filtered, name_of(k), "after and before");
 }
 
 /// Whether the closeness to the truth, which leaves these vectors untouched, or bounds show that they are so.
-bool are_surely_untouched(const Evidence& e, std::initializer_list<std::size_t> which) {
+bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);
     return true;
@@ -70,12 +70,12 @@ Verdict check_backward_error(const Evidence& e) {
   }
   const bool enough_digits = e.yardstick.digits && accuracy.has_digits;
   Verdict worst;
-  for (std::size_t k = 0; k < accuracy.error.size() && !enough_digits; ++k) {
-    if (accuracy.allowed[k]) {
+  for (const OutcomeVector k : all_outcome_vectors) {
+    if (accuracy.allowed[k] || enough_digits) {
       continue;
     }
     Verdict verdict{Status::violated,
-                    fmt::format("{}, computed and exact", outcome_vector_names[k]),
+                    fmt::format("{}, computed and exact", name_of(k)),
                     accuracy.error[k],
                     e.allowance() * accuracy.sensitivity[k],
                     {},
@@ -100,7 +100,7 @@ Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
     return outside_domain("a body is immovable");
   }
-  return law_holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B", law::LinearMomentum{});
+  return holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B", equation::LinearMomentum{});
 }
 
 Verdict check_angular_momentum(const Evidence& e) {
@@ -108,14 +108,14 @@ Verdict check_angular_momentum(const Evidence& e) {
   for (const bool a : {true, false}) {
     if (!body(e, a).immovable) {
       worst = both(std::move(worst),
-                   law_holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
-                             law::AngularMomentum{a}));
+                   holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
+                         equation::AngularMomentum{a}));
     }
   }
   if (!body(e, true).immovable && !body(e, false).immovable) {
-    worst = both(std::move(worst),
-                 law_holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
-                           law::TotalAngularMomentum{}));
+    worst =
+        both(std::move(worst), holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
+                                     equation::TotalAngularMomentum{}));
   }
   return worst;
 }
@@ -124,28 +124,28 @@ Verdict check_restitution(const Evidence& e) {
   if (!collides(e)) {
     return outside_domain("the contact is not colliding");
   }
-  return law_holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻", law::Restitution{});
+  return holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻", equation::Restitution{});
 }
 
 Verdict check_non_penetration(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(e, Relation::at_least, "N·V⁺ and 0", law::NonPenetration{});
+  return holds(e, Relation::at_least, "N·V⁺ and 0", equation::NonPenetration{});
 }
 
 Verdict check_push(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  Verdict verdict = law_holds(e, Relation::at_least, "N·F and 0", law::Push{e.exact_case.reads_impulse_off_a()});
+  Verdict verdict =
+      holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
   // A residual over the outputs alone knows nothing of the inputs' rounding, which decides the sign of N·V⁻ there.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("within rounding of a separating contact");
     }
-    const auto& allowed = e.accuracy->allowed;
-    if (std::all_of(allowed.begin(), allowed.end(), [](bool is_allowed) { return is_allowed; })) {
+    if (e.accuracy->is_allowed()) {
       return {};
     }
   }
@@ -163,12 +163,12 @@ Verdict check_separating_untouched(const Evidence& e) {
     }
     return both(untouched_body(e, true), untouched_body(e, false));
   }
-  if (are_surely_untouched(e, {0, 1, 2, 3})) {
+  if (are_surely_untouched(e, all_outcome_vectors)) {
     return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   Verdict worst;
-  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
   }
   return worst;
@@ -188,14 +188,15 @@ Verdict check_frictionless_direction(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(e, Relation::equal, "N × F and 0", law::FrictionlessDirection{e.exact_case.reads_impulse_off_a()});
+  return holds(e, Relation::equal, "N × F and 0",
+               equation::FrictionlessDirection{oracles::reads_impulse_off_a(e.exact_case.collision())});
 }
 
 Verdict check_reflection_plane(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
   }
-  return law_holds(e, Relation::equal, "N × V⁺ and N × V⁻", law::ReflectionPlane{});
+  return holds(e, Relation::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
 }
 
 Verdict check_energy(const Evidence& e) {
@@ -206,7 +207,7 @@ Verdict check_energy(const Evidence& e) {
     count(oracles::Stage::closeness);
     return {};
   }
-  return law_holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", law::Energy{});
+  return holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }
 
 Verdict check_collinear_spin(const Evidence& e) {
@@ -216,11 +217,15 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (!e.exact_case.is_collinear()) {
     return outside_domain("a lever arm is not along the normal");
   }
-  if (are_surely_untouched(e, {1, 3})) {
+  if (are_surely_untouched(e, spins)) {
     return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
-  return both(vector_untouched(e, 1, sensitivity), vector_untouched(e, 3, sensitivity));
+  Verdict worst;
+  for (const OutcomeVector k : spins) {
+    worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
+  }
+  return worst;
 }
 
 }  // namespace carom::properties

@@ -36,14 +36,14 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
               const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
   const auto enclosed = expected(first.enclosed());
   Verdict worst;
-  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     const auto exact_pair = [&] {
       const auto exactly = expected(first.exact());
       return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
     };
     worst = both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
-                                                 e.allowance() * sensitivity[k], e.yardstick.filtered,
-                                                 outcome_vector_names[k], "as related and as computed"));
+                                                 e.allowance() * sensitivity[k], e.yardstick.filtered, name_of(k),
+                                                 "as related and as computed"));
   }
   return worst;
 }
@@ -61,13 +61,13 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
 
 /// Whether lower bounds may decide: what is allowed is then surely a finite number.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
-  return e.yardstick.uses_bounds() && exact_case.is_moderate() && outcome.is_moderate();
+  return e.yardstick.uses_bounds() && exact_case.bounds().is_moderate() && outcome.is_moderate();
 }
 
 oracles::Sensitivity weighted_sum(double factor, const oracles::Sensitivity& first,
                                   const oracles::Sensitivity& second) {
   oracles::Sensitivity sum{};
-  for (std::size_t k = 0; k < sum.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     sum[k] = factor * first[k] + second[k];
   }
   return sum;
@@ -77,7 +77,7 @@ bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   const auto x = vectors(left);
   const auto y = vectors(right);
   bool same = true;
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     same = same && *x[k] == *y[k];
   }
   return same;
@@ -127,7 +127,7 @@ Verdict related_pair(const Evidence& e, double factor, const Expected& expected)
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
       return surely_agree(e, second_expected, second_outcome, weighted_sum(factor, of_first, of_second));
     };
-    if (agree_by(first_case.norms_before(), second_case.norms_before()) ||
+    if (agree_by(first_case.bounds().norms_before(), second_case.bounds().norms_before()) ||
         agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
       return {};
     }
@@ -251,7 +251,7 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   if constexpr (std::is_same_v<T, Rational>) {
     return exact_case.exact();
   } else if constexpr (std::is_same_v<T, oracles::Enclosure>) {
-    return exact_case.enclosed();
+    return exact_case.bounds().enclosed();
   } else {
     return exact_case.collision();
   }
@@ -442,14 +442,14 @@ Verdict check_repeat(const Evidence& e) {
     return *verdict;
   }
   const oracles::LiftedOutcome& after = *std::get<const oracles::LiftedOutcome*>(answer);
-  if (is_surely_untouched(second.exact_case, after, e.yardstick, {0, 1, 2, 3})) {
+  if (is_surely_untouched(second.exact_case, after, e.yardstick)) {
     return {};
   }
   const auto untouched = [&](bool a) {
-    return verdict_of(
-        oracles::compare(oracles::law::Untouched{a}, oracles::Relation::equal, second.exact_case, after, e.yardstick),
-        a ? "velocities of A, after a second impulse and before it"
-          : "velocities of B, after a second impulse and before it");
+    return verdict_of(oracles::compare(oracles::equation::Untouched{a}, oracles::Relation::equal, second.exact_case,
+                                       after, e.yardstick),
+                      a ? "velocities of A, after a second impulse and before it"
+                        : "velocities of B, after a second impulse and before it");
   };
   return both(untouched(true), untouched(false));
 }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
 /// How checks make and join verdicts.
@@ -77,13 +78,13 @@ template <class Exact>
 /// and by u of the term that was added to y, whose components add up to √3 times the scale at most; each difference is
 /// off by u of it, and their sum, the product and the sum that are compared by four times that.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
-                                      const std::array<double, 4>& scale,
-                                      std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
+                                      const PerVector<double>& scale,
+                                      std::span<const OutcomeVector> which = all_outcome_vectors) {
   static_assert(std::numeric_limits<long double>::is_iec559);
   constexpr long double two_u = std::numeric_limits<long double>::epsilon();
   const auto x = vectors(left);
   const auto y = vectors(right);
-  return std::all_of(which.begin(), which.end(), [&](std::size_t k) {
+  return std::all_of(which.begin(), which.end(), [&](OutcomeVector k) {
     long double missed = 0;
     long double size = scale[k];
     for (int i = 0; i < 3; ++i) {
@@ -99,14 +100,14 @@ template <class Exact>
 [[nodiscard]] inline bool is_surely_untouched(const oracles::ExactCase& exact_case,
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
-                                              std::initializer_list<std::size_t> which) {
-  if (!yardstick.uses_bounds() || !exact_case.is_moderate() || !outcome.is_moderate()) {
+                                              std::span<const OutcomeVector> which = all_outcome_vectors) {
+  if (!yardstick.uses_bounds() || !exact_case.bounds().is_moderate() || !outcome.is_moderate()) {
     return false;
   }
   const auto before =
       map_outcome<long double>(unchanged(exact_case.collision()), [](double x) { return static_cast<long double>(x); });
   const bool is_untouched =
-      surely_near(before, *outcome.reported(), yardstick.allowance(), exact_case.norms_before(), which);
+      surely_near(before, *outcome.reported(), yardstick.allowance(), exact_case.bounds().norms_before(), which);
   if (is_untouched) {
     count(oracles::Stage::approximation);
   }

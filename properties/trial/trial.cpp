@@ -58,8 +58,9 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                                 const oracles::LiftedOutcome* outcome,
                                 const std::optional<oracles::Accuracy>& accuracy) {
   const bool is_bounded = accuracy && accuracy->is_decided && claim.yardstick.uses_bounds() &&
-                          judged_case.exact().is_moderate() && outcome->is_moderate();
-  return is_bounded ? oracles::Closeness(judged_case.exact(), *outcome, *accuracy, claim.yardstick.allowance())
+                          judged_case.exact().bounds().is_moderate() && outcome->is_moderate();
+  return is_bounded ? oracles::Closeness(judged_case.exact().bounds(), claim.model, *outcome, accuracy->error_above,
+                                         claim.yardstick.allowance())
                     : oracles::Closeness();
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include <carom/collision/enum_array.hpp>
+
 namespace carom {
 
 /// The law that a subject claims to follow.
@@ -14,10 +16,15 @@ enum class Model {
   any,           // no law in particular: only what holds for every model is judged
 };
 
-inline constexpr std::array<Model, 3> all_models{Model::frictionless, Model::reflection, Model::any};
+inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::any};
+static_assert(counts_from_zero_to(all_models, Model::any));
+
+/// A value for each model.
+template <class T>
+using PerModel = EnumArray<Model, T, all_models.size()>;
 
 /// The models that determine one outcome, so that there is a truth to compare with.
-inline constexpr std::array<Model, 2> models_with_truth{Model::frictionless, Model::reflection};
+inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection};
 
 [[nodiscard]] constexpr std::string_view name_of(Model model) {
   switch (model) {

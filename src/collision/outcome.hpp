@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 
 #include <carom/collision/collision.hpp>
+#include <carom/collision/enum_array.hpp>
 
 namespace carom {
 
@@ -25,18 +25,39 @@ struct Outcome {
 /// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
 using ReportedOutcome = Outcome<long double>;
 
-/// The names of the four vectors of an outcome, in the order of `vectors`.
-inline constexpr std::array<std::string_view, 4> outcome_vector_names{"a.velocity", "a.angular_velocity", "b.velocity",
-                                                                      "b.angular_velocity"};
+/// The four vectors of an outcome.
+enum class OutcomeVector { velocity_of_a, angular_velocity_of_a, velocity_of_b, angular_velocity_of_b };
 
-/// The four vectors of an outcome, in one fixed order.
+inline constexpr std::array all_outcome_vectors{OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a,
+                                                OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
+static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_velocity_of_b));
+
+/// As the line protocol spells it.
+[[nodiscard]] constexpr std::string_view name_of(OutcomeVector vector) {
+  switch (vector) {
+    case OutcomeVector::velocity_of_a:
+      return "a.velocity";
+    case OutcomeVector::angular_velocity_of_a:
+      return "a.angular_velocity";
+    case OutcomeVector::velocity_of_b:
+      return "b.velocity";
+    case OutcomeVector::angular_velocity_of_b:
+      break;
+  }
+  return "b.angular_velocity";
+}
+
+/// A value for each of the four vectors of an outcome.
+template <class T>
+using PerVector = EnumArray<OutcomeVector, T, all_outcome_vectors.size()>;
+
 template <class S>
-[[nodiscard]] std::array<Vector3<S>*, 4> vectors(Outcome<S>& outcome) {
+[[nodiscard]] PerVector<Vector3<S>*> vectors(Outcome<S>& outcome) {
   return {&outcome.a.velocity, &outcome.a.angular_velocity, &outcome.b.velocity, &outcome.b.angular_velocity};
 }
 
 template <class S>
-[[nodiscard]] std::array<const Vector3<S>*, 4> vectors(const Outcome<S>& outcome) {
+[[nodiscard]] PerVector<const Vector3<S>*> vectors(const Outcome<S>& outcome) {
   return {&outcome.a.velocity, &outcome.a.angular_velocity, &outcome.b.velocity, &outcome.b.angular_velocity};
 }
 
@@ -46,7 +67,7 @@ template <class T, class S, class Convert>
   Outcome<T> mapped;
   const auto from = vectors(outcome);
   const auto to = vectors(mapped);
-  for (std::size_t k = 0; k < from.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     for (int i = 0; i < 3; ++i) {
       (*to[k])[i] = convert((*from[k])[i]);
     }

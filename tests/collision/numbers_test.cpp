@@ -149,8 +149,8 @@ TEST(WithVelocities, PutsTheOutcomeInPlaceOfTheVelocitiesAndNothingElse) {
   const Outcome<double> outcome{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {10, 11, 12}}};
   const Collision after = with_velocities(c, outcome);
   const Outcome<double> read_back = unchanged(after);
-  for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_EQ(*vectors(read_back)[k], *vectors(outcome)[k]) << outcome_vector_names[k];
+  for (const OutcomeVector k : all_outcome_vectors) {
+    EXPECT_EQ(*vectors(read_back)[k], *vectors(outcome)[k]) << name_of(k);
   }
   for_each_number(
       [](const FieldPath& path, const double& x, const double& y) {

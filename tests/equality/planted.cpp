@@ -38,7 +38,7 @@ ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model mode
                                 double allowance, properties::Stream& stream) {
   ReportedOutcome outcome = map_outcome<long double>(exact_case.truth(model).outcome,
                                                      [&](const oracles::Rational& x) { return to_extended(x); });
-  const auto k = static_cast<std::size_t>(stream.integer(0, 3));
+  const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));
   const Vector3<double> direction = stream.direction();

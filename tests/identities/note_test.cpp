@@ -37,7 +37,7 @@ TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const Rational minus_epsilon = -c.restitution;
   EXPECT_NE(c.normal.dot(after.a.velocity), minus_epsilon * c.normal.dot(c.a.velocity));  // eq. 9
   EXPECT_NE(c.normal.dot(after.b.velocity), minus_epsilon * c.normal.dot(c.b.velocity));  // eq. 13
-  const auto sides = oracles::restitution(c, after);                                      // eq. 17
+  const auto sides = oracles::equation::Restitution{}(c, after);                          // eq. 17
   EXPECT_EQ(sides.left[0], sides.right[0]);
 }
 
@@ -88,7 +88,7 @@ TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
 TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
   for (const auto& [family, one] : unit::valid_cases(4)) {
     const oracles::ExactCase exact_case(one.collision);
-    const Rational lambda = exact_case.inverse_mass();
+    const Rational lambda = oracles::inverse_mass(exact_case.exact());
     EXPECT_TRUE(oracles::is_at_least(exact_case.collision_matrix(), lambda)) << family;
     EXPECT_TRUE(exact_case.is_definite()) << family;
     if (one.collision.point == one.collision.a.position && one.collision.point == one.collision.b.position) {

@@ -90,19 +90,19 @@ std::optional<std::string> false_identity(Solver solver, Model model) {
   for (int i = 0; i < points; ++i) {
     const RationalCollision c = random_point(stream);
     const Outcome<Rational> y = solver(impulse::make_contact<Rational>(c));
-    if (!is_identity(oracles::restitution(c, y))) {
+    if (!is_identity(oracles::equation::Restitution{}(c, y))) {
       return "restitution";
     }
-    if (!is_identity(oracles::linear_momentum(c, y))) {
+    if (!is_identity(oracles::equation::LinearMomentum{}(c, y))) {
       return "linear momentum";
     }
-    if (!is_identity(oracles::angular_momentum(c.a, c.point, y.a)) ||
-        !is_identity(oracles::angular_momentum(c.b, c.point, y.b)) ||
-        !is_identity(oracles::total_angular_momentum(c, y))) {
+    if (!is_identity(oracles::equation::AngularMomentum{true}(c, y)) ||
+        !is_identity(oracles::equation::AngularMomentum{false}(c, y)) ||
+        !is_identity(oracles::equation::TotalAngularMomentum{}(c, y))) {
       return "angular momentum";
     }
-    if (!is_identity(model == Model::frictionless ? oracles::frictionless_direction(c, y, true)
-                                                  : oracles::reflection_plane(c, y))) {
+    if (!is_identity(model == Model::frictionless ? oracles::equation::FrictionlessDirection{true}(c, y)
+                                                  : oracles::equation::ReflectionPlane{}(c, y))) {
       return "the model's tangential law";
     }
     if (oracles::kinetic_energy_gain(c.a, y.a) + oracles::kinetic_energy_gain(c.b, y.b) != energy_gain(c, model)) {

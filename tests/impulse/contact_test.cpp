@@ -99,10 +99,10 @@ void expect_unchanged_by(const std::vector<Collision>& collisions, const Chosen&
     for (std::size_t i = 0; i < collisions.size(); ++i) {
       const auto& outcome = std::get<ReportedOutcome>(answers[i]);
       const Outcome<double> before = carom::unchanged(collisions[i]);
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (const OutcomeVector k : all_outcome_vectors) {
         for (int j = 0; j < 3; ++j) {
           EXPECT_TRUE(is_unchanged((*vectors(outcome)[k])[j], (*vectors(before)[k])[j], method.subject.precision))
-              << method.subject.name << ", collision " << i << ", " << outcome_vector_names[k] << '[' << j << ']';
+              << method.subject.name << ", collision " << i << ", " << name_of(k) << '[' << j << ']';
         }
       }
     }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/guaranteed.hpp>
-#include <carom/oracles/judge/lifted_outcome.hpp>
+#include <carom/oracles/filters/lifted_outcome.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/exact.hpp"
@@ -65,7 +65,7 @@ TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
         continue;
       }
       const Outcome<double> after = outcome_of(session, one.collision);
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (const OutcomeVector k : all_outcome_vectors) {
         EXPECT_EQ(*vectors(after)[k], *vectors(before)[k]) << name << ' ' << family;
       }
       ++untouched;
@@ -82,7 +82,7 @@ TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
     const Outcome<double> outcome = outcome_of(plain, one.collision);
     const Outcome<double> mended = without_approach(one.collision, outcome);
     bool same = true;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (const OutcomeVector k : all_outcome_vectors) {
       same = same && *vectors(mended)[k] == *vectors(outcome)[k];
     }
     const bool penetrates = normal_velocity(one.collision, lifted(outcome)) < 0;

@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/frictionless.hpp>
-#include <carom/oracles/judge/judge.hpp>
-#include <carom/oracles/judge/judged_laws.hpp>
+#include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 
@@ -61,14 +60,14 @@ std::vector<Collision> slivers(double least, std::size_t count) {
 }
 
 /// By how many ulps of S the outcome misses a law.
-template <class S, class Law>
-double missed(const Law& law, const Collision& collision, const Outcome<S>& outcome) {
+template <class S>
+double missed(const oracles::Equation& equation, const Collision& collision, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
   yardstick.limit_ulps = least_that_is_shown;
   const oracles::Comparison comparison = oracles::compare(
-      law, oracles::Relation::equal, oracles::ExactCase(collision),
+      equation, oracles::Relation::equal, oracles::ExactCase(collision),
       oracles::LiftedOutcome(map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); })),
       yardstick);
   return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;
@@ -77,9 +76,9 @@ double missed(const Law& law, const Collision& collision, const Outcome<S>& outc
 /// The laws that tell spins.
 template <class S>
 double missed(const Collision& collision, const Outcome<S>& outcome) {
-  return std::max({missed(oracles::law::AngularMomentum{true}, collision, outcome),
-                   missed(oracles::law::AngularMomentum{false}, collision, outcome),
-                   missed(oracles::law::Restitution{}, collision, outcome)});
+  return std::max({missed(oracles::equation::AngularMomentum{true}, collision, outcome),
+                   missed(oracles::equation::AngularMomentum{false}, collision, outcome),
+                   missed(oracles::equation::Restitution{}, collision, outcome)});
 }
 
 /// The frictionless law with J⁻¹ (r × N) taken in the body frame: R diag(1/I) Rᵀ (r × N).

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
 #include <carom/properties/trial/answers.hpp>
 
 namespace carom::tool::chart {
@@ -41,7 +41,7 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
   yardstick.limit_ulps = limit_ulps;
   const oracles::Accuracy accuracy =
       oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);
-  const bool within = accuracy.allowed[0] && accuracy.allowed[1] && accuracy.allowed[2] && accuracy.allowed[3];
+  const bool within = accuracy.is_allowed();
   builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
 }
 

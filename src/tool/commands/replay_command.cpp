@@ -51,7 +51,7 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
       fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
                   in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
   if (exact_case.approach() != Approach::inert) {
-    text += fmt::format("  λ = {}\n", in_words(exact_case.inverse_mass()));
+    text += fmt::format("  λ = {}\n", in_words(oracles::inverse_mass(c)));
     for (int row = 0; row < 3; ++row) {
       text += fmt::format("  {} {}\n", row == 0 ? "K =" : "   ", in_words<Rational>(Vector3<Rational>(k.row(row))));
     }
@@ -65,12 +65,12 @@ std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
   const Vector3<Rational> after = oracles::relative_velocity<Rational>(c, truth.outcome);
   std::string text = fmt::format("{}, exactly\n  F = {}\n", carom::name_of(model), in_words(truth.impulse));
   const auto parts = vectors(truth.outcome);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    text += fmt::format("  {}⁺ = {}\n", outcome_vector_names[k], in_words(*parts[k]));
+  for (const OutcomeVector k : all_outcome_vectors) {
+    text += fmt::format("  {}⁺ = {}\n", carom::name_of(k), in_words(*parts[k]));
   }
   text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(Rational(c.normal.dot(after))));
   if (exact_case.approach() != Approach::inert) {
-    const auto energy = oracles::energy(c, truth.outcome);
+    const auto energy = oracles::equation::Energy{}(c, truth.outcome);
     text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(Rational(energy.left[0] - energy.right[0])));
   }
   return text;

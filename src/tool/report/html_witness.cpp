@@ -88,7 +88,7 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
   }
   const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
   std::vector<std::string> columns{""};
-  std::vector<std::array<const Vector3<Rational>*, 4>> exact;
+  std::vector<PerVector<const Vector3<Rational>*>> exact;
   if (computed != nullptr) {
     columns.emplace_back("computed");
   }
@@ -102,9 +102,9 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
     return;
   }
   Rows rows(section, "Both bodies after the impulse", columns);
-  constexpr std::array<const char*, 4> names{"velocity of A", "angular velocity of A", "velocity of B",
-                                             "angular velocity of B"};
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  constexpr PerVector<const char*> names{"velocity of A", "angular velocity of A", "velocity of B",
+                                         "angular velocity of B"};
+  for (const OutcomeVector k : all_outcome_vectors) {
     std::vector<std::string> cells;
     if (computed != nullptr) {
       cells.push_back(in_words(*vectors(*computed)[k]));

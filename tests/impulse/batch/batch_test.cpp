@@ -55,7 +55,7 @@ bool same_bits(S x, S y) {
 
 template <class S>
 bool same_bits(const Outcome<S>& x, const Outcome<S>& y) {
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     for (int i = 0; i < 3; ++i) {
       if (!same_bits((*vectors(x)[k])[i], (*vectors(y)[k])[i])) {
         return false;

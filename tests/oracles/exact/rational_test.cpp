@@ -229,12 +229,12 @@ TEST(ToText, WritesLowestTerms) {
 TEST(IsFinite, SeesEachComponent) {
   ReportedOutcome outcome;
   EXPECT_TRUE(is_finite(outcome));
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     for (int i = 0; i < 3; ++i) {
       for (const long double bad : {LongLimits::infinity(), -LongLimits::infinity(), LongLimits::quiet_NaN()}) {
         ReportedOutcome spoiled = outcome;
         (*vectors(spoiled)[k])[i] = bad;
-        EXPECT_FALSE(is_finite(spoiled)) << k << ' ' << i;
+        EXPECT_FALSE(is_finite(spoiled)) << name_of(k) << ' ' << i;
       }
     }
   }

@@ -1,51 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <carom/oracles/filters/closeness.hpp>
+#include <carom/oracles/filters/slopes.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/compare.hpp>
 
 #include "support/exact.hpp"
 
 namespace carom::oracles {
 namespace {
 
-/// Every law that is affine in the outcome and speaks of this collision: visit(name, relation, law).
+/// Every equation that is affine in the outcome, speaks of this collision and is satisfied by the truth of the model:
+/// visit(relation, equation).
 template <class Visit>
-void for_each_affine_law(const ExactCase& exact_case, Model model, const Visit& visit) {
+void for_each_affine_equation(const ExactCase& exact_case, Model model, const Visit& visit) {
   const Collision& c = exact_case.collision();
   const bool collides = exact_case.approach() == Approach::colliding;
   const bool inert = exact_case.approach() == Approach::inert;
-  const auto visit_law = [&](Relation relation, const auto& law) { visit(*law.name(), relation, law); };
   for (const bool a : {true, false}) {
     const bool immovable = a ? c.a.immovable : c.b.immovable;
     if (immovable || !collides) {
-      visit_law(Relation::equal, law::Untouched{a});
+      visit(Relation::equal, equation::Untouched{a});
     }
     if (!immovable) {
-      visit_law(Relation::equal, law::AngularMomentum{a});
+      visit(Relation::equal, equation::AngularMomentum{a});
     }
   }
   if (!c.a.immovable && !c.b.immovable) {
-    visit_law(Relation::equal, law::LinearMomentum{});
-    visit_law(Relation::equal, law::TotalAngularMomentum{});
+    visit(Relation::equal, equation::LinearMomentum{});
+    visit(Relation::equal, equation::TotalAngularMomentum{});
   }
   if (collides) {
-    visit_law(Relation::equal, law::Restitution{});
+    visit(Relation::equal, equation::Restitution{});
   }
   if (inert) {
     return;
   }
-  const bool off_a = exact_case.reads_impulse_off_a();
-  visit_law(Relation::at_least, law::NonPenetration{});
-  visit_law(Relation::at_least, law::Push{off_a});
+  const bool off_a = reads_impulse_off_a(exact_case.collision());
+  visit(Relation::at_least, equation::NonPenetration{});
+  visit(Relation::at_least, equation::Push{off_a});
   if (model == Model::frictionless) {
-    visit_law(Relation::equal, law::FrictionlessDirection{off_a});
+    visit(Relation::equal, equation::FrictionlessDirection{off_a});
   } else {
-    visit_law(Relation::equal, law::ReflectionPlane{});
+    visit(Relation::equal, equation::ReflectionPlane{});
   }
 }
 
@@ -57,7 +58,7 @@ std::vector<Rational> residual(const Sides<Rational, N>& sides) {
 
 Outcome<Rational> plus(const Outcome<Rational>& x, const Outcome<Rational>& y, int times) {
   Outcome<Rational> result = x;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     *vectors(result)[k] += *vectors(y)[k] * Rational(times);
   }
   return result;
@@ -76,14 +77,14 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
     for (const Model model : models_with_truth) {
       const Outcome<Rational>& y = exact_case.truth(model).outcome;
       const Outcome<Rational> d = small_outcome(stream);
-      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation relation, const auto& law) {
-        const auto at_truth = residual(law(exact_case.exact(), y));
-        const auto above = residual(law(exact_case.exact(), plus(y, d, 1)));
-        const auto below = residual(law(exact_case.exact(), plus(y, d, -1)));
+      for_each_affine_equation(exact_case, model, [&, family = family](Relation relation, const auto& equation) {
+        const int name = static_cast<int>(*equation.name());
+        const auto at_truth = residual(equation(exact_case.exact(), y));
+        const auto above = residual(equation(exact_case.exact(), plus(y, d, 1)));
+        const auto below = residual(equation(exact_case.exact(), plus(y, d, -1)));
         for (std::size_t i = 0; i < at_truth.size(); ++i) {
-          EXPECT_EQ(above[i] + below[i], 2 * at_truth[i]) << family << ' ' << static_cast<int>(name);
-          EXPECT_TRUE(relation == Relation::equal ? at_truth[i] == 0 : at_truth[i] >= 0)
-              << family << ' ' << static_cast<int>(name);
+          EXPECT_EQ(above[i] + below[i], 2 * at_truth[i]) << family << ' ' << name;
+          EXPECT_TRUE(relation == Relation::equal ? at_truth[i] == 0 : at_truth[i] >= 0) << family << ' ' << name;
         }
       });
     }
@@ -94,7 +95,7 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
 TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   properties::Stream stream = properties::stream_from(42);
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
-    return residual(energy(exact_case.exact(), y)).front();
+    return residual(equation::Energy{}(exact_case.exact(), y)).front();
   };
   for (const auto& [family, one] : unit::valid_cases(6)) {
     const ExactCase exact_case(one.collision);
@@ -108,18 +109,18 @@ TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   }
 }
 
-/// ‖∂g/∂ŷ_k‖ of an affine law, exactly: g(y + e) − g(y) for the unit vectors e.
-template <class Law>
-std::array<double, 4> exact_slopes(const Law& law, const ExactCase& exact_case) {
+/// ‖∂g/∂ŷ_k‖ of an affine equation, exactly: g(y + e) − g(y) for the unit vectors e.
+template <class OneEquation>
+PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exact_case) {
   const Outcome<Rational> before = unchanged(exact_case.exact());
-  const auto at_rest = residual(law(exact_case.exact(), before));
-  std::array<double, 4> slopes{};
-  for (std::size_t k = 0; k < slopes.size(); ++k) {
+  const auto at_rest = residual(equation(exact_case.exact(), before));
+  PerVector<double> slopes{};
+  for (const OutcomeVector k : all_outcome_vectors) {
     Rational squared(0);
     for (int axis = 0; axis < 3; ++axis) {
       Outcome<Rational> moved = before;
       (*vectors(moved)[k])[axis] += 1;
-      const auto there = residual(law(exact_case.exact(), moved));
+      const auto there = residual(equation(exact_case.exact(), moved));
       for (std::size_t i = 0; i < there.size(); ++i) {
         squared += (there[i] - at_rest[i]) * (there[i] - at_rest[i]);
       }
@@ -134,18 +135,21 @@ TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   for (const auto& [family, one] : unit::valid_cases(6)) {
     const Collision& c = one.collision;
     const ExactCase exact_case(c);
-    if (!exact_case.is_moderate()) {
+    if (!exact_case.bounds().is_moderate()) {
       continue;
     }
     for (const Model model : models_with_truth) {
-      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation, const auto& law) {
-        const std::array<double, 4> computed = slopes_of(law, c);
-        const std::array<double, 4> exact = exact_slopes(law, exact_case);
-        for (std::size_t k = 0; k < exact.size(); ++k) {
-          const bool may_cancel = k % 2 == 1 && (name == AffineLaw::restitution || name == AffineLaw::non_penetration);
-          const double arm = lever_arm(k < 2 ? c.a : c.b, c.point).norm();
+      for_each_affine_equation(exact_case, model, [&, family = family](Relation, const auto& equation) {
+        const int name = static_cast<int>(*equation.name());
+        const PerVector<double> computed = slopes_of(equation, c);
+        const PerVector<double> exact = exact_slopes(equation, exact_case);
+        for (const OutcomeVector k : all_outcome_vectors) {
+          const bool of_a = k == OutcomeVector::velocity_of_a || k == OutcomeVector::angular_velocity_of_a;
+          const bool of_spin = k == OutcomeVector::angular_velocity_of_a || k == OutcomeVector::angular_velocity_of_b;
+          const bool may_cancel = of_spin && equation.slopes_may_cancel;
+          const double arm = lever_arm(of_a ? c.a : c.b, c.point).norm();
           EXPECT_NEAR(computed[k], exact[k], may_cancel ? 0x1p-46 * arm * c.normal.norm() : 0x1p-40 * exact[k])
-              << family << ' ' << static_cast<int>(name) << ' ' << outcome_vector_names[k];
+              << family << ' ' << name << ' ' << name_of(k);
         }
       });
     }
@@ -178,21 +182,21 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
       }
       const LiftedOutcome outcome(reported);
       const Accuracy measured = accuracy(exact_case, model, outcome, yardstick);
-      if (!exact_case.is_moderate() || !outcome.is_moderate() || !measured.is_decided) {
+      if (!exact_case.bounds().is_moderate() || !outcome.is_moderate() || !measured.is_decided) {
         continue;
       }
-      const Closeness closeness(exact_case, outcome, measured, yardstick.allowance());
-      for_each_affine_law(exact_case, model, [&, family = family](AffineLaw name, Relation relation, const auto& law) {
+      const Closeness closeness(exact_case.bounds(), model, outcome, measured.error_above, yardstick.allowance());
+      for_each_affine_equation(exact_case, model, [&, family = family](Relation relation, const auto& equation) {
         ++counts.laws;
-        if (closeness.shows(name)) {
+        if (closeness.shows(equation)) {
           ++counts.shown;
-          const Comparison comparison = compare(law, relation, exact_case, outcome, exactly);
-          EXPECT_TRUE(comparison.holds && comparison.is_decided) << family << ' ' << static_cast<int>(name);
+          const Comparison comparison = compare(equation, relation, exact_case, outcome, exactly);
+          EXPECT_TRUE(comparison.holds && comparison.is_decided) << family << ' ' << static_cast<int>(*equation.name());
         }
       });
-      if (model == Model::frictionless && exact_case.approach() != Approach::inert && closeness.shows_energy()) {
+      if (exact_case.approach() != Approach::inert && closeness.shows_energy()) {
         ++counts.energies;
-        EXPECT_TRUE(compare(law::Energy{}, Relation::at_most, exact_case, outcome, exactly).holds) << family;
+        EXPECT_TRUE(compare(equation::Energy{}, Relation::at_most, exact_case, outcome, exactly).holds) << family;
       }
     }
   }
@@ -219,20 +223,49 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   c.b.position = -3 * c.normal;
   c.a.angular_velocity = {1, 2, 3};
   const ExactCase exact_case(c);
-  Accuracy close;
-  close.error_above = {0, 0x1p-60, 0, 0};
+  const PerVector<double> error_above{0, 0x1p-60, 0, 0};
   const LiftedOutcome outcome(map_outcome<long double>(unchanged(c), [](double x) { return x; }));
-  const Closeness closeness(exact_case, outcome, close, 0x1p-48);
-  EXPECT_TRUE(closeness.shows(AffineLaw::angular_momentum_of_a));
-  EXPECT_FALSE(closeness.shows(AffineLaw::non_penetration));
+  const Closeness closeness(exact_case.bounds(), Model::frictionless, outcome, error_above, 0x1p-48);
+  EXPECT_TRUE(closeness.shows(equation::AngularMomentum{true}));
+  EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
+}
+
+/// An equation that the model's truth does not satisfy is not shown by it, however close the outcome.
+TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
+  const ExactCase exact_case(unit::case_of("elastic", 0).collision);
+  const PerVector<double> no_error{};
+  const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()), [](double x) { return x; }));
+  const Closeness frictionless(exact_case.bounds(), Model::frictionless, outcome, no_error, 0x1p-48);
+  const Closeness reflection(exact_case.bounds(), Model::reflection, outcome, no_error, 0x1p-48);
+  const equation::FrictionlessDirection direction{true};
+  EXPECT_TRUE(frictionless.shows(direction));
+  EXPECT_FALSE(reflection.shows(direction));
+  EXPECT_FALSE(frictionless.shows(equation::ReflectionPlane{}));
+  EXPECT_TRUE(reflection.shows(equation::ReflectionPlane{}));
+  EXPECT_TRUE(frictionless.shows_energy());
+  EXPECT_FALSE(reflection.shows_energy());
+}
+
+/// By the derivatives themselves: an equation speaks of a vector where its slope is not zero for some collision.
+TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
+  for (const Equation& equation : affine_equations) {
+    PerVector<bool> speaks_of{};
+    for (const auto& [family, one] : unit::valid_cases(3)) {
+      const PerVector<double> slopes = slopes_of(equation, one.collision);
+      for (const OutcomeVector k : all_outcome_vectors) {
+        speaks_of[k] = speaks_of[k] || slopes[k] != 0;
+      }
+    }
+    EXPECT_EQ(vectors_in(*name_of(equation)), speaks_of) << static_cast<int>(*name_of(equation));
+  }
 }
 
 TEST(Closeness, ShowsNothingWhereNothingIsKnown) {
-  EXPECT_FALSE(Closeness().shows(AffineLaw::push));
-  EXPECT_FALSE(Closeness().shows(AffineLaw::non_penetration));
-  EXPECT_FALSE(Closeness().shows(AffineLaw::linear_momentum));
+  EXPECT_FALSE(Closeness().shows(equation::Push{true}));
+  EXPECT_FALSE(Closeness().shows(equation::NonPenetration{}));
+  EXPECT_FALSE(Closeness().shows(equation::LinearMomentum{}));
   EXPECT_FALSE(Closeness().shows_energy());
-  EXPECT_FALSE(Closeness().shows_untouched({0}));
+  EXPECT_FALSE(Closeness().shows_untouched(all_outcome_vectors));
 }
 
 }  // namespace

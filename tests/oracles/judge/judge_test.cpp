@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 
 #include "equality/wild.hpp"
 #include "support/exact.hpp"
@@ -22,7 +24,7 @@ using unit::ratio;
 ReportedOutcome perturbed(const ExactCase& exact_case, Model model, double allowance, properties::Stream& stream) {
   ReportedOutcome outcome = map_outcome<long double>(
       exact_case.truth(model).outcome, [](const Rational& x) { return static_cast<long double>(nearest_double(x)); });
-  const auto k = static_cast<std::size_t>(stream.integer(0, 3));
+  const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   // 0.01 to 1000, evenly by its logarithm.
   const double times = std::pow(10.0, stream.between(-2, 3));
   const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(model, allowance)[k]);
@@ -45,14 +47,14 @@ void expect_printed_alike(double filtered, double exact, double residual, const 
   }
 }
 
-/// One law with the filter and without it.
-template <class Law>
-void expect_same_verdict(const std::string& name, const Law& law, Relation relation, const ExactCase& exact_case,
-                         const LiftedOutcome& outcome, Yardstick yardstick, std::map<std::string, Counts>& counts) {
+/// One equation with the filter and without it.
+void expect_same_verdict(const std::string& name, const Equation& equation, Relation relation,
+                         const ExactCase& exact_case, const LiftedOutcome& outcome, Yardstick yardstick,
+                         std::map<std::string, Counts>& counts) {
   yardstick.filtered = true;
-  const Comparison filtered = compare(law, relation, exact_case, outcome, yardstick);
+  const Comparison filtered = compare(equation, relation, exact_case, outcome, yardstick);
   yardstick.filtered = false;
-  const Comparison exact = compare(law, relation, exact_case, outcome, yardstick);
+  const Comparison exact = compare(equation, relation, exact_case, outcome, yardstick);
   ASSERT_EQ(filtered.holds, exact.holds) << name;
   EXPECT_EQ(filtered.allowed, exact.allowed) << name;
   expect_printed_alike(filtered.residual, exact.residual, exact.residual, name);
@@ -67,25 +69,25 @@ void expect_same_verdict(const std::string& name, const Law& law, Relation relat
 void expect_same_verdicts(const ExactCase& exact_case, const LiftedOutcome& outcome, const Yardstick& yardstick,
                           std::map<std::string, Counts>& counts) {
   const Collision& collision = exact_case.collision();
-  const auto hold = [&](const std::string& name, Relation relation, const auto& law) {
-    expect_same_verdict(name, law, relation, exact_case, outcome, yardstick, counts);
+  const auto hold = [&](const std::string& name, Relation relation, const Equation& equation) {
+    expect_same_verdict(name, equation, relation, exact_case, outcome, yardstick, counts);
   };
   if (!collision.a.immovable && !collision.b.immovable) {
-    hold("linear_momentum", Relation::equal, law::LinearMomentum{});
-    hold("total_angular_momentum", Relation::equal, law::TotalAngularMomentum{});
+    hold("linear_momentum", Relation::equal, equation::LinearMomentum{});
+    hold("total_angular_momentum", Relation::equal, equation::TotalAngularMomentum{});
   }
   if (!collision.a.immovable) {
-    hold("angular_momentum", Relation::equal, law::AngularMomentum{true});
+    hold("angular_momentum", Relation::equal, equation::AngularMomentum{true});
   }
-  hold("untouched", Relation::equal, law::Untouched{false});
-  hold("restitution", Relation::equal, law::Restitution{});
-  hold("non_penetration", Relation::at_least, law::NonPenetration{});
-  hold("reflection_plane", Relation::equal, law::ReflectionPlane{});
+  hold("untouched", Relation::equal, equation::Untouched{false});
+  hold("restitution", Relation::equal, equation::Restitution{});
+  hold("non_penetration", Relation::at_least, equation::NonPenetration{});
+  hold("reflection_plane", Relation::equal, equation::ReflectionPlane{});
   if (exact_case.approach() != Approach::inert) {
-    const bool off_a = exact_case.reads_impulse_off_a();
-    hold("push", Relation::at_least, law::Push{off_a});
-    hold("frictionless_direction", Relation::equal, law::FrictionlessDirection{off_a});
-    hold("energy", Relation::at_most, law::Energy{});
+    const bool off_a = reads_impulse_off_a(exact_case.collision());
+    hold("push", Relation::at_least, equation::Push{off_a});
+    hold("frictionless_direction", Relation::equal, equation::FrictionlessDirection{off_a});
+    hold("energy", Relation::at_most, equation::Energy{});
   }
 }
 
@@ -130,7 +132,7 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
       const Accuracy by_filter = accuracy(exact_case, model, outcome, filtered);
       const Accuracy by_rationals = accuracy(exact_case, model, outcome, exact);
       EXPECT_EQ(by_filter.allowed, by_rationals.allowed) << family << ' ' << i;
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (const OutcomeVector k : all_outcome_vectors) {
         ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
         // For print: where the filter decides, each component is known to a thousandth of itself or of what is allowed.
         EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
@@ -167,7 +169,7 @@ TEST(Compare, AllowsWhatTheScaleSays) {
     ReportedOutcome outcome;
     outcome.a.velocity = {0, 1 + static_cast<long double>(deviation), 0};
     const Comparison comparison =
-        compare(law::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+        compare(equation::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
     EXPECT_EQ(comparison.holds, holds) << deviation;
     if (!holds) {
       EXPECT_NEAR(comparison.allowed, allowed, 0x1p-40 * allowed);
@@ -183,10 +185,10 @@ TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
   c.b.immovable = true;
   const ExactCase exact_case(c);
   Outcome<Rational> outcome = exact_case.truth(Model::frictionless).outcome;
-  const law::Restitution law;
-  EXPECT_TRUE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  const equation::Restitution restitution;
+  EXPECT_TRUE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
   outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
-  EXPECT_FALSE(compare(law, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  EXPECT_FALSE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
 }
 
 TEST(Compare, KnowsTheSideOfAnInequality) {
@@ -194,7 +196,7 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
   c.a.velocity = {0, -1, 0};
   c.b.immovable = true;
   const ExactCase exact_case(c);
-  const law::NonPenetration law;
+  const equation::NonPenetration non_penetration;
   for (const bool filtered : {false, true}) {
     Yardstick yardstick;
     yardstick.unit_roundoff = 0x1p-53;
@@ -203,9 +205,9 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
       ReportedOutcome outcome;
       outcome.a.velocity = {0, after, 0};
       const LiftedOutcome lifted(outcome);
-      EXPECT_EQ(compare(law, Relation::at_least, exact_case, lifted, yardstick).holds, after > 0);
-      EXPECT_EQ(compare(law, Relation::at_most, exact_case, lifted, yardstick).holds, after < 0);
-      EXPECT_FALSE(compare(law, Relation::equal, exact_case, lifted, yardstick).holds);
+      EXPECT_EQ(compare(non_penetration, Relation::at_least, exact_case, lifted, yardstick).holds, after > 0);
+      EXPECT_EQ(compare(non_penetration, Relation::at_most, exact_case, lifted, yardstick).holds, after < 0);
+      EXPECT_FALSE(compare(non_penetration, Relation::equal, exact_case, lifted, yardstick).holds);
     }
   }
 }
@@ -287,10 +289,10 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;
   const Accuracy result = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
-  EXPECT_EQ(result.error[0], 0x1p-20);
+  EXPECT_EQ(result.error[OutcomeVector::velocity_of_a], 0x1p-20);
   EXPECT_EQ(result.relative_error, 0x1p-21);
   EXPECT_NEAR(result.digits(), 21 * std::log10(2.0), 1e-12);  // 21 log10 2 = 6.3, to a few roundings
-  EXPECT_EQ(result.backward_error(0x1p-24), 0x1p-20 / (0x1p-24 * result.sensitivity[0]));
+  EXPECT_EQ(result.backward_error(0x1p-24), 0x1p-20 / (0x1p-24 * result.sensitivity[OutcomeVector::velocity_of_a]));
   outcome.a.velocity = {0, 1, 0};
   const Accuracy exact = accuracy(exact_case, Model::frictionless, LiftedOutcome(outcome), yardstick);
   EXPECT_EQ(exact.backward_error(0x1p-24), 0);
@@ -308,12 +310,12 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
     yardstick.unit_roundoff = 0x1p-30;
     yardstick.limit_ulps = 8;
     yardstick.filtered = filtered;
-    const double allowed = 0x1p-27 * exact_case.sensitivity(Model::reflection, 0x1p-27)[0];
+    const double allowed = 0x1p-27 * exact_case.sensitivity(Model::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
     for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
       ReportedOutcome outcome;
       outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
       const Accuracy result = accuracy(exact_case, Model::reflection, LiftedOutcome(outcome), yardstick);
-      EXPECT_EQ(result.allowed[0], std::abs(part) < 1) << part;
+      EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
     }
   }
 }
@@ -327,8 +329,7 @@ TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
   const Accuracy result = accuracy(ExactCase(c), Model::reflection, LiftedOutcome(outcome), yardstick);
-  EXPECT_FALSE(result.allowed[0]);
-  EXPECT_TRUE(result.allowed[1] && result.allowed[2] && result.allowed[3]);
+  EXPECT_EQ(result.allowed, (PerVector<bool>{false, true, true, true}));
   EXPECT_TRUE(std::isinf(result.relative_error));
 }
 

@@ -3,7 +3,7 @@
 
 #include <carom/impulse/solve3.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/models/models.hpp>
 
 #include "support/exact.hpp"
 
@@ -17,7 +17,7 @@ using unit::ExactVector;
 using unit::ratio;
 
 Rational energy_change(const BasicCollision<Rational>& c, const Outcome<Rational>& after) {
-  const auto sides = energy(c, after);
+  const auto sides = equation::Energy{}(c, after);
   return sides.left[0] - sides.right[0];
 }
 

@@ -65,12 +65,14 @@ void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_ve
     for (const Model model : models_with_truth) {
       const Differentiated differentiated(collision, model);
       const auto parts = vectors(differentiated.truth.outcome);
-      for (std::size_t k = 0; k < parts.size(); ++k) {
+      for (const OutcomeVector k : all_outcome_vectors) {
         for (int i = 0; i < 3; ++i) {
           const ExactDual& y = (*parts[k])[i];
-          const int expected = k % 2 == 0 ? of_velocity : of_angular_velocity;
+          const int expected = k == OutcomeVector::velocity_of_a || k == OutcomeVector::velocity_of_b
+                                   ? of_velocity
+                                   : of_angular_velocity;
           EXPECT_EQ(differentiated.euler_sum(y, degree), expected * y.value)
-              << name_of(model) << ' ' << outcome_vector_names[k] << '[' << i << ']';
+              << name_of(model) << ' ' << name_of(k) << '[' << i << ']';
         }
       }
     }
@@ -113,7 +115,7 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
   const Differentiated differentiated(collision, model);
   const Outcome<double> before = unchanged(collision);
   Sensitivity result{};
-  for (std::size_t k = 0; k < result.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     const Vector3<ExactDual>& y = *vectors(differentiated.truth.outcome)[k];
     result[k] = vectors(before)[k]->norm();
     for (std::size_t j = 0; j < differentiated.numbers.size(); ++j) {
@@ -141,8 +143,8 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
     for (const Model model : models_with_truth) {
       const Sensitivity expected = sensitivity_by_definition(collision, model);
       const Sensitivity& actual = exact_case.sensitivity(model, 0);
-      for (std::size_t k = 0; k < actual.size(); ++k) {
-        EXPECT_NEAR(actual[k], expected[k], relative * expected[k]) << name_of(model) << ' ' << outcome_vector_names[k];
+      for (const OutcomeVector k : all_outcome_vectors) {
+        EXPECT_NEAR(actual[k], expected[k], relative * expected[k]) << name_of(model) << ' ' << name_of(k);
       }
     }
   }
@@ -154,11 +156,11 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   std::size_t compared = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
+    if (exact_case.approach() != Approach::colliding || !exact_case.bounds().is_moderate()) {
       continue;
     }
     const Matrix3<double> k =
-        exact_case.approximate_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
+        exact_case.bounds().collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
     if (k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant()) {
       continue;
     }
@@ -167,9 +169,9 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
       const std::optional<Sensitivity> whole = enclosed_sensitivity(one.collision, model);
       ASSERT_TRUE(quick && whole) << family;
       ++compared;
-      for (std::size_t i = 0; i < whole->size(); ++i) {
-        EXPECT_NEAR((*quick)[i], (*whole)[i], relative * (*whole)[i])
-            << family << ' ' << name_of(model) << ' ' << outcome_vector_names[i];
+      for (const OutcomeVector vector : all_outcome_vectors) {
+        EXPECT_NEAR((*quick)[vector], (*whole)[vector], relative * (*whole)[vector])
+            << family << ' ' << name_of(model) << ' ' << name_of(vector);
       }
     }
   }
@@ -193,8 +195,8 @@ TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
     ASSERT_EQ(exact_case.approach(), Approach::colliding);
     const Sensitivity expected = sensitivity_by_definition(c, Model::frictionless);
     const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0);
-    for (std::size_t k = 0; k < actual.size(); ++k) {
-      EXPECT_NEAR(actual[k], expected[k], 0x1p-26 * expected[k]) << length << ' ' << outcome_vector_names[k];
+    for (const OutcomeVector k : all_outcome_vectors) {
+      EXPECT_NEAR(actual[k], expected[k], 0x1p-26 * expected[k]) << length << ' ' << name_of(k);
     }
   }
 }
@@ -211,7 +213,7 @@ TEST(Sensitivity, IsExactForThinBodiesToo) {
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
   const Sensitivity expected = sensitivity_by_definition(c, Model::reflection);
   const Sensitivity& actual = exact_case.sensitivity(Model::reflection, 0);
-  for (std::size_t k = 0; k < actual.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     EXPECT_NEAR(actual[k], expected[k], 0x1p-45 * expected[k]);  // fewer than 2^8 roundings of positive terms
   }
 }
@@ -222,8 +224,8 @@ TEST(Sensitivity, IsAtLeastItsLowerBound) {
     for (const Model model : models_with_truth) {
       const Sensitivity below = exact_case.sensitivity_below(model);
       const Sensitivity& all = exact_case.sensitivity(model, 0x1p-48);
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        EXPECT_LE(below[k], all[k]) << family << ' ' << outcome_vector_names[k];
+      for (const OutcomeVector k : all_outcome_vectors) {
+        EXPECT_LE(below[k], all[k]) << family << ' ' << name_of(k);
       }
     }
   }
@@ -237,7 +239,8 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]) + std::sqrt(v.dot(v));
-  EXPECT_NEAR(actual[2], expected, 0x1p-50 * expected);  // at most eight roundings of positive terms
+  EXPECT_NEAR(actual[OutcomeVector::velocity_of_b], expected,
+              0x1p-50 * expected);  // at most eight roundings of positive terms
 }
 
 /// N = (1, 1, 0), V = (1, −1 ∓ 2^-40, 0): N·V = ∓2^-40, and Σ|∂(N·V)/∂x_j||x_j| = 2 Σ|N_i V_i| = 4 and a little.
@@ -259,7 +262,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   int seen = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {
     const ExactCase exact_case(one.collision);
-    const auto& inputs = exact_case.differentiated();
+    const auto& inputs = exact_case.bounds().differentiated();
     const auto velocity = normal_velocity_before(inputs.collision);
     const double edge = std::abs(velocity.value) / sensitivity_of({&velocity}, inputs.magnitude);
     if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20)) {
@@ -293,8 +296,8 @@ TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   c.normal = {1, 1, 0};
   c.a.velocity = {1, -1 + 0x1p-40, 0};
   const ExactCase exact_case(c);
-  const double colliding = exact_case.sensitivity(Model::frictionless, 0x1p-41)[2];
-  const double untouched = exact_case.sensitivity(Model::frictionless, 0)[2];
+  const double colliding = exact_case.sensitivity(Model::frictionless, 0x1p-41)[OutcomeVector::velocity_of_b];
+  const double untouched = exact_case.sensitivity(Model::frictionless, 0)[OutcomeVector::velocity_of_b];
   EXPECT_EQ(untouched, 0);  // B is at rest and stays so
   EXPECT_GT(colliding, 1);  // of order ‖V‖
 }

@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/exact/elimination.hpp>
-#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/laws/certify.hpp>
+#include <carom/oracles/models/models.hpp>
 
 #include "support/exact.hpp"
 
@@ -117,12 +118,12 @@ void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Mode
                                      const Outcome<Rational>& outcome) {
   EXPECT_NO_THROW(certify(exact, model, approach, outcome));
   for (const int exponent : {-200, 0, 100}) {
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (const OutcomeVector k : all_outcome_vectors) {
       for (int i = 0; i < 3; ++i) {
         Outcome<Rational> corrupted = outcome;
         (*vectors(corrupted)[k])[i] += Rational(std::ldexp(1.0, exponent));
         EXPECT_THROW(certify(exact, model, approach, corrupted), std::logic_error)
-            << outcome_vector_names[k] << '[' << i << "] by 2^" << exponent;
+            << name_of(k) << '[' << i << "] by 2^" << exponent;
       }
     }
   }

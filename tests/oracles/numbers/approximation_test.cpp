@@ -122,15 +122,16 @@ TEST(RefinedTruth, ContainsTheTruth) {
       continue;
     }
     for (const Model model : models_with_truth) {
-      const Truth<Enclosure> refined = refined_truth(one.collision, exact_case.enclosed(), exact_case.approximate(),
-                                                     model, ApproximateResponse(exact_case.approximate()));
+      const Truth<Enclosure> refined =
+          refined_truth(one.collision, exact_case.bounds().enclosed(), exact_case.bounds().approximate(), model,
+                        ApproximateResponse(exact_case.bounds().approximate()));
       const auto enclosed = vectors(refined.outcome);
       const auto exact = vectors(exact_case.truth(model).outcome);
-      for (std::size_t k = 0; k < enclosed.size(); ++k) {
+      for (const OutcomeVector k : all_outcome_vectors) {
         double radius = 0;
         for (int i = 0; i < 3; ++i) {
           const Enclosure difference = (*enclosed[k])[i] - Enclosure((*exact[k])[i]);
-          EXPECT_EQ(difference.magnitude_below(), 0) << family << ' ' << k;
+          EXPECT_EQ(difference.magnitude_below(), 0) << family << ' ' << name_of(k);
           radius = std::max(radius, (*enclosed[k])[i].radius());
         }
         ++all;

@@ -28,7 +28,7 @@ TEST(Norm, HidesNoNaN) { EXPECT_TRUE(std::isnan(norm_of(Vector3<double>{1, std::
 
 TEST(Norm, IsOneForEachVector) {
   const Outcome<double> outcome{{{3, 4, 0}, {0, 5, 12}}, {{8, 0, 15}, {0, 0, 7}}};
-  EXPECT_EQ(norms_of(outcome), (std::array<double, 4>{5, 13, 17, 7}));
+  EXPECT_EQ(norms_of(outcome), (PerVector<double>{5, 13, 17, 7}));
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ Question bit_for_bit(
       return {Status::violated, "there is no finite outcome", 0, 0, {}, {}};
     }
     const Outcome<Rational> expected = relation.of_outcome(outcome->exact());
-    for (std::size_t k = 0; k < outcome_vector_names.size(); ++k) {
+    for (const OutcomeVector k : all_outcome_vectors) {
       if (*vectors(expected)[k] != *vectors(related->exact())[k]) {
         return {Status::violated, bits_differ, 0, 0, {}, {}};
       }

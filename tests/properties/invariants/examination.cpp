@@ -26,7 +26,7 @@ bool has_responded(const Examinee& examinee, const JudgedCase& judged_case) {
   }
   const auto before = unchanged(judged_case.exact().exact());
   bool responded = false;
-  for (std::size_t k = 0; k < outcome_vector_names.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     responded = responded || *vectors(outcome->exact())[k] != *vectors(before)[k];
   }
   return responded;

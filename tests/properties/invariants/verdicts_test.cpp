@@ -51,7 +51,7 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
     ReportedOutcome right = left;
     right.a.velocity[stream.integer(0, 2)] +=
         Wide(allowance) * Wide(scale * stream.between(least, most)) * (stream.chance(2) ? 1 : -1);
-    const bool shown = surely_near(left, right, allowance, {scale, 0, 0, 0}, {0});
+    const bool shown = surely_near(left, right, allowance, {scale, 0, 0, 0}, std::array{OutcomeVector::velocity_of_a});
     const bool near = is_near(exact, oracles::lift(right).a.velocity, allowance * scale);
     EXPECT_TRUE(near || !shown) << i;
     counts.near += near ? 1 : 0;
@@ -82,19 +82,19 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
-  const std::array<double, 4> scale{1, 1, 1, 1};
+  const PerVector<double> scale{1, 1, 1, 1};
   EXPECT_TRUE(surely_near(reported, reported, 0x1p-50, scale));
   EXPECT_FALSE(surely_near(reported, reported, unit_roundoff(Precision::extended), scale));
 }
 
 TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
-  const std::array<double, 4> scale{1, 1, 1, 1};
-  for (std::size_t moved = 0; moved < 4; ++moved) {
+  const PerVector<double> scale{1, 1, 1, 1};
+  for (const OutcomeVector moved : all_outcome_vectors) {
     const ReportedOutcome rest;
     ReportedOutcome other;
     (*vectors(other)[moved])[2] = 0x1p-20L;
-    for (std::size_t named = 0; named < 4; ++named) {
-      EXPECT_EQ(surely_near(rest, other, 0x1p-30, scale, {named}), named != moved);
+    for (const OutcomeVector named : all_outcome_vectors) {
+      EXPECT_EQ(surely_near(rest, other, 0x1p-30, scale, std::array{named}), named != moved);
     }
     EXPECT_FALSE(surely_near(rest, other, 0x1p-30, scale));
     EXPECT_TRUE(surely_near(rest, other, 0x1p-10, scale));
@@ -103,7 +103,7 @@ TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
 
 /// What is no number is near to nothing.
 TEST(SurelyNear, DoesNotTakeANaNForNear) {
-  const std::array<double, 4> scale{1, 1, 1, 1};
+  const PerVector<double> scale{1, 1, 1, 1};
   ReportedOutcome nothing;
   nothing.b.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
   EXPECT_FALSE(surely_near(nothing, {}, 1, scale));

@@ -7,7 +7,8 @@
 #include <type_traits>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
@@ -65,7 +66,7 @@ double norm_above(const Components<T>& x) {
 /// An outcome's deviation from the truth, in one arithmetic, and what of the accuracy follows from it alone.
 template <class T>
 struct Deviation {
-  std::array<Components<T>, 4> of_vector;
+  PerVector<Components<T>> of_vector;
   Accuracy accuracy;
 };
 
@@ -78,7 +79,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
   const auto exact = vectors(truth.outcome);
   Outcome<double> deviation;
   const auto of_deviation = vectors(deviation);
-  for (std::size_t k = 0; k < computed.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     const Components<T>& error = result.of_vector[k] = difference(*computed[k], *exact[k]);
     for (int i = 0; i < 3; ++i) {
       (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
@@ -111,7 +112,7 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
                                     const Yardstick& yardstick) {
   Accuracy result = deviation.accuracy;
   result.sensitivity = sensitivity;
-  for (std::size_t k = 0; k < sensitivity.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     const double allowance = yardstick.allowance() * sensitivity[k];
     const std::optional<bool> allowed = norm_at_most(deviation.of_vector[k], allowance);
     if (!allowed) {
@@ -131,70 +132,11 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
   return result;
 }
 
-/// At most six squares or hypotenuses, each good to an ulp or two.
-constexpr double rounding = 0x1p-45;
-
-/// By the squares, where these are in the range of binary64; what underflows is nothing beside the bound's own square.
-template <class T>
-std::optional<bool> norm_at_most_by_squares(std::span<const T> vector, double bound) {
-  double above = 0;
-  double below = 0;
-  for (const T& component : vector) {
-    above += component.magnitude_above() * component.magnitude_above();
-    below += component.magnitude_below() * component.magnitude_below();
-  }
-  if (above * (1 + rounding) <= bound * bound * (1 - rounding)) {
-    return true;
-  }
-  if (below * (1 - rounding) > bound * bound * (1 + rounding)) {
-    return false;
-  }
-  return std::nullopt;
-}
-
-template <class T>
-std::optional<bool> norm_at_most_by_bounds(std::span<const T> vector, double bound) {
-  constexpr double least = 0x1p-400;
-  constexpr double largest = 0x1p+400;
-  if (bound >= least && bound <= largest) {
-    return norm_at_most_by_squares(vector, bound);
-  }
-  double above = 0;
-  double below = 0;
-  for (const T& component : vector) {
-    above = std::hypot(above, component.magnitude_above());
-    below = std::hypot(below, component.magnitude_below());
-  }
-  if (above * (1 + rounding) <= bound) {
-    return true;
-  }
-  if (below * (1 - rounding) > bound) {
-    return false;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-bool norm_at_most(std::span<const Rational> vector, double bound) {
-  Rational squared(0);
-  for (const Rational& component : vector) {
-    squared += component * component;
-  }
-  return squared <= Rational(bound) * Rational(bound);
-}
-
-std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound) {
-  return norm_at_most_by_bounds(vector, bound);
-}
-
-std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound) {
-  return norm_at_most_by_bounds(vector, bound);
-}
 
 double Accuracy::backward_error(double unit_roundoff) const {
   double worst = 0;
-  for (std::size_t k = 0; k < error.size(); ++k) {
+  for (const OutcomeVector k : all_outcome_vectors) {
     if (error[k] > 0) {
       worst = std::max(worst, error[k] / (unit_roundoff * sensitivity[k]));
     }
@@ -214,8 +156,8 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     if (yardstick.digits) {
       const double bound = yardstick.allowance();
       const std::optional<bool> decided =
-          may_use_bounds ? relative_error_at_most(bound, exact_case.enclosed(), exact_case.enclosed_truth(model),
-                                                  outcome.enclosed())
+          may_use_bounds ? relative_error_at_most(bound, exact_case.bounds().enclosed(),
+                                                  exact_case.enclosed_truth(model), outcome.enclosed())
                          : std::nullopt;
       accuracy.has_digits =
           decided ? *decided
@@ -226,18 +168,17 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed =
-          deviation_of(exact_case, model, exact_case.enclosed(), exact_case.enclosed_truth(model), outcome.enclosed());
+      enclosed = deviation_of(exact_case, model, exact_case.bounds().enclosed(), exact_case.enclosed_truth(model),
+                              outcome.enclosed());
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
   // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
   // are the same either way, so that what is reported does not depend on what is known.
-  if (yardstick.uses_bounds() && known > 0 && exact_case.is_moderate() && outcome.is_moderate()) {
+  if (yardstick.uses_bounds() && known > 0 && exact_case.bounds().is_moderate() && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(model);
     const auto bounded = by_enclosures(below);
-    if (bounded && bounded->allowed == std::array{true, true, true, true} &&
-        bounded->backward_error(yardstick.unit_roundoff) <= known) {
+    if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff) <= known) {
       count(Stage::enclosure);
       return with_digits(*bounded);
     }

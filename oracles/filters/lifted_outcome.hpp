@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -60,7 +59,7 @@ class LiftedOutcome {
   }
 
   /// ‖ŷ_k‖, but for a few roundings.
-  [[nodiscard]] std::array<double, 4> norms() const { return norms_of(rounded()); }
+  [[nodiscard]] PerVector<double> norms() const { return norms_of(rounded()); }
 
  private:
   /// What most outcomes are judged without.

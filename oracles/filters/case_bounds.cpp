@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/oracles/filters/case_bounds.hpp>
+#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/models/models.hpp>
+
+namespace carom::oracles {
+namespace {
+
+/// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
+/// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
+double condition_bound(const Matrix3<Approximation>& matrix) {
+  const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
+  const Vector3<Approximation> c0 = matrix.col(0);
+  const Vector3<Approximation> c1 = matrix.col(1);
+  const Vector3<Approximation> c2 = matrix.col(2);
+  return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
+}
+
+/// N·v and N·(w × (P − X)) of each body, each product of components at most that of the sums of their sizes.
+double sum_of_sizes(const Collision& c) {
+  const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
+  double sum = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position);
+    sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
+  }
+  return size(c.normal) * sum;
+}
+
+/// A number known to six digits, and so its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms,
+/// at most the sensitivity.
+bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
+  return std::abs(normal_velocity) > 0x1p-28 * sensitivity_above;
+}
+bool is_known_to_six_digits(const Enclosure& x) {
+  return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
+}
+
+/// At most ‖y‖.
+double norm_below(const Vector3<Approximation>& y) {
+  return std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
+                   y[2].magnitude_below() * y[2].magnitude_below());
+}
+
+}  // namespace
+
+const BasicCollision<Enclosure>& CaseBounds::enclosed() const {
+  if (!enclosed_) {
+    enclosed_ = map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); });
+  }
+  return *enclosed_;
+}
+
+const BasicCollision<Approximation>& CaseBounds::approximate() const {
+  if (!approximate_) {
+    approximate_ = map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); });
+  }
+  return *approximate_;
+}
+
+bool CaseBounds::is_moderate() const {
+  if (!is_moderate_) {
+    is_moderate_ = oracles::is_moderate(collision_);
+  }
+  return *is_moderate_;
+}
+
+std::optional<CaseBounds::NormalVelocity> CaseBounds::normal_velocity() const {
+  const double roughly = normal_velocity_before(collision_);
+  if (is_moderate() && is_known_to_six_digits(roughly, normal_velocity_sensitivity_above())) {
+    return NormalVelocity{roughly, roughly > 0 ? 1 : -1};
+  }
+  if (const Enclosure closely = normal_velocity_before(enclosed()); is_known_to_six_digits(closely)) {
+    return NormalVelocity{closely.middle(), *closely.sign()};
+  }
+  return std::nullopt;
+}
+
+double CaseBounds::normal_velocity_sensitivity_above() const {
+  if (!normal_velocity_sensitivity_above_) {
+    normal_velocity_sensitivity_above_ = sum_of_sizes(collision_);
+  }
+  return *normal_velocity_sensitivity_above_;
+}
+
+const Sensitivity& CaseBounds::norms_before() const {
+  if (!norms_before_) {
+    norms_before_ = oracles::norms_before(collision_);
+  }
+  return *norms_before_;
+}
+
+const DualInputs<double, collision_inputs>& CaseBounds::differentiated() const {
+  if (!differentiated_) {
+    differentiated_ = std::make_unique<DualInputs<double, collision_inputs>>(
+        dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; }));
+  }
+  return *differentiated_;
+}
+
+const Truth<Enclosure>& CaseBounds::colliding_truth(Model model) const {
+  std::optional<Truth<Enclosure>>& known = of_model_[model].truth;
+  if (!known) {
+    if (is_moderate()) {
+      known = refined_truth(collision_, enclosed(), approximate(), model, approximate_response());
+    }
+    if (!known || !is_bounded(*known)) {
+      known = oracles::colliding_truth(enclosed(), model);
+    }
+  }
+  return *known;
+}
+
+const Sensitivity& CaseBounds::colliding_sensitivity_below(Model model) const {
+  std::optional<Sensitivity>& known = of_model_[model].sensitivity_below;
+  if (!known) {
+    known = norms_before();
+    const Vector3<Approximation> impulse = impulse_for<Approximation>(
+        approximate(), model, wanted_change(approximate(), model), &approximate_response().matrix);
+    const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
+    for (const OutcomeVector k : all_outcome_vectors) {
+      const double half = norm_below(*vectors(outcome)[k]) / 2;
+      (*known)[k] += std::isfinite(half) ? half * (1 - 0x1p-40) : 0;  // three squares, two sums and a root
+    }
+  }
+  return *known;
+}
+
+bool CaseBounds::is_well_conditioned() const {
+  constexpr double well_conditioned = 1 << 20;
+  return condition_bound(collision_matrix()) < well_conditioned;
+}
+
+const Enclosure& CaseBounds::enclosed_inverse_mass() const {
+  if (!enclosed_inverse_mass_) {
+    enclosed_inverse_mass_ = inverse_mass(enclosed());
+  }
+  return *enclosed_inverse_mass_;
+}
+
+double CaseBounds::collision_matrix_sensitivity_below() const {
+  if (!collision_matrix_sensitivity_below_) {
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        squares += collision_matrix()(i, j).magnitude_below() * collision_matrix()(i, j).magnitude_below();
+      }
+    }
+    double largest_terms = 0;
+    for (const Body* body : {&collision_.a, &collision_.b}) {
+      if (!body->immovable) {
+        largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();
+      }
+    }
+    const double norm = std::sqrt(squares);
+    const double lambda = approximate_inverse_mass().magnitude_below();
+    collision_matrix_sensitivity_below_ = norm >= 0x1p-20 * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+  }
+  return *collision_matrix_sensitivity_below_;
+}
+
+const ApproximateResponse& CaseBounds::approximate_response() const {
+  if (!approximate_response_) {
+    approximate_response_.emplace(approximate());
+  }
+  return *approximate_response_;
+}
+
+const CaseBounds::InertiaTensors& CaseBounds::inertia_tensors() const {
+  if (!inertia_tensors_) {
+    const auto tensor_of = [](const Body& body) {
+      Matrix3<double> tensor = Matrix3<double>::Zero();
+      for (int i = 0; i < 3 && !body.immovable; ++i) {
+        tensor.col(i) = apply_inertia<double>(body, Vector3<double>::Unit(i));
+      }
+      return tensor;
+    };
+    inertia_tensors_ = {tensor_of(collision_.a), tensor_of(collision_.b)};
+  }
+  return *inertia_tensors_;
+}
+
+}  // namespace carom::oracles

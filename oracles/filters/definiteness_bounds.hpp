@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+
+namespace carom::oracles {
+
+/// Whether xᵀ M x ≥ 0 for every x, where the bounds decide it.
+[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
+[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix);
+
+/// Whether bound I ⪯ M: by enclosures where these decide it, else exactly.
+[[nodiscard]] bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
+
+/// Whether M ⪯ bound I, the same.
+[[nodiscard]] bool is_at_most_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
+
+}  // namespace carom::oracles

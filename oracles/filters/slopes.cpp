@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/oracles/filters/slopes.hpp>
+
+namespace carom::oracles {
+namespace {
+
+/// Two movable bodies, and no number that is zero or that stands twice.
+Collision general_collision() {
+  Collision c;
+  double next = 1;
+  for_each_number(
+      [&](const FieldPath&, double& number) {
+        number = next / 8;
+        next += 1 / next;
+      },
+      c);
+  return c;
+}
+
+}  // namespace
+
+PerVector<double> slopes_of(const Equation& equation, const Collision& collision) {
+  return std::visit(
+      [&](const auto& one) { return output_slopes<double, outcome_inputs>(one, collision, unchanged(collision)); },
+      equation);
+}
+
+const PerVector<bool>& vectors_in(AffineEquation equation) {
+  static const PerAffineEquation<PerVector<bool>> known = [] {
+    PerAffineEquation<PerVector<bool>> result{};
+    for (const Equation& one : affine_equations) {
+      const PerVector<double> slopes = slopes_of(one, general_collision());
+      for (const OutcomeVector k : all_outcome_vectors) {
+        result[*name_of(one)][k] = slopes[k] != 0;
+      }
+    }
+    return result;
+  }();
+  return known[equation];
+}
+
+}  // namespace carom::oracles

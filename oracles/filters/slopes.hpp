@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/numbers/norm.hpp>
+
+/// How an equation g(x, y) answers to a change of the outcome.
+namespace carom::oracles {
+
+/// ‖∂g/∂x_j‖, g = left − right.
+template <class S, std::size_t N, int Size>
+[[nodiscard]] S norm_of_derivative(const Sides<Dual<S, N>, Size>& sides, std::size_t input) {
+  return root_of_squares(Size, [&](std::size_t i) -> S {
+    const auto row = static_cast<Eigen::Index>(i);
+    return sides.left[row].derivative[input] - sides.right[row].derivative[input];
+  });
+}
+
+/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome. N is at least its twelve numbers.
+template <class S, std::size_t N, class OneEquation>
+[[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
+                                         const Outcome<double>& outcome) {
+  using T = Dual<S, N>;
+  std::size_t next = 0;
+  const auto sides = equation(map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); }),
+                              map_outcome<T>(outcome, [&](double x) { return T::input(static_cast<S>(x), next++); }));
+  PerVector<S> slopes{};
+  std::size_t first = 0;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    slopes[k] = root_of_squares(3, [&](std::size_t i) { return norm_of_derivative(sides, first + i); });
+    first += 3;
+  }
+  return slopes;
+}
+
+/// Of an equation that is affine in the outcome: they do not depend on it. Precondition: name_of(equation).
+[[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
+
+/// The vectors of an outcome that an equation speaks of: those by which its derivative is not zero, for a collision in
+/// which nothing vanishes.
+[[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
+
+}  // namespace carom::oracles

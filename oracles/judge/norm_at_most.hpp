@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/components.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/numbers/norm.hpp>
+
+namespace carom::oracles {
+
+/// Whether ‖v‖ ≤ bound: always decided for rationals, for numbers known to within an error where the errors decide it.
+/// Precondition: the bound is finite.
+[[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
+[[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);
+[[nodiscard]] std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound);
+
+/// For print.
+[[nodiscard]] inline double rounded(const Rational& number) { return to_double(number); }
+[[nodiscard]] inline double rounded(const Enclosure& number) { return number.middle(); }
+[[nodiscard]] inline double rounded(const Approximation& number) { return number.middle(); }
+
+/// ‖v‖, rounded.
+template <class T>
+[[nodiscard]] double norm(const Components<T>& vector) {
+  return root_of_squares(vector.size(), [&](std::size_t i) { return rounded(vector[i]); });
+}
+
+}  // namespace carom::oracles

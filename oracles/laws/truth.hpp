@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include <carom/collision/model.hpp>
+#include <carom/collision/outcome.hpp>
+
+namespace carom::oracles {
+
+/// The answer of a law to a collision.
+template <class T>
+struct Truth {
+  Vector3<T> impulse;  // F on A, −F on B [N s]
+  Outcome<T> outcome;
+};
+
+/// What is said of a model that is not one of `models_with_truth`. Throws std::invalid_argument.
+[[noreturn]] inline void determines_no_outcome(Model model) {
+  throw std::invalid_argument("the model `" + std::string(name_of(model)) + "` determines no outcome");
+}
+
+}  // namespace carom::oracles

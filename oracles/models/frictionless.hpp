@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/implicit_differentiation.hpp>
+#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
+
+namespace carom::oracles {
+
+/// The law `frictionless` (note eq. 18): F = φ N with N·K F = −(1 + ε) N·V⁻.
+struct Frictionless {
+  // How its truth is found: F brings about as much of the wanted change of relative velocity along the normal, and is
+  // linear in it.
+
+  template <class T>
+  [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
+                                                const Vector3<T>& velocity_before) {
+    return change_by_restitution<T>(n, restitution, velocity_before);
+  }
+
+  /// `matrix` is the response matrix where it is known already.
+  template <class T>
+  [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
+                                              const Matrix3<T>* matrix) {
+    const Vector3<T>& n = collision.normal;
+    const Vector3<T> answer =
+        matrix != nullptr ? Vector3<T>(*matrix * n) : relative_velocity<T>(collision, response<T>(collision, n));
+    return n * T(n.dot(change) / n.dot(answer));
+  }
+
+  // Its refinement.
+
+  /// An impulse that the law permits, exactly, next to this one: a multiple of N.
+  [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
+                                                    const Vector3<double>& impulse) {
+    const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
+    return collision.normal * Enclosure(n.dot(impulse) / n.squaredNorm());
+  }
+
+  /// What of a change of relative velocity the law asks for: what is along the normal is small, the rest is not.
+  [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
+    return n * Enclosure(n.dot(change) / n.dot(n));
+  }
+
+  // Its sensitivity.
+
+  /// N·(K F − b) = 0, so dF = φ dN + N dφ. The answers to N are worked out as such: from the columns of the matrices
+  /// they would cancel where a lever arm is along N.
+  [[nodiscard]] static Derivatives derivatives(const Collision& c, const ImpulseDifferential& of) {
+    const Vector3<double>& n = c.normal;
+    const double per_normal = n.dot(of.impulse) / n.dot(n);  // φ
+    const Outcome<double> to_normal = response<double>(c, n);
+    const Vector3<double> k_normal = relative_velocity<double>(c, to_normal);  // K N
+    using Row = Eigen::Matrix<double, 1, collision_inputs>;
+    Row of_condition = n.transpose() * of.left;
+    of_condition.segment<3>(of.normal) += (2 * per_normal * k_normal - of.wanted).transpose();
+    const Row d_per_normal = of_condition / -n.dot(k_normal);
+    Derivatives result{of.a.d_velocity + to_normal.a.velocity * d_per_normal,
+                       of.a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
+                       of.b.d_velocity + to_normal.b.velocity * d_per_normal,
+                       of.b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
+    result[OutcomeVector::velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.velocity;
+    result[OutcomeVector::angular_velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.angular_velocity;
+    result[OutcomeVector::velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.velocity;
+    result[OutcomeVector::angular_velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.angular_velocity;
+    return result;
+  }
+
+  // What its closeness rests on.
+
+  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
+                                    AffineEquation::frictionless_direction_read_off_a,
+                                    AffineEquation::frictionless_direction_read_off_b};
+  /// Whether its answer never has more energy than before, beside the work of a driven wall:
+  /// ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
+  static constexpr bool creates_no_energy = true;
+};
+
+}  // namespace carom::oracles
