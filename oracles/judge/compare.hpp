@@ -177,7 +177,7 @@ template <class Law>
     if (!scale) {
       scale = detail::scale_of(law, exact_case, outcome);
     }
-    return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
+    return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
   if (yardstick.uses_bounds()) {
     if (detail::surely_holds(law, relation, exact_case, outcome, allowance)) {

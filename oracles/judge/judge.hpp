@@ -36,7 +36,7 @@ enum class Relation { equal, at_least, at_most };
 /// A law held against an outcome. The decision is exact; the numbers are for print.
 struct Comparison {
   bool holds = true;
-  bool is_decided = true;  // false where the scale leaves the range of numbers
+  bool is_decided = true;  // false where the scale, or what is allowed of it, leaves the range of numbers
   // Where it does not hold:
   double residual = 0;  // ‖left − right‖, or by how much the inequality is missed
   double allowed = 0;   // what rounding may make of it
@@ -59,10 +59,11 @@ template <class Law>
 
 /// How far an outcome is from the truth.
 struct Accuracy {
-  std::array<double, 4> error{};                        // ‖ŷ_k − y_k‖
-  std::array<double, 4> error_above = infinite;         // at least the error; infinite where the judge is not filtered
-  Sensitivity sensitivity{};                            // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
-  bool is_decided = true;                               // false where the sensitivity leaves the range of numbers
+  std::array<double, 4> error{};                 // ‖ŷ_k − y_k‖
+  std::array<double, 4> error_above = infinite;  // at least the error; infinite where the judge is not filtered
+  Sensitivity sensitivity{};                     // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
+  bool is_decided = true;  // false where the sensitivity, or what is allowed of it, leaves the range of numbers: then
+                           // nothing else here means anything
   std::array<bool, 4> allowed{true, true, true, true};  // whether the error is within the yardstick
   bool has_digits = true;  // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;

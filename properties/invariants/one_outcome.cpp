@@ -48,7 +48,7 @@ Verdict vector_untouched(const Evidence& e, std::size_t k, const oracles::Sensit
     return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.allowance() * sensitivity[k], e.yardstick.filtered, outcome_vector_names[k],
+                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, outcome_vector_names[k],
                        "after and before");
 }
 
@@ -143,6 +143,9 @@ Verdict check_push(const Evidence& e) {
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("within rounding of a separating contact");
+    }
+    if (!e.accuracy->is_decided) {
+      return beyond_range();
     }
     const auto& allowed = e.accuracy->allowed;
     if (std::all_of(allowed.begin(), allowed.end(), [](bool is_allowed) { return is_allowed; })) {

@@ -132,6 +132,21 @@ TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
   }
 }
 
+TEST(Replay, SaysWhereTheBackwardErrorWasNotDecided) {
+  // Several terms of such velocities are beyond binary64; the answer itself is not.
+  json ball = cube_on_floor();
+  ball["a"]["velocity"] = {0, -6e307, 0};
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("ball.json", ball.dump());
+  const RunResult text = run_carom({"replay", file, "--subject", "frictionless-double"});
+  EXPECT_EQ(text.output.find("40.0 digits"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("backward error not decided"), std::string::npos) << text.output << text.errors;
+  const RunResult as_json = run_carom({"replay", file, "--subject", "frictionless-double", "--format", "json"});
+  const json record = json::parse(as_json.output);
+  EXPECT_TRUE(record.at("backward_error_ulps").is_null()) << record;
+  EXPECT_EQ(record.at("verdicts").at("backward_error").at("status"), "skipped");
+}
+
 TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   const TemporaryDirectory directory;
   json collision = cube_on_floor();

@@ -86,8 +86,10 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
     text += "  skipped: " + std::get<Skipped>(answer).why + '\n';
   }
   if (judgement.accuracy) {
-    text += fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
-                        judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits());
+    text += judgement.accuracy->is_decided
+                ? fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
+                              judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits())
+                : "  backward error not decided: the scale leaves the range of numbers\n";
   }
   for (const properties::NamedVerdict& named : judgement.verdicts) {
     const properties::Verdict& verdict = named.verdict;
@@ -221,7 +223,9 @@ int replay(const ReplayArguments& arguments) {
       record["outcome"] = answer_record(answer);
       if (judgement.accuracy) {
         record["backward_error_ulps"] =
-            number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+            judgement.accuracy->is_decided
+                ? number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff))
+                : json();
       }
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
