@@ -185,7 +185,7 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
   }
   const Sensitivity& sensitivity = exact_case.sensitivity(model, yardstick.allowance());
   for (const double sum : sensitivity) {
-    if (!std::isfinite(sum)) {
+    if (!yardstick.allowed(sum)) {
       Accuracy undecided;
       undecided.is_decided = false;
       return undecided;

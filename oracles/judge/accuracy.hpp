@@ -11,10 +11,11 @@ namespace carom::oracles {
 
 /// How far an outcome is from the truth.
 struct Accuracy {
-  PerVector<double> error{};                        // ‖ŷ_k − y_k‖
-  PerVector<double> error_above = infinite;         // at least the error; infinite where the judge is not filtered
-  Sensitivity sensitivity{};                        // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
-  bool is_decided = true;                           // false where the sensitivity leaves the range of numbers
+  PerVector<double> error{};                 // ‖ŷ_k − y_k‖
+  PerVector<double> error_above = infinite;  // at least the error; infinite where the judge is not filtered
+  Sensitivity sensitivity{};                 // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
+  bool is_decided = true;  // false where the sensitivity, or what is allowed of it, leaves the range of numbers: then
+                           // nothing else here means anything
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick
   bool has_digits = true;  // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;

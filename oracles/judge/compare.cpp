@@ -140,7 +140,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     if (!scale) {
       scale = scale_of(equation, exact_case, outcome);
     }
-    return scale ? std::optional<double>(allowance * *scale) : std::nullopt;
+    return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
   if (yardstick.uses_bounds()) {
     if (surely_holds(equation, relation, exact_case, outcome, allowance)) {

@@ -14,7 +14,7 @@ enum class Relation { equal, at_least, at_most };
 /// An equation held against an outcome. The decision is exact; the numbers are for print.
 struct Comparison {
   bool holds = true;
-  bool is_decided = true;  // false where the scale leaves the range of numbers
+  bool is_decided = true;  // false where the scale, or what is allowed of it, leaves the range of numbers
   // Where it does not hold:
   double residual = 0;  // ‖left − right‖, or by how much the inequality is missed
   double allowed = 0;   // what rounding may make of it

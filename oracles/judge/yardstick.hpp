@@ -27,6 +27,14 @@ struct Yardstick {
   [[nodiscard]] bool uses_bounds() const { return filtered && allowance() > 0 && allowance() <= 0x1p+64; }
 
   [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
+
+  /// The allowance times a scale; none where that leaves the range in which binary64 has all its digits: nothing can
+  /// then be decided by it.
+  [[nodiscard]] std::optional<double> allowed(double scale) const {
+    const double product = allowance() * scale;
+    const bool is_zero = product == 0 && (scale == 0 || allowance() == 0);
+    return is_zero || std::isnormal(product) ? std::optional<double>(product) : std::nullopt;
+  }
 };
 
 }  // namespace carom::oracles

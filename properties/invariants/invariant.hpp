@@ -29,6 +29,7 @@ struct Verdict {
   double allowed = 0;
   std::vector<double> left;  // both sides of the formula
   std::vector<double> right;
+  bool is_undecided = false;  // where skipped: inside the domain, but beyond the range of numbers
 
   /// Residual over what is allowed where violated; infinite where no number tells, 0 where not violated.
   [[nodiscard]] double severity() const;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
@@ -85,7 +84,7 @@ Verdict check_definite(const Evidence& e) {
   if (may_be_filtered(e) && is_surely_definite(e)) {
     return {};
   }
-  if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
     return beyond_range();
   }
   const Rational lambda = inverse_mass(e.exact_case.exact());
@@ -107,7 +106,7 @@ Verdict check_well_conditioned(const Evidence& e) {
   if (may_be_filtered(e) && is_surely_well_conditioned(e)) {
     return {};
   }
-  if (!std::isfinite(e.allowance() * e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
     return beyond_range();
   }
   count(oracles::Stage::rational);

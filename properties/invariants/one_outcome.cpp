@@ -49,7 +49,7 @@ Verdict vector_untouched(const Evidence& e, OutcomeVector k, const oracles::Sens
     return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.allowance() * sensitivity[k], e.yardstick.filtered, name_of(k), "after and before");
+                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
 }
 
 /// Whether the closeness to the truth, which leaves these vectors untouched, or bounds show that they are so.
@@ -144,6 +144,9 @@ Verdict check_push(const Evidence& e) {
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("within rounding of a separating contact");
+    }
+    if (!e.accuracy->is_decided) {
+      return beyond_range();
     }
     if (e.accuracy->is_allowed()) {
       return {};

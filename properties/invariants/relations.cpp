@@ -42,7 +42,7 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
       return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
     };
     worst = both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
-                                                 e.allowance() * sensitivity[k], e.yardstick.filtered, name_of(k),
+                                                 e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k),
                                                  "as related and as computed"));
   }
   return worst;

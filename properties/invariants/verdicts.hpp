@@ -23,7 +23,9 @@ namespace carom::properties {
 [[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
 
 /// What cannot be decided is never a pass.
-[[nodiscard]] inline Verdict beyond_range() { return outside_domain("the scale leaves the range of numbers"); }
+[[nodiscard]] inline Verdict beyond_range() {
+  return {Status::skipped, "the scale leaves the range of numbers", 0, 0, {}, {}, true};
+}
 
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
   if (!comparison.is_decided) {
@@ -39,19 +41,20 @@ namespace carom::properties {
 
 /// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as
 /// enclosures, and as functions that give them exactly where those do not decide. `relation` says what is compared of
-/// the vector.
+/// the vector; none is allowed where that leaves the range of numbers.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
-                                    double allowed, bool filtered, std::string_view vector, const char* relation) {
-  if (!std::isfinite(allowed)) {
+                                    std::optional<double> allowed, bool filtered, std::string_view vector,
+                                    const char* relation) {
+  if (!allowed) {
     return beyond_range();
   }
   const auto violation = [&](const auto& left, const auto& right) {
     Verdict verdict{Status::violated,
                     fmt::format("{}, {}", vector, relation),
                     oracles::norm(oracles::difference(left, right)),
-                    allowed,
+                    *allowed,
                     {},
                     {}};
     for (int i = 0; i < 3; ++i) {
@@ -61,13 +64,13 @@ template <class Exact>
     return verdict;
   };
   const std::optional<bool> within =
-      filtered ? oracles::norm_at_most(oracles::difference(actual, expected), allowed) : std::nullopt;
+      filtered ? oracles::norm_at_most(oracles::difference(actual, expected), *allowed) : std::nullopt;
   count(within ? oracles::Stage::enclosure : oracles::Stage::rational);
   if (within) {
     return *within ? Verdict{} : violation(actual, expected);
   }
   const auto& [exact_actual, exact_expected] = exact_pair();
-  return oracles::norm_at_most(oracles::difference(exact_actual, exact_expected), allowed)
+  return oracles::norm_at_most(oracles::difference(exact_actual, exact_expected), *allowed)
              ? Verdict{}
              : violation(exact_actual, exact_expected);
 }
@@ -114,10 +117,19 @@ template <class Exact>
   return is_untouched;
 }
 
-/// Both must hold: the worse of two verdicts, a violation before a pass before a skip.
+/// Both must hold: the worse of two verdicts, a violation before what could not be decided, that before a pass, and a
+/// pass before what is outside the domain, which leaves it to the other.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
-    return verdict.status == Status::violated ? 2 : (verdict.status == Status::holds ? 1 : 0);
+    switch (verdict.status) {
+      case Status::violated:
+        return 3;
+      case Status::holds:
+        return 1;
+      case Status::skipped:
+        break;
+    }
+    return verdict.is_undecided ? 2 : 0;
   };
   const int lead = rank(second) - rank(first);
   const bool is_second = lead > 0 || (lead == 0 && second.severity() > first.severity());

@@ -95,8 +95,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
       ->delimiter(',');
-  gate_command->add_option("--out", gate.out,
-                           "Directory for the reports and witnesses/; those of an earlier run are replaced");
+  gate_command->add_option(
+      "--out", gate.out,
+      "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
   gate_command->add_option("--jobs", gate.jobs, "Threads (default: one for each core)")->check(CLI::Range(1, 1024));
   add_yardstick(*gate_command, gate);
   add_timeout(*gate_command, gate);
@@ -147,7 +148,8 @@ int main(int argc, char** argv) {
   CLI::App* replay_command =
       app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
   replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions")->required();
-  replay_command->add_option("--subject", replay.subject, "Subject to judge (default: the one that a witness names)");
+  replay_command->add_option("--subject", replay.subject,
+                             "Subject to judge (default: the one that a witness names, where that is no program)");
   add_yardstick(*replay_command, replay);
   add_timeout(*replay_command, replay);
   add_format(*replay_command, replay.format, {"text", "json"});

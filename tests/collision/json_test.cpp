@@ -189,5 +189,36 @@ TEST(CollisionJson, DoesNotValidateTheNumbers) {
   EXPECT_EQ(error_of([](json& r) { r["normal"] = {"nan", "inf", "-inf"}; }), "");
 }
 
+/// As the library reads it, and by its own parser.
+TEST(ParseJson, ReadsWhatTheLibraryReads) {
+  for (const char* text :
+       {"{}", "[]", "null", "true", "\"text\"", "-3", "18446744073709551615", "0.1", "-0.0", "5e-324", "1E+5",
+        R"({"a":[1,{"b":[[],{},"c\u00e4",2.5]},null],"d":{"e":{"f":false}},"g":[[1,2],[3,[4]]]})",
+        R"( [ {"x" : 1 , "y" : [ ] } , "z" ] )"}) {
+    EXPECT_EQ(parse_json(text), json::parse(text)) << text;
+    EXPECT_EQ(parse_json(text).type(), json::parse(text).type()) << text;
+  }
+}
+
+TEST(ParseJson, RefusesWhatJsonLeavesOpen) {
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"a":1,"b":{"a":1},"a":2})", "the field \"a\" stands twice"},
+           {R"([{"a":{"b":1,"b":1}}])", "the field \"b\" stands twice"},
+           {std::string(65, '[') + std::string(65, ']'), "more than 64 levels deep"},
+           {"1e999", "number overflow"},
+           {"[1,]", "not JSON"},
+           {"[1] 2", "not JSON"},
+           {"", "not JSON"},
+           {std::string("1\0", 2), "zero byte"}}) {
+    try {
+      (void)parse_json(text);
+      ADD_FAILURE() << "nothing was thrown, for " << text;
+    } catch (const FormatError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_NO_THROW((void)parse_json(std::string(64, '[') + std::string(64, ']')));
+}
+
 }  // namespace
 }  // namespace carom

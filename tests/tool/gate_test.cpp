@@ -72,16 +72,77 @@ TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
   EXPECT_NE(report("5", "1").at("subjects"), report("6", "1").at("subjects"));
 }
 
-TEST(GateCommand, ReportsAreWrittenAndOldWitnessesRemoved) {
+/// A report.json that lists these witnesses.
+std::string report_listing(const std::vector<std::string>& witnesses) {
+  json violations = json::array();
+  for (const std::string& witness : witnesses) {
+    violations.push_back({{"invariant", "restitution"}, {"witness", witness}});
+  }
+  const json judged{{"name", "old"}, {"violations", violations}};
+  const json absent{{"name", "other"}, {"status", "absent"}};
+  return json{{"carom", "0.1.0"}, {"subjects", {judged, absent}}}.dump();
+}
+
+/// A quick run that finds nothing.
+RunResult quick_gate(const std::filesystem::path& out) {
+  return run_carom({"gate", "frictionless-double", "--families", "generic", "--cases", "5", "--out", out.string()});
+}
+
+TEST(GateCommand, RemovesTheWitnessesThatTheOldReportListsAndNothingElse) {
   const TemporaryDirectory out;
-  std::filesystem::create_directories(out.path() / "witnesses");
-  const std::string stale = out.write("witnesses/old.restitution.json", "{}");
-  const std::string not_ours = out.write("witnesses/mine.json", "{}");
+  std::filesystem::create_directories(out.path() / "witnesses" / "below");
+  const std::vector<std::string> kept{
+      out.write("witnesses/mine.json", "{}"), out.write("witnesses/unlisted.restitution.json", "{}"),
+      out.write("outside.restitution.json", "{}"), out.write("witnesses/below/x.restitution.json", "{}"),
+      out.write("witnesses/old.no_invariant.json", "{}")};
+  const std::string listed = out.write("witnesses/old.restitution.json", "{}");
+  const std::filesystem::path link = out.path() / "witnesses" / "link.restitution.json";
+  std::filesystem::create_symlink(out.path() / "outside.restitution.json", link);
+  (void)out.write("report.json",
+                  report_listing({"witnesses/old.restitution.json", "witnesses/old.no_invariant.json",
+                                  "witnesses/link.restitution.json", "witnesses/below/x.restitution.json",
+                                  "witnesses/../outside.restitution.json", "outside.restitution.json",
+                                  (out.path() / "outside.restitution.json").string(), "witnesses/absent.push.json", "",
+                                  "witnesses/", "witnesses/.."}));
+  const RunResult run = quick_gate(out.path());
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_FALSE(std::filesystem::exists(listed));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  for (const std::string& file : kept) {
+    EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  }
+}
+
+TEST(GateCommand, RemovesNothingWithoutAReportOfItsOwn) {
+  const std::string listed = "witnesses/old.restitution.json";
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[3]"), std::string(R"({"carom": "0.1.0", "subjects": 3})"),
+        std::string(R"({"carom": "0.1.0", "subjects": [{"violations": [{"witness": 3}]}]})"),
+        R"({"subjects": [{"violations": [{"witness": ")" + listed + R"("}]}]})"}) {
+    const TemporaryDirectory out;
+    std::filesystem::create_directories(out.path() / "witnesses");
+    const std::string witness = out.write(listed, "{}");
+    (void)out.write("report.json", text);
+    EXPECT_EQ(quick_gate(out.path()).exit_status, 0) << text;
+    EXPECT_TRUE(std::filesystem::exists(witness)) << text;
+  }
+}
+
+TEST(GateCommand, RemovesNothingThroughASymbolicLink) {
+  const TemporaryDirectory elsewhere;
+  const TemporaryDirectory out;
+  const std::string witness = elsewhere.write("old.restitution.json", "{}");
+  std::filesystem::create_directory_symlink(elsewhere.path(), out.path() / "witnesses");
+  (void)out.write("report.json", report_listing({"witnesses/old.restitution.json"}));
+  (void)quick_gate(out.path());
+  EXPECT_TRUE(std::filesystem::exists(witness));
+}
+
+TEST(GateCommand, ReportsAreWrittenAndTheNextRunRemovesItsWitnesses) {
+  const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "reflection-in-basis-double", "frictionless-double", "--families",
                                       "head_on", "--cases", "60", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_FALSE(std::filesystem::exists(stale));
-  EXPECT_TRUE(std::filesystem::exists(not_ours));
 
   const json report = json::parse(content_of(out.path() / "report.json"));
   EXPECT_EQ(report.at("exit_status"), 1);
@@ -97,6 +158,9 @@ TEST(GateCommand, ReportsAreWrittenAndOldWitnessesRemoved) {
   EXPECT_EQ(failed.attribute("failures").as_uint(), subject.at("violations").size());
   EXPECT_EQ(failed.next_sibling("testsuite").attribute("failures").as_int(), 0);
   EXPECT_GT(failed.next_sibling("testsuite").attribute("tests").as_int(), 0);
+
+  EXPECT_EQ(quick_gate(out.path()).exit_status, 0);
+  EXPECT_TRUE(std::filesystem::is_empty(out.path() / "witnesses"));
 }
 
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {

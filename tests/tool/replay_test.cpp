@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -130,6 +132,21 @@ TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
   }
 }
 
+TEST(Replay, SaysWhereTheBackwardErrorWasNotDecided) {
+  // Several terms of such velocities are beyond binary64; the answer itself is not.
+  json ball = cube_on_floor();
+  ball["a"]["velocity"] = {0, -6e307, 0};
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("ball.json", ball.dump());
+  const RunResult text = run_carom({"replay", file, "--subject", "frictionless-double"});
+  EXPECT_EQ(text.output.find("40.0 digits"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("backward error not decided"), std::string::npos) << text.output << text.errors;
+  const RunResult as_json = run_carom({"replay", file, "--subject", "frictionless-double", "--format", "json"});
+  const json record = json::parse(as_json.output);
+  EXPECT_TRUE(record.at("backward_error_ulps").is_null()) << record;
+  EXPECT_EQ(record.at("verdicts").at("backward_error").at("status"), "skipped");
+}
+
 TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   const TemporaryDirectory directory;
   json collision = cube_on_floor();
@@ -139,6 +156,48 @@ TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   const RunResult result = run_carom({"replay", directory.write("witness.json", witness.dump())});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
+}
+
+/// What a file names is started by nobody but the user, wherever in the file it stands.
+TEST(Replay, StartsNoProgramThatAFileNames) {
+  const TemporaryDirectory directory;
+  const std::string touched = (directory.path() / "touched").string();
+  const std::string command = "exec:touch " + touched;
+  for (const json& subject : std::vector<json>{{{"name", command}},
+                                               {{"name", "frictionless-double"}, {"specification", command}},
+                                               {{"name", command}, {"specification", "exec:touch"}}}) {
+    const json witness{{"collision", cube_on_floor()}, {"invariant", "restitution"}, {"subject", subject}};
+    const std::string file = directory.write("witness.json", witness.dump());
+    const RunResult result = run_carom({"replay", file});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(touched)) << subject;
+    const std::string named = subject.value("specification", command);
+    EXPECT_NE(result.output.find("--subject '" + named + '\''), std::string::npos) << result.output;
+    const json record = json::parse(run_carom({"replay", file, "--format", "json"}).output);
+    EXPECT_NE(record.at("not_judged").get<std::string>().find("--subject"), std::string::npos);
+    EXPECT_FALSE(record.contains("verdicts"));
+  }
+  (void)run_carom({"replay", directory.write("cube.json", cube_on_floor().dump()), "--subject", command});
+  EXPECT_TRUE(std::filesystem::exists(touched)) << "the same words from the user start it";
+}
+
+/// The engines that this program knows by name, and has to start, are programs too.
+TEST(Replay, StartsNoEngineThatAFileNames) {
+  const TemporaryDirectory directory;
+  // A `node` of our own stands for every program that an adapter could need.
+  const std::string started = (directory.path() / "started").string();
+  const std::string node = directory.write("node", "#!/bin/sh\necho started >> " + started + '\n');
+  std::filesystem::permissions(node, std::filesystem::perms::owner_all);
+  for (const char* engine : {"rapier", "jolt", "cannon", "bullet-float"}) {
+    const json witness{{"collision", cube_on_floor()}, {"subject", {{"name", engine}}}};
+    const RunResult result =
+        run_program("/usr/bin/env", {"PATH=" + directory.path().string() + ":/usr/bin:/bin", carom_program(), "replay",
+                                     directory.write("witness.json", witness.dump())});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    EXPECT_NE(result.output.find(std::string("--subject ") + engine), std::string::npos) << result.output;
+    EXPECT_EQ(result.output.find("judged\n"), std::string::npos) << result.output;
+  }
+  EXPECT_FALSE(std::filesystem::exists(started));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
-#include <set>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include <carom/collision/json/json.hpp>
 
@@ -54,52 +55,121 @@ Number read_number(const Json& value, const Place& place) {
   throw FormatError(place(), "expected a number" + found(value));
 }
 
-/// Throws FormatError where a text has what JSON leaves open. Errors of the text itself are left to the parser, so it
-/// reads numbers in the wider of both types.
-class StructureCheck : public nlohmann::json_sax<WideJson> {
+/// The text of a number as binary64, rounded once; `wide` is the same number in the range of long double.
+double rounded_once(const std::string& text, long double wide) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  // It says nothing of what is beyond its range: there the first rounding decides nothing.
+  return error == std::errc() ? number : static_cast<double>(wide);
+}
+
+/// Of nlohmann::json, whose numbers are binary64: what leaves their range is an error.
+struct AsBinary64 {
+  double operator()(const std::string& text, long double wide) const {
+    const double number = rounded_once(text, wide);
+    if (!std::isfinite(number)) {
+      throw FormatError("not JSON: number overflow parsing '" + text + '\'');
+    }
+    return number;
+  }
+};
+
+/// Of WideJson: the bits of a subject's precision.
+struct AsReported {
+  Precision precision;
+  long double operator()(const std::string& text, long double wide) const {
+    return precision == Precision::extended ? wide : static_cast<long double>(rounded_once(text, wide));
+  }
+};
+
+/// Builds a value of one type of JSON from the events of the parser of the wider. Throws FormatError where the text is
+/// no JSON, or has what JSON leaves open. `number` reads a number that is no integer.
+template <class Json, class Number>
+class Builder : public nlohmann::json_sax<WideJson> {
  public:
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(number_integer_t /*value*/) override { return true; }
-  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
-  bool string(string_t& /*value*/) override { return true; }
-  bool binary(binary_t& /*value*/) override { return true; }
-  bool start_object(std::size_t /*size*/) override { return enter(); }
+  explicit Builder(Number number) : number_(number) {}
+
+  [[nodiscard]] Json take() { return std::move(root_); }
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(value); }
+  bool number_unsigned(number_unsigned_t value) override { return put(value); }
+  bool number_float(number_float_t value, const string_t& text) override { return put(number_(text, value)); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool binary(binary_t& /*value*/) override { return false; }  // of other formats than text
+  bool start_object(std::size_t /*size*/) override { return enter(Json::object()); }
   bool end_object() override { return leave(); }
-  bool start_array(std::size_t /*size*/) override { return enter(); }
+  bool start_array(std::size_t /*size*/) override { return enter(Json::array()); }
   bool end_array() override { return leave(); }
 
   bool key(string_t& name) override {
-    if (!fields_.back().insert(name).second) {
-      throw FormatError("the field " + shortened(json(name)) + " stands twice in one object");
+    const auto [member, is_new] = open_.back()->emplace(std::move(name), nullptr);
+    if (!is_new) {
+      throw FormatError("the field " + shortened(json(member.key())) + " stands twice in one object");
     }
+    next_ = &*member;
     return true;
   }
 
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
-                   const nlohmann::detail::exception& /*error*/) override {
-    return false;
+                   const nlohmann::detail::exception& error) override {
+    // The library's text ends in what was expected; its own prefix says nothing to a reader.
+    const std::string what = error.what();
+    const std::size_t prefix = what.find("] ");
+    throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
   }
 
  private:
-  bool enter() {
+  /// Where the next value belongs.
+  Json& place() {
+    if (open_.empty()) {
+      return root_;
+    }
+    if (open_.back()->is_array()) {
+      return open_.back()->emplace_back(nullptr);
+    }
+    return *next_;
+  }
+
+  template <class Value>
+  bool put(Value&& value) {
+    place() = std::forward<Value>(value);
+    return true;
+  }
+
+  bool enter(Json&& empty) {
     // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
     constexpr std::size_t deepest = 64;
-    fields_.emplace_back();
-    if (fields_.size() > deepest) {
+    if (open_.size() == deepest) {
       throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
     }
+    Json& opened = place();
+    opened = std::move(empty);
+    open_.push_back(&opened);
     return true;
   }
 
   bool leave() {
-    fields_.pop_back();
+    open_.pop_back();
     return true;
   }
 
-  std::vector<std::set<std::string>> fields_;  // seen so far, of each level that is open
+  Number number_;
+  Json root_;
+  std::vector<Json*> open_;  // each in the one before; none of them grows while one in it is open
+  Json* next_ = nullptr;     // the value of the key that was read last
 };
+
+template <class Json, class Number>
+Json built(std::string_view text, Number number) {
+  if (text.find('\0') != std::string_view::npos) {
+    throw FormatError("not JSON: holds a zero byte");
+  }
+  Builder<Json, Number> builder(number);
+  (void)WideJson::sax_parse(text, &builder);
+  return builder.take();
+}
 
 /// Reads the fields of one JSON object, and knows which were asked for.
 template <class Json>
@@ -209,25 +279,11 @@ Body body_from_json(const json& value, const std::string& place) {
 
 }  // namespace
 
-template <class Json>
-Json parse_json(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) {
-    throw FormatError("not JSON: holds a zero byte");
-  }
-  try {
-    StructureCheck check;
-    (void)WideJson::sax_parse(text, &check);
-    return Json::parse(text);
-  } catch (const nlohmann::detail::exception& error) {
-    // The library's text ends in what was expected; its own prefix says nothing to a reader.
-    const std::string what = error.what();
-    const std::size_t prefix = what.find("] ");
-    throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
-  }
-}
+json parse_json(std::string_view text) { return built<json>(text, AsBinary64()); }
 
-template json parse_json<json>(std::string_view);
-template WideJson parse_json<WideJson>(std::string_view);
+WideJson parse_reply(std::string_view text, Precision precision) {
+  return built<WideJson>(text, AsReported{precision});
+}
 
 json number_to_json(double number) {
   if (std::isnan(number)) {

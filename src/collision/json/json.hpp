@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/outcome.hpp>
+#include <carom/collision/precision.hpp>
 
 namespace carom {
 
@@ -29,11 +30,13 @@ using WideJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 /// Parses JSON, and refuses what it leaves open: a field that stands twice in one object, and nesting deeper than 64
-/// levels. Throws FormatError.
-template <class Json = nlohmann::json>
-[[nodiscard]] Json parse_json(std::string_view text);
-extern template nlohmann::json parse_json<nlohmann::json>(std::string_view);
-extern template WideJson parse_json<WideJson>(std::string_view);
+/// levels. Throws FormatError, also where a number leaves the range of binary64.
+[[nodiscard]] nlohmann::json parse_json(std::string_view text);
+
+/// The same of what a subject of that precision wrote. Of one that computes in extended a number has the bits of long
+/// double; of all others those of binary64, its decimals rounded once, and what leaves the range of binary64 is
+/// infinite. An integer within 64 bits is kept as one.
+[[nodiscard]] WideJson parse_reply(std::string_view text, Precision precision);
 
 /// A finite number as itself; what JSON has no number for as "nan", "inf" or "-inf".
 [[nodiscard]] nlohmann::json number_to_json(double number);

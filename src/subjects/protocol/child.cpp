@@ -17,6 +17,8 @@
 #include <boost/process/args.hpp>
 #include <boost/process/async_pipe.hpp>
 #include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/environment.hpp>
 #include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
 #include <boost/process/group.hpp>
@@ -29,6 +31,7 @@
 #endif
 
 #include <carom/subjects/protocol/child.hpp>
+#include <carom/subjects/protocol/mark.hpp>
 
 namespace carom::subjects::protocol {
 namespace {
@@ -118,7 +121,9 @@ class ChildProcess::State {
     }
     std::error_code failure;
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
-    child_ = process::child(process::exe = program_path(words[0]), process::args = arguments,
+    process::environment environment = boost::this_process::environment();
+    environment[mark_of_children()] = "1";
+    child_ = process::child(process::exe = program_path(words[0]), process::args = arguments, environment,
                             process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_, group_,
                             AsProgramsExpect(), failure);
     if (failure) {

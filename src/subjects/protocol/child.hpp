@@ -27,7 +27,8 @@ class ChildError : public std::runtime_error {
 };
 
 /// A program of its own process group that reads and writes lines. No shell is run. For one thread: the one that made
-/// it. Whatever happens to this process, the child does not outlive it (on Linux).
+/// it. Whatever happens to this process, the child does not outlive it (on Linux). Its environment is this process's
+/// and the mark of mark.hpp.
 class ChildProcess {
  public:
   /// From the first one on, this process ignores SIGPIPE where it did not handle it.

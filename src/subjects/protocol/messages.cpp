@@ -128,7 +128,7 @@ Introduction introduction_from(std::string_view line) {
 }
 
 Answer answer_from(std::string_view line, std::uint64_t id, Precision precision) {
-  const auto reply = parse_json<WideJson>(line);
+  const auto reply = parse_reply(line, precision);
   const WideJson& reply_id = required(reply, "id");
   if (!reply_id.is_number_integer() || reply_id != id) {
     throw FormatError("/id", fmt::format("expected {}, found {}", id, printable(json(reply_id).dump(), longest_name)));

@@ -12,6 +12,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/old_witnesses.hpp"
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
@@ -116,20 +117,10 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   return selection;
 }
 
-void make_directory(const std::string& out) {
-  const fs::path witnesses = fs::path(out) / "witnesses";
-  make_directories(witnesses);
-  // Witnesses of an earlier run would pass for this one's. Other files are left alone.
-  for (const fs::directory_entry& entry : fs::directory_iterator(witnesses)) {
-    const std::string invariant = entry.path().stem().extension().string();  // of SUBJECT.INVARIANT.json
-    const bool is_witness = !invariant.empty() && properties::invariant_named(invariant.substr(1)) != nullptr;
-    if (entry.path().extension() == ".json" && is_witness) {
-      fs::remove(entry.path());
-    }
-  }
-}
-
 void write_reports(const GateRun& run, const std::string& out) {
+  // First of all what lists the witnesses: a later run removes those that are listed.
+  write_file(fs::path(out) / "report.json",
+             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
   for (const properties::SubjectResult& result : run.report.results) {
     for (const properties::Witness& witness : result.witnesses) {
       const fs::path path = witness_path(out, result.subject, witness);
@@ -138,8 +129,6 @@ void write_reports(const GateRun& run, const std::string& out) {
                            '\n');
     }
   }
-  write_file(fs::path(out) / "report.json",
-             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
   write_file(fs::path(out) / "junit.xml", junit_xml(run));
   write_file(fs::path(out) / "report.html", html_report(run, out));
 }
@@ -161,7 +150,8 @@ int gate(const GateArguments& arguments) {
   options.stop = stop;
   options.relations_every = arguments.relations_every;
   if (!arguments.out.empty()) {
-    make_directory(arguments.out);
+    make_directories(fs::path(arguments.out) / "witnesses");
+    remove_old_witnesses(arguments.out);
   }
   const Environment environment = this_environment();
   const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};

@@ -71,7 +71,6 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
     facts.subject = text_field(subject.at("name"), "/subject/name", place);
     if (subject.contains("specification")) {
       facts.subject = text_field(subject.at("specification"), "/subject/specification", place);
-      facts.is_program = true;
     }
   }
   return facts;

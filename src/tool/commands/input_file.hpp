@@ -12,7 +12,6 @@ namespace carom::tool {
 /// What a witness adds to its collision.
 struct WitnessFacts {
   std::string subject;  // as the command line names it
-  bool is_program = false;
   std::string invariant;
 };
 

@@ -8,12 +8,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <carom/subjects/protocol/mark.hpp>
 #endif
 
 namespace carom::tool {
@@ -22,29 +25,54 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The parent in /proc/PID/stat: "PID (NAME) STATE PARENT …", and a name may hold anything; 0 where it ended meanwhile.
-pid_t parent_of(const std::filesystem::path& process) {
+struct ProcessState {
+  char state = ' ';  // 'Z' where it has ended and was not yet waited for
+  pid_t parent = 0;
+};
+
+/// From /proc/PID/stat: "PID (NAME) STATE PARENT …", and a name may hold anything. None where it ended meanwhile.
+std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   std::ifstream file(process / "stat");
   std::string text;
   std::getline(file, text, '\0');
   const std::size_t name_end = text.rfind(')');
+  constexpr std::size_t to_state = 2;   // ") "
   constexpr std::size_t to_parent = 4;  // ") S "
-  return name_end == std::string::npos ? 0 : std::atoi(text.c_str() + std::min(name_end + to_parent, text.size()));
+  if (name_end == std::string::npos || name_end + to_parent >= text.size()) {
+    return std::nullopt;
+  }
+  return ProcessState{text[name_end + to_state], std::atoi(text.c_str() + name_end + to_parent)};
 }
 
-void kill_children() {
+/// Ends the children of this process, or those alone that bear the mark. Whether there was any, or one that has ended
+/// and was not yet waited for: its own children may have been handed over since.
+bool end_children(bool marked_alone) {
+  bool any = false;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
     const pid_t process = std::atoi(entry.path().filename().c_str());
-    if (process > 0 && parent_of(entry.path()) == getpid()) {
+    const std::optional<ProcessState> state = process > 0 ? state_of(entry.path()) : std::nullopt;
+    if (!state || state->parent != getpid()) {
+      continue;
+    }
+    const bool has_ended = state->state == 'Z';
+    const bool is_ours = !marked_alone || subjects::protocol::bears_mark_of_children(process);
+    if (!has_ended && is_ours) {
       kill(process, SIGKILL);
     }
+    any = any || has_ended || is_ours;
   }
+  return any;
+}
+
+bool has_children() {
+  siginfo_t unused{};
+  return waitid(P_ALL, 0, &unused, WEXITED | WNOHANG | WNOWAIT | __WALL) == 0;
 }
 
 }  // namespace
 
-Orphanage::Orphanage() { prctl(PR_SET_CHILD_SUBREAPER, 1); }
+Orphanage::Orphanage() : has_foreign_children_(has_children()) { prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 Orphanage::~Orphanage() {
   // Their own children are handed over as they end; a process that the system cannot end now is not waited for.
@@ -58,7 +86,9 @@ Orphanage::~Orphanage() {
     if (ended < 0) {
       return;  // there is none
     }
-    kill_children();
+    if (!end_children(has_foreign_children_)) {
+      return;
+    }
   }
 }
 #else

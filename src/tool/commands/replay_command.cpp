@@ -86,8 +86,10 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
     text += "  skipped: " + std::get<Skipped>(answer).why + '\n';
   }
   if (judgement.accuracy) {
-    text += fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
-                        judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits());
+    text += judgement.accuracy->is_decided
+                ? fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
+                              judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits())
+                : "  backward error not decided: the scale leaves the range of numbers\n";
   }
   for (const properties::NamedVerdict& named : judgement.verdicts) {
     const properties::Verdict& verdict = named.verdict;
@@ -135,9 +137,18 @@ class OpenSubjects {
     if (!arguments_.subject.empty()) {
       return &named(arguments_.subject);
     }
-    // A file does not start programs: that takes the word of whoever runs this one.
-    const bool has_name = read.witness && !read.witness->subject.empty() && !read.witness->is_program;
-    return has_name ? &named(read.witness->subject) : nullptr;
+    const bool may_be_judged = names_subject(read) && runs_in_this_process(read.witness->subject);
+    return may_be_judged ? &named(read.witness->subject) : nullptr;
+  }
+
+  /// Why there is none, where the file names a subject; empty elsewhere. A file starts no programs: that takes the word
+  /// of whoever runs this one.
+  [[nodiscard]] std::string why_none(const ReadCollision& read) const {
+    if (!arguments_.subject.empty() || !names_subject(read) || runs_in_this_process(read.witness->subject)) {
+      return {};
+    }
+    return fmt::format("judged on no subject: the witness names a program; to run it, give --subject {}",
+                       subjects::protocol::printable_line(subjects::protocol::quoted(read.witness->subject), 4000));
   }
 
   void close() {
@@ -147,6 +158,8 @@ class OpenSubjects {
   }
 
  private:
+  static bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
+
   OpenSubject& named(const std::string& name) {
     if (const auto found = open_.find(name); found != open_.end()) {
       return found->second;
@@ -210,7 +223,9 @@ int replay(const ReplayArguments& arguments) {
       record["outcome"] = answer_record(answer);
       if (judgement.accuracy) {
         record["backward_error_ulps"] =
-            number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+            judgement.accuracy->is_decided
+                ? number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff))
+                : json();
       }
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
@@ -218,9 +233,9 @@ int replay(const ReplayArguments& arguments) {
       text +=
           fmt::format("{}, judged\n{}", subject.name, judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
     }
-    if (read.witness && read.witness->is_program && arguments.subject.empty()) {
-      text += fmt::format("  judged on no subject: the witness names a program; to run it, give --subject {}\n",
-                          subjects::protocol::printable_line(subjects::protocol::quoted(read.witness->subject), 4000));
+    if (const std::string why_none = subjects.why_none(read); !why_none.empty()) {
+      record["not_judged"] = why_none;
+      text += "  " + why_none + '\n';
     }
     if (arguments.format == "json") {
       fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/subject_argument.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 
 namespace carom::tool {
+namespace {
+
+bool is_named_in(const std::vector<Subject>& subjects, const std::string& name) {
+  return std::any_of(subjects.begin(), subjects.end(), [&](const Subject& subject) { return subject.name == name; });
+}
+
+[[noreturn]] void fail_unknown(const std::string& argument) {
+  throw UsageError(
+      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program",
+                  subjects::protocol::printable_line(argument, 4000)));
+}
+
+}  // namespace
 
 Subject subject_from_argument(const std::string& argument, double timeout_seconds, const std::stop_token& stop) {
   const subjects::protocol::ExecOptions options = subjects::protocol::exec_options(timeout_seconds, stop);
@@ -20,8 +36,17 @@ Subject subject_from_argument(const std::string& argument, double timeout_second
   if (std::optional<Subject> subject = subjects::subject_named(argument, options)) {
     return *subject;
   }
-  throw UsageError(
-      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program", argument));
+  fail_unknown(argument);
+}
+
+bool runs_in_this_process(const std::string& argument) {
+  if (is_named_in(subjects::all_subjects(), argument)) {
+    return true;
+  }
+  if (argument.starts_with(subjects::protocol::exec_prefix) || is_named_in(subjects::known_subjects(), argument)) {
+    return false;
+  }
+  fail_unknown(argument);
 }
 
 }  // namespace carom::tool

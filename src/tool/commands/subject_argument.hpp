@@ -13,4 +13,8 @@ namespace carom::tool {
 [[nodiscard]] Subject subject_from_argument(const std::string& argument, double timeout_seconds,
                                             const std::stop_token& stop);
 
+/// Whether the name is that of a subject that runs in this process: one that a file may name and have judged, where
+/// every other is a program to start. Throws UsageError where it can be neither.
+[[nodiscard]] bool runs_in_this_process(const std::string& argument);
+
 }  // namespace carom::tool

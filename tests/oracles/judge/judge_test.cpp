@@ -320,6 +320,60 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
   }
 }
 
+/// limit · u of binary32, times a scale that is a number, is none: neither judge has anything to decide by.
+TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
+  Collision c;
+  c.a.mass = 0x1p500;
+  c.b.mass = 0x1p500;
+  c.a.velocity = {0, -0x1p495, 0};
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 0x1p490L, 0};
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary32);
+  const auto momentum = [&] {
+    return compare(equation::LinearMomentum{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+  };
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    yardstick.limit_ulps = default_limit_ulps;
+    EXPECT_TRUE(momentum().is_decided) << "the scale itself is in range";
+    EXPECT_FALSE(momentum().holds);
+    yardstick.limit_ulps = 1e15;
+    EXPECT_FALSE(momentum().is_decided) << filtered;
+  }
+  c.a.velocity = {0, -0x1p1015, 0};
+  c.b.immovable = true;
+  const ExactCase fast(c);
+  const auto decided = [&] {
+    return accuracy(fast, Model::frictionless, LiftedOutcome(outcome), yardstick).is_decided;
+  };
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    yardstick.limit_ulps = default_limit_ulps;
+    EXPECT_TRUE(decided());
+    yardstick.limit_ulps = 1e15;
+    EXPECT_FALSE(decided()) << filtered;
+  }
+}
+
+/// The same at the other end, where the product loses its digits or is zero.
+TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  EXPECT_EQ(yardstick.allowed(0), 0);
+  EXPECT_EQ(yardstick.allowed(1), 0x1p-48);
+  EXPECT_TRUE(yardstick.allowed(0x1p-974).has_value());
+  for (const double scale : {0x1p-975, 0x1p-1022, 0x1p-1074}) {
+    EXPECT_FALSE(yardstick.allowed(scale).has_value()) << scale;
+  }
+  for (const double scale : {HUGE_VAL, std::nan("")}) {
+    EXPECT_FALSE(yardstick.allowed(scale).has_value()) << scale;
+    EXPECT_FALSE(Yardstick().allowed(scale).has_value()) << "nor where nothing is allowed";
+  }
+  EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};

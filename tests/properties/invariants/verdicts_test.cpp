@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +61,22 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
     counts.far += near ? 0 : 1;
   }
   return counts;
+}
+
+/// A violation before what was not decided, that before a pass, and what is outside the domain leaves it to the other.
+TEST(Both, IsTheWorseOfTwoVerdicts) {
+  Verdict violated;
+  violated.status = Status::violated;
+  const std::vector<Verdict> from_the_worst{violated, beyond_range(), Verdict{}, outside_domain("why")};
+  const auto same = [](const Verdict& x, const Verdict& y) {
+    return x.status == y.status && x.is_undecided == y.is_undecided;
+  };
+  for (std::size_t i = 0; i < from_the_worst.size(); ++i) {
+    for (std::size_t j = 0; j < from_the_worst.size(); ++j) {
+      EXPECT_TRUE(same(both(from_the_worst[i], from_the_worst[j]), from_the_worst[std::min(i, j)])) << i << ' ' << j;
+    }
+  }
+  EXPECT_EQ(beyond_range().status, Status::skipped);
 }
 
 TEST(SurelyNear, ShowsOnlyWhatIsNear) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +47,33 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
+/// The same at the largest limit, in binary32, for which an allowance can overflow: leaves with 0 where both judges say
+/// the same of each outcome. Relations are left out: such numbers make long rationals.
+void judge_at_the_largest_limit(int most) {
+  Stream stream = stream_from(static_cast<std::uint64_t>(most));
+  for (int i = 0; i < 4; ++i) {
+    const Case one = extreme_case(stream, most);
+    for (const char* name : {"frictionless-double", "reflection-double"}) {
+      Subject subject = subjects::subject_named(name).value();
+      subject.precision = Precision::binary32;
+      oracles::Yardstick yardstick;
+      yardstick.limit_ulps = 1e15;
+      Claim claim = claim_of(subject, yardstick);
+      std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
+      const std::vector<NamedVerdict> filtered = judge_one(subject, claim, one).judgement.verdicts;
+      claim.yardstick.filtered = false;
+      const std::vector<NamedVerdict> exact = judge_one(subject, claim, one).judgement.verdicts;
+      const auto agree = [](const NamedVerdict& x, const NamedVerdict& y) {
+        return x.verdict.status == y.verdict.status && x.verdict.is_undecided == y.verdict.is_undecided;
+      };
+      if (!std::equal(filtered.begin(), filtered.end(), exact.begin(), exact.end(), agree)) {
+        std::exit(1);
+      }
+    }
+  }
+  std::exit(0);
+}
+
 /// A contact that rests, and an answer that pulls by less than rounding of the inputs would push: no violation. What
 /// pulls harder is one.
 TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
@@ -81,6 +110,51 @@ TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
       ASSERT_EQ(describe(validate(extreme_case(stream, most).collision)), "");
     }
     EXPECT_EXIT(judge_to_the_end(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+    EXPECT_EXIT(judge_at_the_largest_limit(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+  }
+}
+
+Verdict verdict_on(const Case& one, const char* invariant, double limit_ulps, bool filtered) {
+  const Subject subject = subjects::subject_named("frictionless-double").value();
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = limit_ulps;
+  yardstick.filtered = filtered;
+  Claim claim = claim_of(subject, yardstick);
+  claim.invariants = {invariant_named(invariant)};
+  return judge_one(subject, claim, one).judgement.verdicts.at(0).verdict;
+}
+
+/// A feather of 10⁻²⁹⁰ kg: the scale of its own law is out of range, and those of the other body and of both are not.
+TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
+  const Case one = unit::case_of("physical", 3);
+  ASSERT_FALSE(one.collision.a.immovable || one.collision.b.immovable);
+  for (const bool filtered : {true, false}) {
+    EXPECT_EQ(verdict_on(one, "angular_momentum", oracles::default_limit_ulps, filtered).status, Status::holds);
+  }
+  Case feather = one;
+  feather.collision.a.mass = 1e-290;
+  feather.collision.a.principal_inertia *= 1e-290;
+  for (const bool filtered : {true, false}) {
+    const Verdict verdict = verdict_on(feather, "angular_momentum", oracles::default_limit_ulps, filtered);
+    EXPECT_EQ(verdict.status, Status::skipped) << filtered;
+    EXPECT_TRUE(verdict.is_undecided);
+  }
+}
+
+/// At velocities of 10³⁰⁰ a sound outcome is right to the last bits, and a limit that is beyond range proves nothing.
+TEST(Trial, ALimitBeyondRangeIsNoPass) {
+  Case one = unit::case_of("elastic", 1);
+  for (Body* body : {&one.collision.a, &one.collision.b}) {
+    body->velocity *= 1e300;
+    body->angular_velocity *= 1e300;
+  }
+  for (const bool filtered : {true, false}) {
+    for (const char* invariant : {"backward_error", "linear_momentum", "restitution"}) {
+      EXPECT_NE(verdict_on(one, invariant, 1e15, filtered).status, Status::violated);
+    }
+    const Verdict verdict = verdict_on(one, "backward_error", 1e25, filtered);
+    EXPECT_EQ(verdict.status, Status::skipped);
+    EXPECT_TRUE(verdict.is_undecided);
   }
 }
 

@@ -222,6 +222,39 @@ TEST(Faults, LeaveNoProcessBehind) {
   }
 }
 
+/// The process whose number a shell wrote into the file; 0 where there is none yet.
+pid_t process_in(const std::string& file) {
+  const std::string text = content_of(file);
+  return text.empty() ? 0 : std::stoi(text);
+}
+
+/// A shell may have jobs in the background when it becomes the gate, and they may have children of their own, which are
+/// handed to the gate when their parent ends. None of that is the gate's to end; what a subject left behind is.
+TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
+  const TemporaryDirectory directory;
+  const std::string job = (directory.path() / "job").string();
+  const std::string handed_over = (directory.path() / "handed-over").string();
+  const std::string mark = "mark-of-" + std::to_string(getpid());
+  // "daemon" leaves a process in a session of its own; "hang" keeps the gate until the second job has lost its parent.
+  const RunResult run =
+      run_program("/bin/sh", {"-c",
+                              "job=$1; handed_over=$2; shift 2\n"
+                              "sleep 1000 & echo $! > \"$job\"\n"
+                              "sh -c 'sleep 0.2; sleep 1000 & echo $! > \"$1\"' sh \"$handed_over\" &\n"
+                              "exec \"$@\"",
+                              "sh", job, handed_over, carom_program(), "gate", misbehaving("daemon", mark),
+                              misbehaving("hang", mark), "--families", "generic", "--cases", "60", "--timeout", "0.7",
+                              "--jobs", "1"});
+  EXPECT_EQ(run.exit_status, 2) << run.output << run.errors;
+  EXPECT_TRUE(processes_with(mark).empty());
+  for (const std::string& file : {job, handed_over}) {
+    const pid_t process = process_in(file);
+    ASSERT_GT(process, 0) << file;
+    EXPECT_TRUE(is_there(process)) << file;
+    kill(process, SIGKILL);
+  }
+}
+
 class Interrupted : public testing::TestWithParam<int> {};
 
 /// Ctrl-C and SIGTERM end the gate with what was judged, and end what it had started.

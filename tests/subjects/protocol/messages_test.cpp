@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +85,44 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
             static_cast<long double>(static_cast<double>(third)));
   const auto large = answer_from(with(reply, "2.5", "1e999"), 5, Precision::binary64);
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
+}
+
+/// Decimals that lie just beside the middle of two binary64 numbers, and closer to it than extended can tell: read as
+/// extended first, they are rounded to the middle, and then to the other side.
+TEST(Reply, RoundsADecimalOnce) {
+  for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
+           {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},
+           {"6.1663421746479492034", 0x1.8aa559a603bddp+2, 0x1.8aa559a603bdep+2},
+           {"-4.0889836479615406793", -0x1.05b1e87877e8fp+2, -0x1.05b1e87877e90p+2},
+           {"3.168124975937861576e0", 0x1.95851e84a59e9p+1, 0x1.95851e84a59eap+1},
+           {"298043343876542.699E-14", 0x1.7d7ed7c9b37f7p+1, 0x1.7d7ed7c9b37f8p+1}}) {
+    if constexpr (std::numeric_limits<long double>::digits == 64) {
+      EXPECT_EQ(static_cast<double>(std::strtold(decimal.c_str(), nullptr)), other) << decimal << " tells nothing";
+    }
+    const std::string text = with(reply, "2.5", decimal);
+    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+      EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, precision)).a.velocity[1], nearest) << decimal;
+    }
+    EXPECT_EQ(std::get<ReportedOutcome>(answer_from(text, 5, Precision::extended)).a.velocity[1],
+              std::strtold(decimal.c_str(), nullptr));
+  }
+}
+
+TEST(Reply, RoundsAnIntegerOnce) {
+  // 2⁵³ + 1 is the middle of two binary64 numbers; one more digit makes it more than 64 bits.
+  for (const auto& [integer, nearest] : std::vector<std::pair<std::string, double>>{
+           {"9007199254740993", 0x1p53}, {"-9007199254740993", -0x1p53}, {"36893488147419103233", 0x1p65}}) {
+    const auto answer = answer_from(with(reply, "2.5", integer), 5, Precision::binary64);
+    EXPECT_EQ(std::get<ReportedOutcome>(answer).a.velocity[1], nearest) << integer;
+  }
+}
+
+TEST(Reply, MayLeaveTheRangeOfBinary64) {
+  for (const auto& [decimal, nearest] :
+       std::vector<std::pair<std::string, double>>{{"1e999", HUGE_VAL}, {"-1e999", -HUGE_VAL}, {"1e-999", 0}}) {
+    const auto answer = answer_from(with(reply, "2.5", decimal), 5, Precision::binary64);
+    EXPECT_EQ(std::get<ReportedOutcome>(answer).a.velocity[1], nearest) << decimal;
+  }
 }
 
 /// A binary64 number is 0.1 to those who read binary64, and has more digits to those who read more.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cstdint>
+#include <fstream>
+#include <random>
+
+#include <fmt/format.h>
+
+#include <carom/subjects/protocol/mark.hpp>
+
+namespace carom::subjects::protocol {
+
+const std::string& mark_of_children() {
+  // The name and not the value is drawn: a subject may be a program that marks its own children.
+  static const std::string mark = [] {
+    std::random_device source;
+    std::string name = "CAROM_CHILD";
+    for (int i = 0; i < 4; ++i) {
+      name += fmt::format("_{:08x}", static_cast<std::uint32_t>(source()));
+    }
+    return name;
+  }();
+  return mark;
+}
+
+bool bears_mark_of_children(pid_t process) {
+  std::ifstream environment(fmt::format("/proc/{}/environ", process), std::ios::binary);
+  for (std::string entry; std::getline(environment, entry, '\0');) {
+    if (entry.starts_with(mark_of_children() + '=')) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/old_witnesses.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/invariants/invariant.hpp>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The file itself, and not what a symbolic link stands for.
+fs::file_type type_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored).type();
+}
+
+/// What the report lists as its witnesses; nothing where it is no report of this program.
+std::vector<fs::path> listed_witnesses(const fs::path& report_file) {
+  std::ifstream stream(report_file, std::ios::binary);
+  std::vector<fs::path> listed;
+  try {
+    const json report = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}));
+    (void)report.at("carom");
+    for (const json& subject : report.at("subjects")) {
+      for (const json& violation : subject.value("violations", json::array())) {
+        listed.emplace_back(violation.at("witness").get<std::string>());
+      }
+    }
+  } catch (const FormatError&) {
+    return {};
+  } catch (const json::exception&) {
+    return {};
+  }
+  return listed;
+}
+
+/// "witnesses/SUBJECT.INVARIANT.json" and no other way to write a path: what names a file elsewhere is not followed.
+bool is_witness_path(const fs::path& path) {
+  const std::string invariant = path.stem().extension().string();
+  return path == fs::path("witnesses") / path.filename() && path.extension() == ".json" && !invariant.empty() &&
+         properties::invariant_named(invariant.substr(1)) != nullptr;
+}
+
+}  // namespace
+
+void remove_old_witnesses(const fs::path& directory) {
+  const fs::path report = directory / "report.json";
+  if (type_of(report) != fs::file_type::regular || type_of(directory / "witnesses") != fs::file_type::directory) {
+    return;
+  }
+  for (const fs::path& listed : listed_witnesses(report)) {
+    const fs::path file = directory / listed;
+    if (!is_witness_path(listed) || type_of(file) != fs::file_type::regular) {
+      continue;
+    }
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) {
+      throw UsageError(fmt::format("--out: {} cannot be removed: {}", file.string(), error.message()));
+    }
+  }
+}
+
+}  // namespace carom::tool
