@@ -70,7 +70,7 @@ struct Adjustable {
       consider(motion.velocity[i], s * c.normal[i]);
     }
     for (int i = 0; i < 3; ++i) {
-      const auto [left, right] = moment_terms<double>(r, c.normal, static_cast<std::size_t>(i));
+      const auto [left, right] = moment_terms<double>(r, c.normal, i);
       // Where r × N may be rounding alone, its sign is not known.
       const double slope = left - right;
       const bool sign_is_known = std::abs(slope) > rounding_of_slope * (std::abs(left) + std::abs(right));

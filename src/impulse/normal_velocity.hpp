@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include <carom/collision/outcome.hpp>
@@ -45,10 +43,10 @@ struct MomentTerms {
   S right;
 };
 
-template <class S, class Arm, class Normal>
-[[nodiscard]] MomentTerms<S> moment_terms(const Arm& r, const Normal& n, std::size_t i) {
-  const std::size_t j = (i + 1) % 3;
-  const std::size_t k = (i + 2) % 3;
+template <class S>
+[[nodiscard]] MomentTerms<S> moment_terms(const Vector3<S>& r, const Vector3<S>& n, int i) {
+  const int j = (i + 1) % 3;
+  const int k = (i + 2) % 3;
   return {r[j] * n[k], r[k] * n[j]};
 }
 
@@ -56,17 +54,15 @@ template <class S, class Arm, class Normal>
 template <class S, class Size>
 void add_rounded_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
                                  S& sum, Size& terms) {
-  std::array<S, 3> r;
-  std::array<S, 3> n;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int axis = static_cast<int>(i);
-    r[i] = S(c.point[axis]) - S(body.position[axis]);
-    n[i] = S(c.normal[axis]);
+  Vector3<S> r;
+  Vector3<S> n;
+  for (int i = 0; i < 3; ++i) {
+    r[i] = S(c.point[i]) - S(body.position[i]);
+    n[i] = S(c.normal[i]);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int axis = static_cast<int>(i);
-    const double w = motion.angular_velocity[axis];
-    const S direct = n[i] * S(motion.velocity[axis]);
+  for (int i = 0; i < 3; ++i) {
+    const double w = motion.angular_velocity[i];
+    const S direct = n[i] * S(motion.velocity[i]);
     const auto [left, right] = moment_terms<S>(r, n, i);
     sum += S(s) * (direct + (left - right) * S(w));
     terms += size_of<Size>(direct) + (size_of<Size>(left) + size_of<Size>(right)) * size_of<Size>(w);
