@@ -1,112 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
+/// What bounds decide of a case, in inequalities (docs/internals/bounds.md). u = 2⁻⁵³.
+namespace carom::oracles::case_bounds {
 
-#include <carom/oracles/filters/refined_truth.hpp>
-#include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
-#include <carom/oracles/numbers/inputs.hpp>
+/// N·V⁻ in binary64. With S at least the sum of the sizes of its terms:
+///
+///   (1) |v̂ − N·V⁻| ≤ n u / (1 − n u) S, n the roundings of a term;
+///   (2) where |v̂| > 2⁻²⁸ S it is known to 10⁻⁶ of itself, and its sign.
+inline constexpr int roundings_of_normal_velocity = 8;
+inline constexpr double known_share_of_normal_velocity = 0x1p-28;
 
-namespace carom::oracles {
+/// The same of an enclosure, by its radius.
+inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
 
-/// What the filters know of a valid collision: approximations with bounds, each worked out when first asked for. For
-/// one thread.
-class CaseBounds {
- public:
-  /// Precondition: the collision is valid.
-  explicit CaseBounds(const Collision& collision) : collision_(collision) {}
+/// The judge asks whether |v̂| ≤ a Ŝ, for a sum Ŝ of absolute values of at most S. Both are rounded by less than a
+/// quarter, so that it is not where |v̂| > 2 a S as computed.
+inline constexpr double factor_for_grazing = 2;
 
-  [[nodiscard]] const Collision& collision() const { return collision_; }
-  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
-  [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
+/// The lower bound of the collision matrix's sensitivity Σ_j ‖∂K/∂x_j‖_F |x_j|, of which the judge has the sum Ŝ as
+/// binary64 computes it. With T the sum of ‖r‖² / min I over the movable bodies:
+///
+///   (1) the exact sum over masses and moments alone is at least ‖K‖_F, for K is of degree −1 in them (Euler), and that
+///       over masses alone at least λ;
+///   (2) Ŝ ≥ (1 − 2⁻⁴⁰) (that sum − c u T), c = `roundings_of_matrix_sensitivity`;
+///   (3) where ‖K‖_F ≥ 2⁻²⁰ T: ‖K‖_F − c u T ≥ ‖K‖_F / 2, and a little; λ / 2 everywhere.
+inline constexpr double roundings_of_matrix_sensitivity = 0x1p+16;
+inline constexpr double least_share_of_largest_terms = 0x1p-20;
 
-  /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
-  [[nodiscard]] bool is_moderate() const;
-
-  struct NormalVelocity {
-    double value;  // rounded, to six digits
-    int sign;      // −1, 0 or 1
-  };
-  /// N·V⁻, where the bounds decide it.
-  [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
-
-  /// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|.
-  [[nodiscard]] double normal_velocity_sensitivity_above() const;
-
-  /// ‖y_k⁻‖; also a lower bound of any sensitivity, of which it is a term.
-  [[nodiscard]] const Sensitivity& norms_before() const;
-
-  /// The norms of the derivatives of an equation by the vectors of an outcome; worked out by `differentiate` when first
-  /// asked for.
-  template <class Differentiate>
-  [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
-    std::optional<PerVector<double>>& known = slopes_[equation];
-    if (!known) {
-      known = differentiate();
-    }
-    return *known;
-  }
-
-  /// The collision with its numbers as inputs of differentiation.
-  [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
-
-  /// The law's answer to a contact that collides, to about 100 bits, with its bound; not certified, since no equation
-  /// holds exactly for it. Preconditions: as of colliding_truth.
-  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model) const;
-
-  /// A lower bound of the sensitivity of that answer, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's answer
-  /// is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half
-  /// covers the rounding of the sum. Preconditions: is_moderate(), and as of colliding_truth.
-  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model) const;
-
-  /// Whether κ(K) < 2²⁰: binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
-  [[nodiscard]] bool is_well_conditioned() const;
-
-  /// K and λ with bounds.
-  [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
-  [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
-  [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
-
-  /// A lower bound of Σ_j ‖∂K/∂x_j‖_F |x_j|: K is homogeneous of degree −1 in the masses and moments, so the
-  /// sum over these alone is at least ‖K‖_F (Euler), and that over the masses alone at least λ. The first is given only
-  /// where binary64 cannot have lost it: the rounding of the derivatives is below 2¹⁰ u ‖r‖² / I_min for each body, and
-  /// ‖K‖_F, of which half is given, is a millionth of that or more, without u. Precondition: is_moderate().
-  [[nodiscard]] double collision_matrix_sensitivity_below() const;
-
-  /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
-  [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
-  [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
-
- private:
-  /// What is known of one model.
-  struct OfModel {
-    std::optional<Truth<Enclosure>> truth;
-    std::optional<Sensitivity> sensitivity_below;
-  };
-  struct InertiaTensors {
-    Matrix3<double> a;
-    Matrix3<double> b;
-  };
-
-  [[nodiscard]] const ApproximateResponse& approximate_response() const;
-  [[nodiscard]] const InertiaTensors& inertia_tensors() const;
-
-  Collision collision_;
-  mutable std::optional<bool> is_moderate_;
-  mutable std::optional<BasicCollision<Enclosure>> enclosed_;
-  mutable std::optional<BasicCollision<Approximation>> approximate_;
-  mutable std::optional<ApproximateResponse> approximate_response_;
-  mutable std::unique_ptr<DualInputs<double, collision_inputs>> differentiated_;  // large, and seldom asked for
-  mutable std::optional<double> normal_velocity_sensitivity_above_;
-  mutable std::optional<Sensitivity> norms_before_;
-  mutable PerAffineEquation<std::optional<PerVector<double>>> slopes_;
-  mutable PerModel<OfModel> of_model_;
-  mutable std::optional<double> collision_matrix_sensitivity_below_;
-  mutable std::optional<Enclosure> enclosed_inverse_mass_;
-  mutable std::optional<InertiaTensors> inertia_tensors_;
-};
-
-}  // namespace carom::oracles
+}  // namespace carom::oracles::case_bounds

@@ -2,34 +2,20 @@
 #include <algorithm>
 
 #include <carom/oracles/filters/closeness.hpp>
+#include <carom/oracles/filters/closeness_bounds.hpp>
 #include <carom/oracles/filters/slopes.hpp>
 #include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
-namespace {
-
-/// What is set aside for the rounding of scales.
-constexpr double less_a_millionth = 1 - 0x1p-20;
-
-/// A part of it: noise up to this share of a scale is covered.
-constexpr double share_for_noise = 0x1p-22;
-
-/// More than the rounding of a slope in binary64, fewer than 2⁶ operations, relative to its terms.
-constexpr double noise_of_slope = 0x1p-46;
-
-}  // namespace
-
-Closeness::Closeness(const CaseBounds& bounds, Model model, const LiftedOutcome& outcome,
+Closeness::Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome& outcome,
                      const PerVector<double>& error_above, double allowance)
     : bounds_(&bounds), model_(model), outcome_(&outcome), error_above_(error_above), allowance_(allowance) {
-  // Where something is missed, the scale has then a part above 2⁻⁹⁰⁰: slopes of moderate numbers are zero or more than
-  // 2⁻⁴⁰⁰.
-  constexpr double smallest = 0x1p-500;
   const PerVector<double> norms = outcome.norms();
   for (const OutcomeVector k : all_outcome_vectors) {
     sizes_[k] = norms[k] + bounds.norms_before()[k];
     is_close_[k] =
-        error_above_[k] == 0 || (error_above_[k] <= less_a_millionth * allowance * sizes_[k] && sizes_[k] >= smallest);
+        error_above_[k] == 0 || (error_above_[k] <= (1 - closeness_bounds::set_aside) * allowance * sizes_[k] &&
+                                 sizes_[k] >= closeness_bounds::least_size);
   }
 }
 
@@ -60,11 +46,11 @@ bool Closeness::knows_normal_velocity() const {
   const auto add_arm = [&](const Body& body, double size) {
     const Vector3<double> arm = lever_arm(body, c.point);
     scale += arm.cross(c.normal).norm() * size;
-    noise += noise_of_slope * arm.norm() * normal * size;
+    noise += closeness_bounds::noise_of_moment * arm.norm() * normal * size;
   };
   add_arm(c.a, sizes_[OutcomeVector::angular_velocity_of_a]);
   add_arm(c.b, sizes_[OutcomeVector::angular_velocity_of_b]);
-  return noise <= share_for_noise * scale;
+  return noise <= closeness_bounds::share_for_noise * scale;
 }
 
 /// E⁺ − W has the slopes ‖m (v̂ − u)‖, u the velocity of a driven wall at the contact point, and ‖J ŵ‖. They cancel
@@ -89,25 +75,25 @@ bool Closeness::shows_energy() const {
       terms += other.velocity.norm() + other.angular_velocity.norm() * arm.norm();
     }
     scale += body.mass * relative.norm() * sizes_[v];
-    noise += noise_of_slope * body.mass * terms * sizes_[v];
+    noise += closeness_bounds::noise_of_energy_slope * body.mass * terms * sizes_[v];
     scale += (inertia * after.angular_velocity).norm() * sizes_[w];
-    noise += noise_of_slope * body.principal_inertia.maxCoeff() * sizes_[w] * sizes_[w];
+    noise += closeness_bounds::noise_of_energy_slope * body.principal_inertia.maxCoeff() * sizes_[w] * sizes_[w];
     return is_close_[v] && is_close_[w];
   };
   const Outcome<double>& after = outcome_->rounded();
   // Where every error is zero, nothing is missed; else the scale has to be a number.
-  constexpr double smallest = 0x1p-800;
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, bounds_->inertia_of_a(), OutcomeVector::velocity_of_a,
                   OutcomeVector::angular_velocity_of_a) &&
          add_body(c.b, after.b, c.a, bounds_->inertia_of_b(), OutcomeVector::velocity_of_b,
                   OutcomeVector::angular_velocity_of_b) &&
-         (is_exact || (noise <= share_for_noise * scale && scale >= smallest));
+         (is_exact ||
+          (noise <= closeness_bounds::share_for_noise * scale && scale >= closeness_bounds::least_scale_of_energy));
 }
 
 bool Closeness::shows_untouched(std::span<const OutcomeVector> which) const {
   return bounds_ != nullptr && std::all_of(which.begin(), which.end(), [&](OutcomeVector k) {
-           return error_above_[k] <= less_a_millionth * allowance_ * bounds_->norms_before()[k];
+           return error_above_[k] <= (1 - closeness_bounds::set_aside) * allowance_ * bounds_->norms_before()[k];
          });
 }
 

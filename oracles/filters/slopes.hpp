@@ -5,7 +5,7 @@
 #include <carom/oracles/numbers/inputs.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// How an equation g(x, y) answers to a change of the outcome.
+/// How an equation g(x, y) answers to changes of the inputs and of the outcome.
 namespace carom::oracles {
 
 /// ‖∂g/∂x_j‖, g = left − right.
@@ -32,6 +32,19 @@ template <class S, std::size_t N, class OneEquation>
     first += 3;
   }
   return slopes;
+}
+
+/// Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision.
+template <class S, class OneEquation>
+[[nodiscard]] S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
+                               const Outcome<double>& outcome) {
+  using T = Dual<S, collision_inputs>;
+  const auto sides = equation(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
+  S part(0);
+  for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
+    part += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
+  }
+  return part;
 }
 
 /// Of an equation that is affine in the outcome: they do not depend on it. Precondition: name_of(equation).

@@ -10,6 +10,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/numbers/norm.hpp>
+#include <carom/oracles/numbers/norm_bounds.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -49,20 +50,6 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
-/// At least ‖x‖; zero only where x is.
-template <class T>
-double norm_above(const Components<T>& x) {
-  constexpr double least = 0x1p-500;  // more than squares lose below the range of binary64
-  double squares = 0;
-  bool is_zero = true;
-  for (const T& component : x) {
-    const double above = component.magnitude_above();
-    squares += above * above;
-    is_zero = is_zero && above == 0;
-  }
-  return is_zero ? 0 : std::sqrt(squares) * (1 + 0x1p-45) + least;
-}
-
 /// An outcome's deviation from the truth, in one arithmetic, and what of the accuracy follows from it alone.
 template <class T>
 struct Deviation {
@@ -86,7 +73,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
     }
     accuracy.error[k] = norm_of(*of_deviation[k]);
     if constexpr (!std::is_same_v<T, Rational>) {
-      accuracy.error_above[k] = norm_above(error);
+      accuracy.error_above[k] = norm_above(std::span<const T>(error));
     }
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {

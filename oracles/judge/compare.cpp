@@ -46,25 +46,10 @@ S part_by_outputs(const PerVector<S>& slopes, const ExactCase& exact_case, const
   return part;
 }
 
-/// Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision.
-template <class S, class OneEquation>
-S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
-                 const Outcome<double>& outcome) {
-  using T = Dual<S, collision_inputs>;
-  const auto sides = equation(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
-  S part(0);
-  for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-    part += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
-  }
-  return part;
-}
-
 /// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
 template <class S>
 bool is_in_range(S scale) {
-  constexpr S smallest = 0x1p-900;
-  constexpr S largest = 0x1p+1000;
-  return scale >= smallest && scale <= largest;
+  return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
 /// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.

@@ -9,6 +9,10 @@
 
 namespace carom::oracles {
 
+/// Scales in between can be multiplied by an allowance without leaving the range of binary64.
+inline constexpr double smallest_scale = 0x1p-900;
+inline constexpr double largest_scale = 0x1p+1000;
+
 enum class Relation { equal, at_least, at_most };
 
 /// An equation held against an outcome. The decision is exact; the numbers are for print.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/certify.hpp>
@@ -53,7 +54,7 @@ const BasicCollision<Rational>& ExactCase::exact() const {
   return *exact_;
 }
 
-const CaseBounds::NormalVelocity& ExactCase::normal_velocity() const {
+const BoundedCase::NormalVelocity& ExactCase::normal_velocity() const {
   if (!normal_velocity_ && filters_ == Filters::used) {
     normal_velocity_ = bounds_.normal_velocity();
   }
@@ -73,9 +74,9 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
-  if (bounds_.is_moderate() &&
-      std::abs(normal_velocity().value) > 2 * allowance * bounds_.normal_velocity_sensitivity_above()) {
-    return false;  // the factor is for the rounding of both
+  if (bounds_.is_moderate() && std::abs(normal_velocity().value) > case_bounds::factor_for_grazing * allowance *
+                                                                       bounds_.normal_velocity_sensitivity_above()) {
+    return false;
   }
   if (!normal_velocity_sensitivity_) {
     normal_velocity_sensitivity_ = normal_velocity_sensitivity(collision());

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include <carom/oracles/filters/case_bounds.hpp>
+#include <carom/oracles/filters/bounded_case.hpp>
 
 namespace carom::oracles {
 
@@ -21,7 +21,7 @@ class ExactCase {
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
 
   /// What the filters know of it.
-  [[nodiscard]] const CaseBounds& bounds() const { return bounds_; }
+  [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
 
   [[nodiscard]] Approach approach() const;
 
@@ -39,7 +39,7 @@ class ExactCase {
   /// within the allowance collide.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of CaseBounds,
+  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of BoundedCase,
   /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: bounds().is_moderate().
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
@@ -83,13 +83,13 @@ class ExactCase {
     std::optional<double> bounded_energy_norm_of_change;
   };
 
-  [[nodiscard]] const CaseBounds::NormalVelocity& normal_velocity() const;
+  [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
 
-  CaseBounds bounds_;
+  BoundedCase bounds_;
   Filters filters_;
   mutable std::optional<BasicCollision<Rational>> exact_;
-  mutable std::optional<CaseBounds::NormalVelocity> normal_velocity_;
+  mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
   mutable PerModel<OfModel> of_model_;
   mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;

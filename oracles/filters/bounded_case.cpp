@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -30,13 +31,12 @@ double sum_of_sizes(const Collision& c) {
   return size(c.normal) * sum;
 }
 
-/// A number known to six digits, and so its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms,
-/// at most the sensitivity.
+/// A number known to six digits, and so its sign (case_bounds.hpp).
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
-  return std::abs(normal_velocity) > 0x1p-28 * sensitivity_above;
+  return std::abs(normal_velocity) > case_bounds::known_share_of_normal_velocity * sensitivity_above;
 }
 bool is_known_to_six_digits(const Enclosure& x) {
-  return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
+  return x.is_exactly_zero() || x.radius() < case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
 /// At most ‖y‖.
@@ -47,28 +47,28 @@ double norm_below(const Vector3<Approximation>& y) {
 
 }  // namespace
 
-const BasicCollision<Enclosure>& CaseBounds::enclosed() const {
+const BasicCollision<Enclosure>& BoundedCase::enclosed() const {
   if (!enclosed_) {
     enclosed_ = map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); });
   }
   return *enclosed_;
 }
 
-const BasicCollision<Approximation>& CaseBounds::approximate() const {
+const BasicCollision<Approximation>& BoundedCase::approximate() const {
   if (!approximate_) {
     approximate_ = map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); });
   }
   return *approximate_;
 }
 
-bool CaseBounds::is_moderate() const {
+bool BoundedCase::is_moderate() const {
   if (!is_moderate_) {
     is_moderate_ = oracles::is_moderate(collision_);
   }
   return *is_moderate_;
 }
 
-std::optional<CaseBounds::NormalVelocity> CaseBounds::normal_velocity() const {
+std::optional<BoundedCase::NormalVelocity> BoundedCase::normal_velocity() const {
   const double roughly = normal_velocity_before(collision_);
   if (is_moderate() && is_known_to_six_digits(roughly, normal_velocity_sensitivity_above())) {
     return NormalVelocity{roughly, roughly > 0 ? 1 : -1};
@@ -79,21 +79,21 @@ std::optional<CaseBounds::NormalVelocity> CaseBounds::normal_velocity() const {
   return std::nullopt;
 }
 
-double CaseBounds::normal_velocity_sensitivity_above() const {
+double BoundedCase::normal_velocity_sensitivity_above() const {
   if (!normal_velocity_sensitivity_above_) {
     normal_velocity_sensitivity_above_ = sum_of_sizes(collision_);
   }
   return *normal_velocity_sensitivity_above_;
 }
 
-const Sensitivity& CaseBounds::norms_before() const {
+const Sensitivity& BoundedCase::norms_before() const {
   if (!norms_before_) {
     norms_before_ = oracles::norms_before(collision_);
   }
   return *norms_before_;
 }
 
-const DualInputs<double, collision_inputs>& CaseBounds::differentiated() const {
+const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const {
   if (!differentiated_) {
     differentiated_ = std::make_unique<DualInputs<double, collision_inputs>>(
         dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; }));
@@ -101,7 +101,7 @@ const DualInputs<double, collision_inputs>& CaseBounds::differentiated() const {
   return *differentiated_;
 }
 
-const Truth<Enclosure>& CaseBounds::colliding_truth(Model model) const {
+const Truth<Enclosure>& BoundedCase::colliding_truth(Model model) const {
   std::optional<Truth<Enclosure>>& known = of_model_[model].truth;
   if (!known) {
     if (is_moderate()) {
@@ -114,7 +114,7 @@ const Truth<Enclosure>& CaseBounds::colliding_truth(Model model) const {
   return *known;
 }
 
-const Sensitivity& CaseBounds::colliding_sensitivity_below(Model model) const {
+const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model) const {
   std::optional<Sensitivity>& known = of_model_[model].sensitivity_below;
   if (!known) {
     known = norms_before();
@@ -123,25 +123,25 @@ const Sensitivity& CaseBounds::colliding_sensitivity_below(Model model) const {
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     for (const OutcomeVector k : all_outcome_vectors) {
       const double half = norm_below(*vectors(outcome)[k]) / 2;
-      (*known)[k] += std::isfinite(half) ? half * (1 - 0x1p-40) : 0;  // three squares, two sums and a root
+      (*known)[k] += std::isfinite(half) ? half : 0;
     }
   }
   return *known;
 }
 
-bool CaseBounds::is_well_conditioned() const {
+bool BoundedCase::is_well_conditioned() const {
   constexpr double well_conditioned = 1 << 20;
   return condition_bound(collision_matrix()) < well_conditioned;
 }
 
-const Enclosure& CaseBounds::enclosed_inverse_mass() const {
+const Enclosure& BoundedCase::enclosed_inverse_mass() const {
   if (!enclosed_inverse_mass_) {
     enclosed_inverse_mass_ = inverse_mass(enclosed());
   }
   return *enclosed_inverse_mass_;
 }
 
-double CaseBounds::collision_matrix_sensitivity_below() const {
+double BoundedCase::collision_matrix_sensitivity_below() const {
   if (!collision_matrix_sensitivity_below_) {
     double squares = 0;
     for (int i = 0; i < 3; ++i) {
@@ -157,19 +157,20 @@ double CaseBounds::collision_matrix_sensitivity_below() const {
     }
     const double norm = std::sqrt(squares);
     const double lambda = approximate_inverse_mass().magnitude_below();
-    collision_matrix_sensitivity_below_ = norm >= 0x1p-20 * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+    collision_matrix_sensitivity_below_ =
+        norm >= case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
   }
   return *collision_matrix_sensitivity_below_;
 }
 
-const ApproximateResponse& CaseBounds::approximate_response() const {
+const ApproximateResponse& BoundedCase::approximate_response() const {
   if (!approximate_response_) {
     approximate_response_.emplace(approximate());
   }
   return *approximate_response_;
 }
 
-const CaseBounds::InertiaTensors& CaseBounds::inertia_tensors() const {
+const BoundedCase::InertiaTensors& BoundedCase::inertia_tensors() const {
   if (!inertia_tensors_) {
     const auto tensor_of = [](const Body& body) {
       Matrix3<double> tensor = Matrix3<double>::Zero();

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+
+namespace carom::oracles {
+
+/// What the filters know of a valid collision: approximations with bounds, each worked out when first asked for. For
+/// one thread.
+class BoundedCase {
+ public:
+  /// Precondition: the collision is valid.
+  explicit BoundedCase(const Collision& collision) : collision_(collision) {}
+
+  [[nodiscard]] const Collision& collision() const { return collision_; }
+  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
+  [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
+
+  /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
+  [[nodiscard]] bool is_moderate() const;
+
+  struct NormalVelocity {
+    double value;  // rounded, to six digits
+    int sign;      // −1, 0 or 1
+  };
+  /// N·V⁻, where the bounds decide it.
+  [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
+
+  /// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|.
+  [[nodiscard]] double normal_velocity_sensitivity_above() const;
+
+  /// ‖y_k⁻‖; also a lower bound of any sensitivity, of which it is a term.
+  [[nodiscard]] const Sensitivity& norms_before() const;
+
+  /// The norms of the derivatives of an equation by the vectors of an outcome; worked out by `differentiate` when first
+  /// asked for.
+  template <class Differentiate>
+  [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
+    std::optional<PerVector<double>>& known = slopes_[equation];
+    if (!known) {
+      known = differentiate();
+    }
+    return *known;
+  }
+
+  /// The collision with its numbers as inputs of differentiation.
+  [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
+
+  /// The law's answer to a contact that collides, to about 100 bits, with its bound; not certified, since no equation
+  /// holds exactly for it. Preconditions: as of colliding_truth.
+  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model) const;
+
+  /// A lower bound of the sensitivity of that answer, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's answer
+  /// is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half
+  /// covers the rounding of the sum, of which ten digits are kept, and its own. Preconditions: is_moderate(), and as of
+  /// colliding_truth.
+  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model) const;
+
+  /// Whether κ(K) < 2²⁰: binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
+  [[nodiscard]] bool is_well_conditioned() const;
+
+  /// K and λ with bounds.
+  [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
+  [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
+  [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
+
+  /// A lower bound of Σ_j ‖∂K/∂x_j‖_F |x_j|: half of ‖K‖_F where binary64 cannot have lost it, and of λ
+  /// (case_bounds.hpp). Precondition: is_moderate().
+  [[nodiscard]] double collision_matrix_sensitivity_below() const;
+
+  /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
+  [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
+  [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
+
+ private:
+  /// What is known of one model.
+  struct OfModel {
+    std::optional<Truth<Enclosure>> truth;
+    std::optional<Sensitivity> sensitivity_below;
+  };
+  struct InertiaTensors {
+    Matrix3<double> a;
+    Matrix3<double> b;
+  };
+
+  [[nodiscard]] const ApproximateResponse& approximate_response() const;
+  [[nodiscard]] const InertiaTensors& inertia_tensors() const;
+
+  Collision collision_;
+  mutable std::optional<bool> is_moderate_;
+  mutable std::optional<BasicCollision<Enclosure>> enclosed_;
+  mutable std::optional<BasicCollision<Approximation>> approximate_;
+  mutable std::optional<ApproximateResponse> approximate_response_;
+  mutable std::unique_ptr<DualInputs<double, collision_inputs>> differentiated_;  // large, and seldom asked for
+  mutable std::optional<double> normal_velocity_sensitivity_above_;
+  mutable std::optional<Sensitivity> norms_before_;
+  mutable PerAffineEquation<std::optional<PerVector<double>>> slopes_;
+  mutable PerModel<OfModel> of_model_;
+  mutable std::optional<double> collision_matrix_sensitivity_below_;
+  mutable std::optional<Enclosure> enclosed_inverse_mass_;
+  mutable std::optional<InertiaTensors> inertia_tensors_;
+};
+
+}  // namespace carom::oracles
