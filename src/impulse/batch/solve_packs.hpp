@@ -6,18 +6,10 @@
 #include <cstdint>
 
 #include <carom/impulse/batch/contact_numbers.hpp>
+#include <carom/impulse/batch/pack_task.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 
 namespace carom::impulse {
-
-/// Where the arrays begin, in the order of for_each_array. Plain enough to be handed between units that are compiled
-/// for different instruction sets.
-template <class S>
-struct PackTask {
-  const S* contacts[contact_number_count];
-  S* outcomes[outcome_number_count];
-  std::size_t count;
-};
 
 namespace detail {
 
