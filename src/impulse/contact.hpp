@@ -131,18 +131,25 @@ template <class S>
 
 /// The velocities as they are: the outcome of a contact that is not colliding.
 template <class S>
+[[nodiscard]] BodyVelocity<S> unchanged(const ContactBody<S>& body) {
+  return {body.velocity, body.angular_velocity};
+}
+template <class S>
 [[nodiscard]] Outcome<S> unchanged(const Contact<S>& contact) {
-  return {{contact.a.velocity, contact.a.angular_velocity}, {contact.b.velocity, contact.b.angular_velocity}};
+  return {unchanged(contact.a), unchanged(contact.b)};
 }
 
-/// The outcome of the impulse F on A and −F on B (note eq. 23). F in N s.
+/// The velocities of a body after an impulse on it at the contact (note eq. 23). In N s.
+template <class S>
+[[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S>& body, const Vector3<S>& impulse) {
+  return {body.velocity + impulse * body.inverse_mass,
+          body.angular_velocity + times(body.inverse_inertia, cross(body.lever_arm, impulse))};
+}
+
+/// The outcome of the impulse F on A and −F on B. F in N s.
 template <class S>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const Vector3<S>& impulse) {
-  const auto apply = [](const ContactBody<S>& body, const Vector3<S>& on_body) {
-    return BodyVelocity<S>{body.velocity + on_body * body.inverse_mass,
-                           body.angular_velocity + times(body.inverse_inertia, cross(body.lever_arm, on_body))};
-  };
-  return {apply(contact.a, impulse), apply(contact.b, -impulse)};
+  return {apply_impulse(contact.a, impulse), apply_impulse<S>(contact.b, -impulse)};
 }
 
 }  // namespace carom::impulse

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/impulse/contact.hpp>
-#include <carom/impulse/select.hpp>
+#include <carom/impulse/contact_impulse.hpp>
 
 namespace carom::impulse {
 
@@ -11,9 +10,9 @@ namespace carom::impulse {
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).
 ///
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// Precondition: the contact was made from a valid collision.
 template <class S>
-[[nodiscard]] Outcome<S> frictionless(const Contact<S>& contact) {
+[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
   const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, n);
   const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, n);
@@ -22,14 +21,20 @@ template <class S>
       (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
   const auto colliding = is_colliding(contact, normal_velocity);
   if (none_of(colliding)) {
-    return unchanged(contact);
+    return {colliding, n};
   }
   const Vector3<S> spin_a = times(contact.a.inverse_inertia, torque_arm_a);
   const Vector3<S> spin_b = times(contact.b.inverse_inertia, torque_arm_b);
   const S inverse_effective_mass =
       inverse_mass(contact) * dot(n, n) + (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
   const S f = -(S(1) + contact.restitution) * normal_velocity / inverse_effective_mass;
-  return select(colliding, apply_impulse<S>(contact, n * f), unchanged(contact));
+  return {colliding, n * f};
+}
+
+/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+template <class S>
+[[nodiscard]] Outcome<S> frictionless(const Contact<S>& contact) {
+  return apply_impulse(contact, frictionless_impulse(contact));
 }
 
 }  // namespace carom::impulse

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/impulse/collision_matrix.hpp>
-#include <carom/impulse/select.hpp>
+#include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/solve3.hpp>
 
 namespace carom::impulse {
@@ -10,20 +10,24 @@ namespace carom::impulse {
 /// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
 /// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
 ///
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// Precondition: the contact was made from a valid collision.
 template <class Solve, class S>
-[[nodiscard]] Outcome<S> reflection(const Contact<S>& contact) {
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
   const S normal_velocity = dot(n, relative_velocity(contact));
   const auto colliding = is_colliding(contact, normal_velocity);
   if (none_of(colliding)) {
-    return unchanged(contact);
+    return {colliding, n};
   }
   const S factor = -(S(1) + contact.restitution) * normal_velocity / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
-  const Vector3<S> impulse =
-      Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact));
-  return select(colliding, apply_impulse(contact, impulse), unchanged(contact));
+  return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
+}
+
+/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+template <class Solve, class S>
+[[nodiscard]] Outcome<S> reflection(const Contact<S>& contact) {
+  return apply_impulse(contact, reflection_impulse<Solve>(contact));
 }
 
 }  // namespace carom::impulse

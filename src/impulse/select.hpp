@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <bit>
 #include <type_traits>
 
 #include <carom/collision/outcome.hpp>
@@ -23,6 +24,21 @@ template <class Condition, class S>
   }
 }
 
+/// The number, or `least` where it is below that. NaN stays.
+template <class S>
+[[nodiscard]] S at_least(const S& least, const S& number) {
+  if constexpr (std::is_same_v<decltype(number < least), bool>) {
+    return number < least ? least : number;
+  } else {
+    // As a vector of the compiler's: it knows the one instruction that does this, where a mask and a choice by it wait
+    // three times as long.
+    using Numbers [[gnu::vector_size(sizeof(S))]] = typename S::value_type;
+    const auto numbers = std::bit_cast<Numbers>(number);
+    const auto leasts = std::bit_cast<Numbers>(least);
+    return std::bit_cast<S>(leasts > numbers ? leasts : numbers);
+  }
+}
+
 template <class Condition, class S>
 [[nodiscard]] Vector3<S> select(const Condition& condition, const Vector3<S>& yes, const Vector3<S>& no) {
   return {select(condition, yes[0], no[0]), select(condition, yes[1], no[1]), select(condition, yes[2], no[2])};
@@ -34,9 +50,14 @@ template <class Condition, class S>
   return {select(condition, yes.velocity, no.velocity), select(condition, yes.angular_velocity, no.angular_velocity)};
 }
 
-template <class Condition, class S>
-[[nodiscard]] Outcome<S> select(const Condition& condition, const Outcome<S>& yes, const Outcome<S>& no) {
-  return {select(condition, yes.a, no.a), select(condition, yes.b, no.b)};
+/// The same of what yes() and no() return: for a bool the one that is chosen is called, for a mask both are.
+template <class Condition, class Yes, class No>
+[[nodiscard]] auto select_called(const Condition& condition, const Yes& yes, const No& no) {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return condition ? yes() : no();
+  } else {
+    return select(condition, yes(), no());
+  }
 }
 
 }  // namespace carom::impulse

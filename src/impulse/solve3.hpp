@@ -22,7 +22,7 @@ struct Ldlt {
   /// Precondition: least > 0.
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
-    return solve_by<S>(m, b, [&](const S& computed) { return select(computed < least, least, computed); });
+    return solve_by<S>(m, b, [&](const S& computed) { return at_least(least, computed); });
   }
 
  private:

@@ -38,8 +38,10 @@ class ArraysInOnePiece {
       : length_(length), stride_(stride(length)), memory_(arrays * stride_) {}
 
   [[nodiscard]] std::size_t length() const { return length_; }
-  [[nodiscard]] std::span<S> operator[](std::size_t k) { return {memory_.data() + k * stride_, length_}; }
-  [[nodiscard]] std::span<const S> operator[](std::size_t k) const { return {memory_.data() + k * stride_, length_}; }
+  [[nodiscard]] S* begin_of(std::size_t k) { return memory_.data() + k * stride_; }
+  [[nodiscard]] const S* begin_of(std::size_t k) const { return memory_.data() + k * stride_; }
+  [[nodiscard]] std::span<S> operator[](std::size_t k) { return {begin_of(k), length_}; }
+  [[nodiscard]] std::span<const S> operator[](std::size_t k) const { return {begin_of(k), length_}; }
 
  private:
   /// An odd number of cache lines, so that the same index of the arrays falls into different sets of a cache.
@@ -74,6 +76,8 @@ class ContactBatch {
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] ContactArrays<S> arrays() { return detail::arrays_over<ContactArrays<S>>(memory_); }
   [[nodiscard]] ContactArrays<const S> arrays() const { return detail::arrays_over<ContactArrays<const S>>(memory_); }
+  /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < contact_number_count.
+  [[nodiscard]] const S* begin_of(std::size_t k) const { return memory_.begin_of(k); }
 
   /// Precondition: i < size().
   [[nodiscard]] Contact<S> at(std::size_t i) const {
@@ -96,6 +100,8 @@ class OutcomeBatch {
 
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] OutcomeArrays<S> arrays() { return detail::arrays_over<OutcomeArrays<S>>(memory_); }
+  /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < outcome_number_count.
+  [[nodiscard]] S* begin_of(std::size_t k) { return memory_.begin_of(k); }
 
   /// Precondition: i < size().
   [[nodiscard]] Outcome<S> at(std::size_t i) const {

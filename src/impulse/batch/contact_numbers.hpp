@@ -11,6 +11,12 @@ namespace carom::impulse {
 
 namespace detail {
 
+/// The first numbers of the bodies of a contact, and of their velocities in an outcome.
+inline constexpr std::size_t first_number_of_a = 0;
+inline constexpr std::size_t first_number_of_b = 16;
+inline constexpr std::size_t first_outcome_of_a = 0;
+inline constexpr std::size_t first_outcome_of_b = 6;
+
 /// The body whose numbers are read(first), read(first + 1), ….
 template <class S, class Read>
 [[nodiscard]] ContactBody<S> contact_body_of(const Read& read, std::size_t first) {
@@ -54,20 +60,27 @@ void write_contact_body(const Write& write, std::size_t first, const ContactBody
   write_vector(write, first + 13, body.angular_velocity);
 }
 
+template <class S, class Write>
+void write_body_velocity(const BodyVelocity<S>& body, std::size_t first, const Write& write) {
+  write_vector(write, first, body.velocity);
+  write_vector(write, first + 3, body.angular_velocity);
+}
+
 }  // namespace detail
 
 /// The contact whose numbers are read(0), read(1), ….
 template <class S, class Read>
 [[nodiscard]] Contact<S> contact_of(const Read& read) {
-  return {detail::contact_body_of<S>(read, 0), detail::contact_body_of<S>(read, 16),
-          Vector3<S>{read(32), read(33), read(34)}, read(35)};
+  return {detail::contact_body_of<S>(read, detail::first_number_of_a),
+          detail::contact_body_of<S>(read, detail::first_number_of_b), Vector3<S>{read(32), read(33), read(34)},
+          read(35)};
 }
 
-/// Calls write(k, number) for the numbers of a contact, the symmetric ones once,.
+/// Calls write(k, number) for the numbers of a contact, the symmetric ones once.
 template <class S, class Write>
 void write_contact(const Contact<S>& contact, const Write& write) {
-  detail::write_contact_body(write, 0, contact.a);
-  detail::write_contact_body(write, 16, contact.b);
+  detail::write_contact_body(write, detail::first_number_of_a, contact.a);
+  detail::write_contact_body(write, detail::first_number_of_b, contact.b);
   detail::write_vector(write, 32, contact.normal);
   write(35, contact.restitution);
 }
@@ -82,10 +95,8 @@ template <class S, class Read>
 /// Calls write(k, number) for the numbers of an outcome.
 template <class S, class Write>
 void write_outcome(const Outcome<S>& outcome, const Write& write) {
-  detail::write_vector(write, 0, outcome.a.velocity);
-  detail::write_vector(write, 3, outcome.a.angular_velocity);
-  detail::write_vector(write, 6, outcome.b.velocity);
-  detail::write_vector(write, 9, outcome.b.angular_velocity);
+  detail::write_body_velocity(outcome.a, detail::first_outcome_of_a, write);
+  detail::write_body_velocity(outcome.b, detail::first_outcome_of_b, write);
 }
 
 }  // namespace carom::impulse

@@ -9,12 +9,12 @@ namespace {
 
 template <class S>
 void frictionless_packs(const PackTask<S>& task) {
-  solve_packs<Pack<S>>(task, [](const Contact<Pack<S>>& contact) { return frictionless(contact); });
+  solve_packs<Pack<S>>(task, [](const Contact<Pack<S>>& contact) { return frictionless_impulse(contact); });
 }
 
 template <class S>
 void reflection_packs(const PackTask<S>& task) {
-  solve_packs<Pack<S>>(task, [](const Contact<Pack<S>>& contact) { return reflection<Ldlt>(contact); });
+  solve_packs<Pack<S>>(task, [](const Contact<Pack<S>>& contact) { return reflection_impulse<Ldlt>(contact); });
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 template <class S>
 PackTask<S> task_of(ContactArrays<const S> contacts, OutcomeArrays<S> outcomes) {
-  PackTask<S> task{};
+  PackTask<S> task;
   task.count = contacts.size();
   std::size_t k = 0;
   const auto begin_of = [&](const auto& array) {
@@ -89,6 +89,10 @@ InstructionSet best_instruction_set() {
   }();
   return best;
 }
+
+void solve(const PackTask<float>& task, Model model, InstructionSet set) { solve_task(task, model, set); }
+
+void solve(const PackTask<double>& task, Model model, InstructionSet set) { solve_task(task, model, set); }
 
 void solve(const ContactArrays<const float>& contacts, Model model, const OutcomeArrays<float>& outcomes,
            InstructionSet set) {

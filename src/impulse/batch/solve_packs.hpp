@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <carom/impulse/batch/contact_numbers.hpp>
+#include <carom/impulse/batch/pack_task.hpp>
+#include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 
 namespace carom::impulse {
-
-/// Where the arrays begin, in the order of for_each_array. Plain enough to be handed between units that are compiled
-/// for different instruction sets.
-template <class S>
-struct PackTask {
-  const S* contacts[contact_number_count];
-  S* outcomes[outcome_number_count];
-  std::size_t count;
-};
 
 namespace detail {
 
@@ -65,32 +59,119 @@ class BlockPrefetch {
 
 }  // namespace detail
 
-/// Takes `law`, Contact<P> → Outcome<P>, over all contacts, a pack P of them at a time. The last ones are filled up
-/// with copies of the last. Each pack is read before it is written, so that an array of outcomes may be the array of
-/// the velocities that it replaces; otherwise no two arrays overlap.
+namespace detail {
+
+constexpr std::experimental::element_aligned_tag unaligned;
+
+/// The pack of the k-th numbers of the contacts from i on.
+template <class P>
+[[nodiscard]] P read_pack(const PackTask<typename P::value_type>& task, std::size_t k, std::size_t i) {
+  return P(task.contacts[k] + i, unaligned);
+}
+
+template <class P>
+[[nodiscard]] Contact<P> read_contact(const PackTask<typename P::value_type>& task, std::size_t i) {
+  return contact_of<P>([&](std::size_t k) { return read_pack<P>(task, k, i); });
+}
+
+/// What writes the pack of the k-th numbers of the outcomes from i on.
+template <class P>
+[[nodiscard]] auto writer(const PackTask<typename P::value_type>& task, std::size_t i) {
+  return [&task, i](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); };
+}
+
+template <class P>
+void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const ContactImpulse<P>& impulse) {
+  const auto solve_body = [&](std::size_t first, std::size_t first_of_outcome, const Vector3<P>& on_body) {
+    const auto body = contact_body_of<P>([&](std::size_t k) { return read_pack<P>(task, k, i); }, first);
+    write_body_velocity<P>(apply_impulse(impulse.colliding, body, on_body), first_of_outcome, writer<P>(task, i));
+  };
+  solve_body(first_number_of_a, first_outcome_of_a, impulse.on_a);
+  solve_body(first_number_of_b, first_outcome_of_b, -impulse.on_a);
+}
+
+template <class P>
+void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const Outcome<P>& outcome) {
+  write_outcome(outcome, writer<P>(task, i));
+}
+
+/// Solves `Packs` packs of contacts from i on, all impulses first: to find one is a long chain of operations that wait
+/// for each other, and a machine that runs into the next one meanwhile has something else to do. What is read of a body
+/// is read again where the impulse acts on it, which takes less than to keep it.
+template <class P, std::size_t Packs, class Law>
+void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
+  std::array<std::invoke_result_t<const Law&, const Contact<P>&>, Packs> answers;
+#pragma GCC unroll 2
+  for (std::size_t pack = 0; pack < Packs; ++pack) {
+    answers[pack] = law(read_contact<P>(task, i + pack * P::size()));
+  }
+#pragma GCC unroll 2
+  for (std::size_t pack = 0; pack < Packs; ++pack) {
+    write_outcome_of<P>(task, i + pack * P::size(), answers[pack]);
+  }
+}
+
+/// Arrays that hold one pack.
+template <class P>
+struct OnePack {
+  using S = typename P::value_type;
+
+  /// What is left of the task from i on, filled up with copies of the last contact.
+  OnePack(const PackTask<S>& task, std::size_t i) {
+    for (std::size_t k = 0; k < contact_number_count; ++k) {
+      for (std::size_t lane = 0; lane < P::size(); ++lane) {
+        contacts[k][lane] = task.contacts[k][i + lane < task.count ? i + lane : task.count - 1];
+      }
+    }
+  }
+  [[nodiscard]] PackTask<S> task() {
+    PackTask<S> result;
+    for (std::size_t k = 0; k < contact_number_count; ++k) {
+      result.contacts[k] = contacts[k];
+    }
+    for (std::size_t k = 0; k < outcome_number_count; ++k) {
+      result.outcomes[k] = outcomes[k];
+    }
+    result.count = P::size();
+    return result;
+  }
+  void write_to(const PackTask<S>& task, std::size_t i) const {
+    for (std::size_t k = 0; k < outcome_number_count; ++k) {
+      for (std::size_t lane = 0; i + lane < task.count; ++lane) {
+        task.outcomes[k][i + lane] = outcomes[k][lane];
+      }
+    }
+  }
+
+  S contacts[contact_number_count][P::size()];
+  S outcomes[outcome_number_count][P::size()];
+};
+
+}  // namespace detail
+
+/// Takes `law` over all contacts, two packs P of them at a time. It makes a ContactImpulse<P> of a Contact<P>; or an
+/// Outcome<P>, which takes longer. What is written of a body has been read before, so that an array of outcomes may be
+/// the array of the velocities that it replaces; otherwise no two arrays overlap.
 template <class P, class Law>
 void solve_packs(const PackTask<typename P::value_type>& task, const Law& law) {
-  constexpr std::experimental::element_aligned_tag unaligned;
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
-  for (; i + width <= task.count; i += width) {
+  for (; i + 2 * width <= task.count; i += 2 * width) {
     if (is_large) {
-      prefetch.ask(i, width);
+      prefetch.ask(i, 2 * width);
     }
-    const Outcome<P> outcome = law(contact_of<P>([&](std::size_t k) { return P(task.contacts[k] + i, unaligned); }));
-    write_outcome(outcome, [&](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); });
+    detail::solve_from<P, 2>(task, i, law);
+  }
+  if (i + width <= task.count) {
+    detail::solve_from<P, 1>(task, i, law);
+    i += width;
   }
   if (i < task.count) {
-    const std::size_t last = task.count - 1;
-    const Outcome<P> outcome = law(contact_of<P>(
-        [&](std::size_t k) { return P([&](auto lane) { return task.contacts[k][std::min(i + lane, last)]; }); }));
-    write_outcome(outcome, [&](std::size_t k, const P& number) {
-      for (std::size_t lane = 0; i + lane < task.count; ++lane) {
-        task.outcomes[k][i + lane] = number[lane];
-      }
-    });
+    detail::OnePack<P> rest(task, i);
+    detail::solve_from<P, 1>(rest.task(), 0, law);
+    rest.write_to(task, i);
   }
 }
 

@@ -2,15 +2,19 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <carom/impulse/batch/solve.hpp>
+#include <carom/impulse/batch/solve_packs.hpp>
 #include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/numbers/pack.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/properties/families/family.hpp>
 
@@ -175,6 +179,50 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
+/// A law of one's own, in packs of the instruction set that this is compiled for.
+TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
+  using S = TypeParam;
+  const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
+  ContactBatch<S> batch(contacts.size());
+  OutcomeBatch<S> by_impulse(contacts.size());
+  OutcomeBatch<S> by_outcome(contacts.size());
+  PackTask<S> task{};
+  task.count = contacts.size();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    batch.set(i, contacts[i]);
+  }
+  for (std::size_t k = 0; k < contact_number_count; ++k) {
+    task.contacts[k] = std::as_const(batch).begin_of(k);
+  }
+  const auto solve_into = [&](OutcomeBatch<S>& outcomes, const auto& law) {
+    for (std::size_t k = 0; k < outcome_number_count; ++k) {
+      task.outcomes[k] = outcomes.begin_of(k);
+    }
+    solve_packs<Pack<S>>(task, law);
+  };
+  solve_into(by_impulse, [](const Contact<Pack<S>>& contact) { return frictionless_impulse(contact); });
+  solve_into(by_outcome, [](const Contact<Pack<S>>& contact) { return frictionless(contact); });
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    EXPECT_TRUE(same_bits(by_impulse.at(i), frictionless(contacts[i]))) << i;
+    EXPECT_TRUE(same_bits(by_outcome.at(i), frictionless(contacts[i]))) << i;
+  }
+}
+
+/// Where rounding has made a pivot NaN, a pack must not make a number of it where the scalar solver does not.
+TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
+  using S = TypeParam;
+  constexpr S nan = std::numeric_limits<S>::quiet_NaN();
+  constexpr S infinity = std::numeric_limits<S>::infinity();
+  for (const S least : {S(0), S(1), infinity, nan}) {
+    for (const S number : {S(-1), S(-0.0), S(0), S(0.5), S(1), S(2), -infinity, infinity, nan}) {
+      const S scalar = at_least(least, number);
+      const Pack<S> pack = at_least(Pack<S>(least), Pack<S>(number));
+      EXPECT_TRUE(same_bits<S>(scalar, pack[0])) << least << ' ' << number;
+      EXPECT_TRUE(same_bits<S>(scalar, number < least ? least : number)) << least << ' ' << number;
+    }
+  }
+}
+
 TEST(ContactBatch, GivesBackWhatWasSet) {
   const auto contacts = mixed_contacts<double>(50);
   ContactBatch<double> batch(contacts.size());
@@ -208,6 +256,7 @@ TEST(BatchErrors, AreThrown) {
   OutcomeBatch<double> shorter(2);
   EXPECT_THROW(solve(contacts, Model::any, outcomes), std::invalid_argument);
   EXPECT_THROW(solve(contacts, Model::reflection, shorter), std::invalid_argument);
+  EXPECT_THROW(solve(std::as_const(contacts).arrays(), Model::reflection, shorter.arrays()), std::invalid_argument);
   for (const InstructionSet set : all_instruction_sets) {
     if (!is_available(set)) {
       EXPECT_THROW(solve(contacts, Model::reflection, outcomes, set), std::invalid_argument) << name_of(set);

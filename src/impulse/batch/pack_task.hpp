@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+
+#include <carom/impulse/batch/contact_arrays.hpp>
+
+namespace carom::impulse {
+
+/// Where the arrays begin, in the order of for_each_array. Plain enough to be handed between units that are compiled
+/// for different instruction sets.
+template <class S>
+struct PackTask {
+  const S* contacts[contact_number_count];
+  S* outcomes[outcome_number_count];
+  std::size_t count;
+};
+
+}  // namespace carom::impulse

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <utility>
+
+#include <carom/impulse/contact.hpp>
+#include <carom/impulse/select.hpp>
+
+namespace carom::impulse {
+
+/// What a law makes of a contact: the impulse F on A, and −F on B, where the contact is colliding; none elsewhere.
+template <class S>
+struct ContactImpulse {
+  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask where S is a pack
+  Vector3<S> on_a;                                            // F [N s]; of no account where not colliding
+};
+
+/// The velocities of one body after it, with F for A and −F for B in `on_body`.
+template <class Condition, class S>
+[[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S>& body,
+                                            const Vector3<S>& on_body) {
+  return select_called(
+      colliding, [&] { return apply_impulse(body, on_body); }, [&] { return unchanged(body); });
+}
+
+template <class S>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const ContactImpulse<S>& impulse) {
+  return {apply_impulse(impulse.colliding, contact.a, impulse.on_a),
+          apply_impulse<decltype(impulse.colliding), S>(impulse.colliding, contact.b, -impulse.on_a)};
+}
+
+}  // namespace carom::impulse
