@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -26,40 +27,26 @@ PackTask<S> task_of(ContactArrays<const S> contacts, OutcomeArrays<S> outcomes) 
 }
 
 template <class S>
-struct Kernels {
-  void (*frictionless)(const PackTask<S>&);
-  void (*reflection)(const PackTask<S>&);
-};
-
-template <class S>
-Kernels<S> kernels_for([[maybe_unused]] InstructionSet set) {
-#ifdef CAROM_BATCH_HAS_avx512
-  if (set == InstructionSet::avx512) {
-    return {avx512::solve_frictionless, avx512::solve_reflection};
-  }
-#endif
-#ifdef CAROM_BATCH_HAS_avx2
-  if (set == InstructionSet::avx2) {
-    return {avx2::solve_frictionless, avx2::solve_reflection};
-  }
-#endif
-  return {baseline::solve_frictionless, baseline::solve_reflection};
-}
-
-template <class S>
 void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
   if (!is_available(set)) {
     throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
   }
-  switch (model) {
-    case Model::frictionless:
-      return kernels_for<S>(set).frictionless(task);
-    case Model::reflection:
-      return kernels_for<S>(set).reflection(task);
-    case Model::any:
-      break;
+  if (std::find(models_with_truth.begin(), models_with_truth.end(), model) == models_with_truth.end()) {
+    throw std::invalid_argument("carom::impulse::solve: the model says no law");
   }
-  throw std::invalid_argument("carom::impulse::solve: the model says no law");
+#ifdef CAROM_BATCH_HAS_avx512
+  if (set == InstructionSet::avx512) {
+    avx512::solve_packs(task, model);
+    return;
+  }
+#endif
+#ifdef CAROM_BATCH_HAS_avx2
+  if (set == InstructionSet::avx2) {
+    avx2::solve_packs(task, model);
+    return;
+  }
+#endif
+  baseline::solve_packs(task, model);
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 #include <carom/impulse/batch/instruction_set.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 
-/// Many contacts at once: the text of frictionless.hpp and reflection.hpp (with LDLᵀ) in packs, one contact a lane.
+/// Many contacts at once: the text of the laws of laws.hpp in packs, one contact a lane.
 /// Every instruction set gives the same bits, which are those of the scalar solvers compiled without contraction of a·b
 /// + c. The library carom::batch holds the code.
 namespace carom::impulse {
 
 /// Solves every contact; no two contacts depend on each other. An array of outcomes may be the array of the velocities
 /// that it replaces; otherwise no two arrays overlap. Preconditions: each contact was made from a valid collision; the
-/// model is frictionless or reflection. Throws std::invalid_argument for the model `any`, for arrays of different
+/// model is one of `models_with_truth`. Throws std::invalid_argument for the model `any`, for arrays of different
 /// lengths, and for an instruction set that is not available.
 void solve(const ContactArrays<const float>& contacts, Model model, const OutcomeArrays<float>& outcomes,
            InstructionSet set = best_instruction_set());

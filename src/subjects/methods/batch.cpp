@@ -39,11 +39,11 @@ std::vector<Answer> answers_of(std::span<const Collision> collisions, Model mode
 }
 
 template <class S>
-Method batch_method(Model model, const std::string& summary) {
+Method batch_method(Model model) {
   Method method;
   Subject& subject = method.subject;
   subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_name<S>);
-  subject.summary = summary + ", in packs, one contact a lane";
+  subject.summary = description_in_words(model) + ", in packs, one contact a lane";
   subject.model = model;
   subject.precision = precision_of<S>;
   subject.open = [model] {
@@ -60,8 +60,9 @@ Method batch_method(Model model, const std::string& summary) {
 
 template <class S>
 void add_batch_methods(std::vector<Method>& methods) {
-  methods.push_back(batch_method<S>(Model::frictionless, "impulse along the normal, eq. 18"));
-  methods.push_back(batch_method<S>(Model::reflection, "basis-free reflection by LDLᵀ"));
+  for (const Model model : models_with_truth) {
+    methods.push_back(batch_method<S>(model));
+  }
 }
 
 }  // namespace

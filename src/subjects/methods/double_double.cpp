@@ -6,9 +6,6 @@
 namespace carom::subjects {
 
 // The outcome is rounded to long double, which holds half a unit in the last place of `extended`.
-std::vector<Method> double_double_methods() {
-  using impulse::DoubleDouble;
-  return {frictionless_method<DoubleDouble>(), reflection_method<DoubleDouble, impulse::Ldlt>("reflection", "LDLᵀ")};
-}
+std::vector<Method> double_double_methods() { return law_methods<impulse::DoubleDouble>(); }
 
 }  // namespace carom::subjects

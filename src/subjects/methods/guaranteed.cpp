@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/guaranteed.hpp>
-#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/laws.hpp>
 #include <carom/subjects/methods/groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
@@ -13,26 +12,32 @@ struct Posed {
   impulse::Contact<double> contact;
 };
 
-template <class Law>
-Method guaranteed_method(Claim claim, Law law) {
-  return method_of<double>(
-      std::move(claim),
-      [](const Collision& collision) {
-        return Posed{collision, impulse::make_contact<double>(collision)};
-      },
-      [law](const Posed& posed) { return impulse::guaranteed(posed.collision, posed.contact, law); });
+Method guaranteed_method(Model model) {
+  Method method;
+  impulse::with_law(model, [&](const auto& law) {
+    method = method_of<double>(
+        {std::string(name_of(model)) + "-guaranteed", description_in_words(model) + ", the exact N·V⁺ never negative",
+         model},
+        [](const Collision& collision) {
+          return Posed{collision, impulse::make_contact<double>(collision)};
+        },
+        [law](const Posed& posed) {
+          return impulse::guaranteed(posed.collision, posed.contact, [&](const impulse::Contact<double>& contact) {
+            return impulse::apply_impulse(contact, law(contact));
+          });
+        });
+  });
+  return method;
 }
 
 }  // namespace
 
 std::vector<Method> guaranteed_methods() {
-  using Contact = impulse::Contact<double>;
-  return {guaranteed_method({"frictionless-guaranteed", "impulse along the normal, the exact N·V⁺ never negative",
-                             Model::frictionless},
-                            [](const Contact& contact) { return impulse::frictionless(contact); }),
-          guaranteed_method({"reflection-guaranteed", "basis-free reflection by LDLᵀ, the exact N·V⁺ never negative",
-                             Model::reflection},
-                            [](const Contact& contact) { return impulse::reflection<impulse::Ldlt>(contact); })};
+  std::vector<Method> methods;
+  for (const Model model : models_with_truth) {
+    methods.push_back(guaranteed_method(model));
+  }
+  return methods;
 }
 
 }  // namespace carom::subjects

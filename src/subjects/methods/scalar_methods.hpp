@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/impulse/frictionless.hpp>
-#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/laws.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
 
+/// The law of a model as laws.hpp has it.
 template <class S>
-[[nodiscard]] Method frictionless_method() {
-  return solver_method<S>({"frictionless", "impulse along the normal, eq. 18", Model::frictionless},
-                          [](const impulse::Contact<S>& contact) { return impulse::frictionless(contact); });
+[[nodiscard]] Method law_method(Model model) {
+  const impulse::Description description = impulse::description_of(model);
+  std::string summary(description.law);
+  if (!description.solve.empty()) {
+    summary += ", 3×3 solve by " + std::string(description.solve);
+  }
+  Method method;
+  impulse::with_law(model, [&](const auto& law) {
+    method = solver_method<S>({std::string(name_of(model)), summary, model}, [law](const impulse::Contact<S>& contact) {
+      return impulse::apply_impulse(contact, law(contact));
+    });
+  });
+  return method;
+}
+
+/// Those of every model that has one.
+template <class S>
+[[nodiscard]] std::vector<Method> law_methods() {
+  std::vector<Method> methods;
+  for (const Model model : models_with_truth) {
+    methods.push_back(law_method<S>(model));
+  }
+  return methods;
 }
 
 /// The basis-free reflection with one of solve3.hpp, which is called `solve` in the summary.
@@ -23,8 +43,8 @@ template <class S, class Solve>
 
 /// `basis_of` gives the basis of a contact, for the matrix that is shown.
 template <class S, class BasisOf, class Solve>
-[[nodiscard]] Method basis_method(Claim claim, BasisOf basis_of, Solve solve) {
-  Method method = solver_method<S>(std::move(claim), solve);
+[[nodiscard]] Method basis_method(MethodFacts facts, BasisOf basis_of, Solve solve) {
+  Method method = solver_method<S>(std::move(facts), solve);
   method.subject.collision_matrix = [basis_of](const Collision& collision) -> Matrix3<long double> {
     const auto contact = impulse::make_contact<S>(collision);
     return impulse::printed_collision_matrix<S>(contact, basis_of(contact)).template cast<long double>();
@@ -57,12 +77,12 @@ template <class S>
   if constexpr (precision_of<S> == Precision::binary32) {
     adjugate = expected_to_fail(std::move(adjugate), "the determinant under- and overflows from about 1e±12 kg on");
   }
-  return {frictionless_method<S>(),
-          reflection_method<S, impulse::Ldlt>("reflection", "LDLᵀ"),
-          reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT"),
-          std::move(adjugate),
-          reflection_in_basis_method<S>(),
-          reflection_in_stable_basis_method<S>()};
+  std::vector<Method> methods = law_methods<S>();
+  methods.push_back(reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT"));
+  methods.push_back(std::move(adjugate));
+  methods.push_back(reflection_in_basis_method<S>());
+  methods.push_back(reflection_in_stable_basis_method<S>());
+  return methods;
 }
 
 }  // namespace carom::subjects

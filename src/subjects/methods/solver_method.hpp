@@ -9,6 +9,7 @@
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
+#include <carom/impulse/laws.hpp>
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/subjects/methods.hpp>
 #include <carom/subjects/session.hpp>
@@ -59,8 +60,15 @@ template <class S, class Input, class Solve>
   };
 }
 
+/// The solver of a model: "basis-free reflection by LDLᵀ".
+[[nodiscard]] inline std::string description_in_words(Model model) {
+  const impulse::Description description = impulse::description_of(model);
+  return std::string(description.law) +
+         (description.solve.empty() ? std::string() : " by " + std::string(description.solve));
+}
+
 /// What is said of a method beside how it solves.
-struct Claim {
+struct MethodFacts {
   std::string name;
   std::string summary;
   Model model = Model::any;
@@ -68,12 +76,12 @@ struct Claim {
 
 /// A solver in S of what `lay_out` makes of a collision.
 template <class S, class LayOut, class Solve>
-[[nodiscard]] Method method_of(Claim claim, LayOut lay_out, Solve solve) {
+[[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
   Subject& subject = method.subject;
-  subject.name = std::move(claim.name) + '-' + std::string(scalar_name<S>);
-  subject.summary = std::move(claim.summary);
-  subject.model = claim.model;
+  subject.name = std::move(facts.name) + '-' + std::string(scalar_name<S>);
+  subject.summary = std::move(facts.summary);
+  subject.model = facts.model;
   subject.precision = claimed_precision<S>;
   subject.open = [lay_out, solve] {
     return session_of(
@@ -93,8 +101,8 @@ template <class S, class LayOut, class Solve>
 
 /// A solver Contact<S> → Outcome<S> as a method.
 template <class S, class Solve>
-[[nodiscard]] Method solver_method(Claim claim, Solve solve) {
-  return method_of<S>(std::move(claim), impulse::make_contact<S, double>, solve);
+[[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
+  return method_of<S>(std::move(facts), impulse::make_contact<S, double>, solve);
 }
 
 /// The method, kept although it fails, for this reason.

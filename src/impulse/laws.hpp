@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string_view>
+
+#include <carom/collision/model.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
+
+/// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
+namespace carom::impulse {
+
+/// Calls use(law), law being what takes a contact in any scalar type to its ContactImpulse; not where the model is not
+/// one of `models_with_truth`.
+template <class Use>
+constexpr void with_law(Model model, const Use& use) {
+  switch (model) {
+    case Model::frictionless:
+      use([](const auto& contact) { return frictionless_impulse(contact); });
+      return;
+    case Model::reflection:
+      use([](const auto& contact) { return reflection_impulse<Ldlt>(contact); });
+      return;
+    case Model::any:
+      return;
+  }
+}
+
+/// What the solver of a model does, in words.
+struct Description {
+  std::string_view law;
+  std::string_view solve;  // of the 3×3 system; empty where there is none
+};
+
+[[nodiscard]] constexpr Description description_of(Model model) {
+  switch (model) {
+    case Model::frictionless:
+      return {"impulse along the normal, eq. 18", ""};
+    case Model::reflection:
+      return {"basis-free reflection", "LDLᵀ"};
+    case Model::any:
+      break;
+  }
+  return {};
+}
+
+}  // namespace carom::impulse
