@@ -29,15 +29,16 @@ constexpr void with_law(Model model, const Use& use) {
 /// What the solver of a model does, in words.
 struct Description {
   std::string_view law;
-  std::string_view solve;  // of the 3×3 system; empty where there is none
+  std::string_view solve;   // of the 3×3 system; empty where there is none
+  std::string_view source;  // of the formula; empty where it is the solver's own
 };
 
 [[nodiscard]] constexpr Description description_of(Model model) {
   switch (model) {
     case Model::frictionless:
-      return {"impulse along the normal, eq. 18", ""};
+      return {"impulse along the normal", "", "eq. 18"};
     case Model::reflection:
-      return {"basis-free reflection", "LDLᵀ"};
+      return {"basis-free reflection", "LDLᵀ", ""};
     case Model::any:
       break;
   }

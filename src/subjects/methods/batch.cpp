@@ -43,7 +43,9 @@ Method batch_method(Model model) {
   Method method;
   Subject& subject = method.subject;
   subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_name<S>);
-  subject.summary = description_in_words(model) + ", in packs, one contact a lane";
+  const std::string source(impulse::description_of(model).source);
+  subject.summary =
+      description_in_words(model) + (source.empty() ? "" : ", " + source) + ", in packs, one contact a lane";
   subject.model = model;
   subject.precision = precision_of<S>;
   subject.open = [model] {

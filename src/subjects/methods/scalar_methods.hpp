@@ -15,6 +15,9 @@ template <class S>
   if (!description.solve.empty()) {
     summary += ", 3×3 solve by " + std::string(description.solve);
   }
+  if (!description.source.empty()) {
+    summary += ", " + std::string(description.source);
+  }
   Method method;
   impulse::with_law(model, [&](const auto& law) {
     method = solver_method<S>({std::string(name_of(model)), summary, model}, [law](const impulse::Contact<S>& contact) {
