@@ -38,10 +38,10 @@ void require_equal(const Sides<Rational, N>& sides, const char* equation) {
   }
 }
 
-/// Whether a vector is zero: not where an approximation excludes it, else exactly.
+/// Whether a vector is zero: not where an approximation may and does exclude it, else exactly.
 template <class Exactly>
-bool is_zero(const Vector3<Approximation>& approximate, const Exactly& exactly) {
-  for (int i = 0; i < 3; ++i) {
+bool is_zero(bool filtered, const Vector3<Approximation>& approximate, const Exactly& exactly) {
+  for (int i = 0; i < 3 && filtered; ++i) {
     if (approximate[i].sign().value_or(0) != 0) {
       return false;
     }
@@ -144,7 +144,7 @@ void certify(const BasicCollision<Rational>& collision, Model model, Approach ap
   }
 }
 
-ExactCase::ExactCase(const Collision& collision) : collision_(collision) {}
+ExactCase::ExactCase(const Collision& collision, bool filtered) : collision_(collision), filtered_(filtered) {}
 
 const BasicCollision<Enclosure>& ExactCase::enclosed() const {
   if (!enclosed_) {
@@ -192,6 +192,9 @@ const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
     } else {
       const Rational exactly = normal_velocity_before(exact());
       normal_velocity_ = {to_double(exactly), sign_of(exactly)};
+    }
+    if (!filtered_) {
+      normal_velocity_->sign = sign_of(normal_velocity_before(exact()));
     }
   }
   return *normal_velocity_;
@@ -374,6 +377,9 @@ bool ExactCase::is_definite() const {
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
+  if (!filtered_) {
+    return is_at_most(collision_matrix(), bound);
+  }
   const Matrix3<Enclosure> matrix = response_matrix(enclosed());
   const std::optional<bool> decided =
       is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-matrix, Enclosure(Rational(-bound))));
@@ -384,7 +390,7 @@ bool ExactCase::is_collinear() const {
   if (!is_collinear_) {
     const BasicCollision<Approximation>& near = approximate();
     const auto is_along_normal = [&](const BasicBody<Approximation>& body, const auto& exact_body) {
-      return body.immovable || is_zero(lever_arm(body, near.point).cross(near.normal),
+      return body.immovable || is_zero(filtered_, lever_arm(body, near.point).cross(near.normal),
                                        [&] { return lever_arm(exact_body(), exact().point).cross(exact().normal); });
     };
     is_collinear_ = is_along_normal(
@@ -398,7 +404,7 @@ bool ExactCase::is_collinear() const {
 bool ExactCase::is_head_on() const {
   if (!is_head_on_) {
     const BasicCollision<Approximation>& near = approximate();
-    is_head_on_ = is_zero(near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))), [&] {
+    is_head_on_ = is_zero(filtered_, near.normal.cross(relative_velocity<Approximation>(near, unchanged(near))), [&] {
       return exact().normal.cross(relative_velocity<Rational>(exact(), unchanged(exact())));
     });
   }

@@ -17,8 +17,9 @@ namespace carom::oracles {
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
 class ExactCase {
  public:
-  /// Precondition: the collision is valid.
-  explicit ExactCase(const Collision& collision);
+  /// Without the filter, facts that decide (the sign of N·V⁻, collinear, head-on, bounds of K) are worked out in ℚ
+  /// alone. Precondition: the collision is valid.
+  explicit ExactCase(const Collision& collision, bool filtered = true);
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
@@ -137,6 +138,7 @@ class ExactCase {
   [[nodiscard]] const std::array<Matrix3<double>, 2>& inertia_tensors() const;
 
   Collision collision_;
+  bool filtered_;
   mutable std::optional<BasicCollision<Enclosure>> enclosed_;
   mutable std::optional<BasicCollision<Approximation>> approximate_;
   mutable std::optional<NormalVelocity> normal_velocity_;

@@ -104,7 +104,7 @@ class Worker {
       std::deque<JudgedCase> cases;
       for (std::uint64_t index = first; index < last; ++index) {
         Stream stream = case_stream(options_.seed, options_.families[family]->name, index);
-        cases.emplace_back(options_.families[family]->generate(stream));
+        cases.emplace_back(options_.families[family]->generate(stream), options_.yardstick.filtered);
         coverage_[family] += coverage_of(cases.back());
       }
       for (std::size_t s = 0; s < subjects_.size(); ++s) {
