@@ -45,7 +45,7 @@ double normal_velocity_sensitivity(const Collision& c) {
 
 }  // namespace
 
-ExactCase::ExactCase(const Collision& collision, Filters filters) : bounds_(collision), filters_(filters) {}
+ExactCase::ExactCase(const Collision& collision, bool filtered) : bounds_(collision), filtered_(filtered) {}
 
 const BasicCollision<Rational>& ExactCase::exact() const {
   if (!exact_) {
@@ -55,7 +55,7 @@ const BasicCollision<Rational>& ExactCase::exact() const {
 }
 
 const BoundedCase::NormalVelocity& ExactCase::normal_velocity() const {
-  if (!normal_velocity_ && filters_ == Filters::used) {
+  if (!normal_velocity_ && filtered_) {
     normal_velocity_ = bounds_.normal_velocity();
   }
   if (!normal_velocity_) {
@@ -121,10 +121,10 @@ const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
   }
   // By binary64 where it keeps ten digits, else in enclosures, and where these do not keep them either, in ℚ.
   std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity;
-  if (!known && filters_ == Filters::used && bounds_.is_moderate() && bounds_.is_well_conditioned()) {
+  if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned()) {
     known = colliding_sensitivity(collision(), model);
   }
-  if (!known && filters_ == Filters::used) {
+  if (!known) {
     known = enclosed_sensitivity(collision(), model);
   }
   if (!known) {
@@ -156,14 +156,14 @@ double ExactCase::collision_matrix_sensitivity() const {
 
 bool ExactCase::is_definite() const {
   if (!is_definite_) {
-    is_definite_ = filters_ == Filters::used ? is_at_least_by_enclosures(collision_matrix(), inverse_mass(exact()))
-                                             : is_at_least(collision_matrix(), inverse_mass(exact()));
+    is_definite_ = filtered_ ? is_at_least_by_enclosures(collision_matrix(), inverse_mass(exact()))
+                             : is_at_least(collision_matrix(), inverse_mass(exact()));
   }
   return *is_definite_;
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
-  if (filters_ == Filters::unused) {
+  if (!filtered_) {
     return is_at_most(collision_matrix(), bound);
   }
   const Matrix3<Enclosure> matrix = response_matrix(bounds_.enclosed());
@@ -180,7 +180,7 @@ bool ExactCase::is_collinear() const {
       if ((near.*near_body).immovable) {
         return true;
       }
-      return !(filters_ == Filters::used && is_surely_not_zero(torque_arm(near.*near_body, near))) &&
+      return !(filtered_ && is_surely_not_zero(torque_arm(near.*near_body, near))) &&
              is_zero(torque_arm(exact().*exact_body, exact()));
     };
     is_collinear_ = is_along_normal(&BasicCollision<Rational>::a, &BasicCollision<Approximation>::a) &&
@@ -195,8 +195,7 @@ bool ExactCase::is_head_on() const {
       using T = std::decay_t<decltype(c.restitution)>;
       return Vector3<T>(c.normal.cross(relative_velocity<T>(c, unchanged(c))));
     };
-    is_head_on_ = !(filters_ == Filters::used && is_surely_not_zero(tangential(bounds_.approximate()))) &&
-                  is_zero(tangential(exact()));
+    is_head_on_ = !(filtered_ && is_surely_not_zero(tangential(bounds_.approximate()))) && is_zero(tangential(exact()));
   }
   return *is_head_on_;
 }

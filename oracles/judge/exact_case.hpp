@@ -8,14 +8,12 @@
 
 namespace carom::oracles {
 
-/// Whether bounds may decide facts of a case where they can. The facts are the same without, only slower.
-enum class Filters { used, unused };
-
 /// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
 class ExactCase {
  public:
-  /// Precondition: the collision is valid.
-  explicit ExactCase(const Collision& collision, Filters filters = Filters::used);
+  /// Without the filter, facts that decide (the sign of N·V⁻, collinear, head-on, bounds of K) are worked out in ℚ
+  /// alone; they are the same. Precondition: the collision is valid.
+  explicit ExactCase(const Collision& collision, bool filtered = true);
 
   [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
@@ -87,7 +85,7 @@ class ExactCase {
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
 
   BoundedCase bounds_;
-  Filters filters_;
+  bool filtered_;
   mutable std::optional<BasicCollision<Rational>> exact_;
   mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;

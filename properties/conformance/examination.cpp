@@ -55,7 +55,7 @@ Verdict Examination::verdict_on(const Case& one) {
     }
     return properties::lift(answer);
   };
-  const JudgedCase judged_case(one);
+  const JudgedCase judged_case(one, claim_.yardstick.filtered);
   try {
     return single_verdict(properties::try_case(judged_case, claim_, solve,
                                                properties::shown_collision_matrix(*statement_->subject, judged_case)));
@@ -76,7 +76,7 @@ std::string Examination::violation(const Case& one, const Verdict& found) {
       one, *statement_->invariant, found, [this](const Case& tried) { return verdict_on(tried); }, most_shrink_calls);
   claim_.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic
   const Verdict verdict = verdict_on(simplest);
-  claim_.yardstick.filtered = true;
+  claim_.yardstick = statement_->yardstick;
   std::string text;
   if (verdict.status == Status::violated) {
     text = properties::violation_in_words(simplest.collision, answer_, verdict);

@@ -14,6 +14,7 @@ struct Options {
   double limit_ulps = oracles::default_limit_ulps;  // of the subject's precision
   std::vector<std::string> families = {};           // their names; empty for all
   std::vector<std::string> deviates = {};           // invariants to leave out, besides those of Subject::deviates
+  bool exact = false;  // judge in exact arithmetic alone, without the filter; the environment's CAROM_EXACT comes first
 };
 
 }  // namespace carom::conformance

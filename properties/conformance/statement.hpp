@@ -27,7 +27,8 @@ struct Statement {
 
 /// Every statement of a suite: the invariants that are claimed, by all families. Left out are the invariants about the
 /// collision matrix where the subject shows none, and the family of invalid collisions where `invalid_refused` is not
-/// claimed. Throws std::invalid_argument where an option or CAROM_CASES is no number from 1 or names what there is not.
+/// claimed. Throws std::invalid_argument where an option or CAROM_CASES is no number from 1 or names what there is not,
+/// or where CAROM_EXACT is neither 0 nor 1.
 [[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
 
 /// The same, of a suite that stands there.

@@ -78,7 +78,7 @@ void judge_task(const Subject& subject, const Claim& claim, Session& session, st
       std::rethrow_exception(failure);
     }
   }
-  tally.nanoseconds_per_solve.push_back(elapsed.count() / static_cast<double>(collisions.size()));
+  tally.nanoseconds_per_solve.add(elapsed.count() / static_cast<double>(collisions.size()));
 }
 
 /// The work of one thread: takes tasks until there are none left.
@@ -104,7 +104,7 @@ class Worker {
       std::deque<JudgedCase> cases;
       for (std::uint64_t index = first; index < last; ++index) {
         Stream stream = case_stream(options_.seed, options_.families[family]->name, index);
-        cases.emplace_back(options_.families[family]->generate(stream));
+        cases.emplace_back(options_.families[family]->generate(stream), options_.yardstick.filtered);
         coverage_[family] += coverage_of(cases.back());
       }
       for (std::size_t s = 0; s < subjects_.size(); ++s) {
@@ -211,13 +211,10 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     for (std::size_t w = 1; w < workers.size(); ++w) {
       tally += workers[w].tallies()[s];
     }
-    std::sort(tally.digits.begin(), tally.digits.end());
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}};
-    if (std::vector<double>& times = tally.nanoseconds_per_solve; !times.empty()) {
+    if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
       // The median: other programs disturb single batches by far more than solvers differ.
-      const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-      std::nth_element(times.begin(), middle, times.end());
-      result.nanoseconds_per_solve = *middle;
+      result.nanoseconds_per_solve = times.at(times.size() / 2);
     }
     for (const std::string& invariant : result.violated_invariants()) {
       result.witnesses.push_back(found_witness(result, options, invariant));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/gate/scales.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 /// Judges subjects on families of collisions.
@@ -85,7 +86,7 @@ struct SubjectResult {
   Subject subject;
   std::string error;                   // why the subject could not be judged to the end; empty where it was
   std::vector<FamilyResult> families;  // as in the options
-  std::vector<float> digits;           // of each colliding case that was answered, sorted
+  Histogram<DigitsScale> digits;       // of the colliding cases that were answered
   double nanoseconds_per_solve = 0;    // median over the batches, as seen by the gate: its own overhead included
   std::vector<Witness> witnesses;      // one for each invariant violated
 
@@ -95,7 +96,8 @@ struct SubjectResult {
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
   /// Judged to the end, something held, and nothing was violated.
   [[nodiscard]] bool is_sound() const;
-  /// The digits that `share` of the cases have at least; 0.5, 0.99, 1.
+  /// The digits that `share` of the cases have at least; 0.5, 0.99, 1. To within the bins of DigitsScale, of all cases
+  /// exactly.
   [[nodiscard]] std::optional<double> digits_at_least(double share) const;
   struct WorstFamily {
     double backward_error = 0;

@@ -69,12 +69,12 @@ bool SubjectResult::is_sound() const {
 }
 
 std::optional<double> SubjectResult::digits_at_least(double share) const {
-  if (digits.empty()) {
+  if (digits.size() == 0) {
     return std::nullopt;
   }
   const auto count = static_cast<double>(digits.size());
-  const auto above = static_cast<std::size_t>(std::ceil(share * count));
-  return digits[digits.size() - std::clamp<std::size_t>(above, 1, digits.size())];
+  const auto above = static_cast<std::uint64_t>(std::ceil(share * count));
+  return digits.at(digits.size() - std::clamp<std::uint64_t>(above, 1, digits.size()));
 }
 
 SubjectResult::WorstFamily SubjectResult::worst_backward_error(const GateOptions& options) const {

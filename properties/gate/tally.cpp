@@ -58,7 +58,7 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
     result.worst_backward_error =
         std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
     if (judged_case.exact().approach() == Approach::colliding) {
-      digits.push_back(static_cast<float>(judgement.accuracy->digits()));
+      digits.add(judgement.accuracy->digits());
     }
   }
   counts.resize(families.size());
@@ -118,9 +118,8 @@ Tally& Tally::operator+=(const Tally& other) {
       keep_worst(into, name, violation);
     }
   }
-  digits.insert(digits.end(), other.digits.begin(), other.digits.end());
-  nanoseconds_per_solve.insert(nanoseconds_per_solve.end(), other.nanoseconds_per_solve.begin(),
-                               other.nanoseconds_per_solve.end());
+  digits += other.digits;
+  nanoseconds_per_solve += other.nanoseconds_per_solve;
   return *this;
 }
 

@@ -11,13 +11,13 @@ namespace carom::properties {
 /// What the case adds to what its family turned out to hold.
 [[nodiscard]] Coverage coverage_of(const JudgedCase& judged_case);
 
-/// What one thread found of one subject.
+/// What one thread found of one subject. It does not grow with the number of cases.
 struct Tally {
   std::string error;  // why the subject was judged no further; empty where it was
   std::vector<FamilyResult> families;
-  std::vector<float> digits;
-  std::vector<double> nanoseconds_per_solve;  // of each task
-  std::vector<std::vector<Count>> counts;     // of each family and invariant of the catalogue, until they are named
+  Histogram<DigitsScale> digits;
+  Histogram<TimeScale> nanoseconds_per_solve;  // of each task
+  std::vector<std::vector<Count>> counts;      // of each family and invariant of the catalogue, until they are named
 
   /// Adds what was found on one case of a family.
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,

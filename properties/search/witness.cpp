@@ -77,7 +77,7 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
 }
 
 AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
-  const JudgedCase judged_case(one);
+  const JudgedCase judged_case(one, claim.yardstick.filtered);
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
   const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
   const std::vector<Answer> replies =

@@ -10,14 +10,14 @@ namespace carom::properties {
 namespace {
 
 /// What is exactly known of each collision; none where one is not valid.
-std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collisions) {
+std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collisions, bool filtered) {
   std::vector<oracles::ExactCase> cases;
   cases.reserve(collisions.size());
   for (const Collision& collision : collisions) {
     if (!validate(collision).empty()) {
       return {};
     }
-    cases.emplace_back(collision);
+    cases.emplace_back(collision, filtered);
   }
   return cases;
 }
@@ -79,16 +79,16 @@ Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   return claim;
 }
 
-JudgedCase::JudgedCase(const Case& generated) : generated_(generated) {
+JudgedCase::JudgedCase(const Case& generated, bool filtered) : generated_(generated), filtered_(filtered) {
   if (validate(generated.collision).empty()) {
-    exact_.emplace(generated.collision);
+    exact_.emplace(generated.collision, filtered);
   }
 }
 
 std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
   const auto [known, is_new] = questions_.try_emplace(&invariant);
   if (is_new) {
-    known->second = exact_cases(invariant.questions(generated_.collision));
+    known->second = exact_cases(invariant.questions(generated_.collision), filtered_);
   }
   return known->second;
 }
@@ -111,7 +111,8 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       questions_[i] = judged_case.questions_of(invariant);
     } else if (invariant.questions_by_outcome != nullptr) {
       by_outcome_.push_back(
-          exact_cases(invariant.questions_by_outcome(judged_case.exact().collision(), outcome->rounded())));
+          exact_cases(invariant.questions_by_outcome(judged_case.exact().collision(), outcome->rounded()),
+                      claim.yardstick.filtered));
       questions_[i] = by_outcome_.back();
     }
   }

@@ -26,7 +26,8 @@ struct Claim {
 /// on it; for one thread.
 class JudgedCase {
  public:
-  explicit JudgedCase(const Case& generated);
+  /// Without the filter, also what is known of the collisions themselves is decided in ℚ alone.
+  explicit JudgedCase(const Case& generated, bool filtered = true);
 
   [[nodiscard]] const Case& generated() const { return generated_; }
   [[nodiscard]] bool is_valid() const { return exact_.has_value(); }
@@ -41,6 +42,7 @@ class JudgedCase {
 
  private:
   Case generated_;
+  bool filtered_;
   std::optional<oracles::ExactCase> exact_;
   mutable std::map<const Invariant*, std::vector<oracles::ExactCase>> questions_;
 };

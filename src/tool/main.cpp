@@ -48,6 +48,10 @@ void add_yardstick(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
   command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
       ->check(CLI::Range(1, 18));
+  command.add_flag(
+      "--exact", arguments.exact,
+      "Judge in exact arithmetic alone, without the filter that decides most verdicts sooner: the verdicts "
+      "are the same");
 }
 
 template <class Arguments>

@@ -173,6 +173,26 @@ TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
   EXPECT_EQ(run_carom(lenient).exit_status, 0);
 }
 
+TEST(GateCommand, JudgesExactlyWhereAskedAndSaysSo) {
+  const std::vector<std::string> arguments{
+      "gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases", "10", "--format"};
+  const auto with = [&](std::initializer_list<const char*> more) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), more.begin(), more.end());
+    return run_carom(all).output;
+  };
+  json exact = json::parse(with({"json", "--exact"}));
+  const json filtered = json::parse(with({"json"}));
+  EXPECT_EQ(exact.at("yardstick").at("exact"), true);
+  EXPECT_FALSE(filtered.at("yardstick").contains("exact"));
+  EXPECT_EQ(exact.at("subjects").at(0).at("families").at(0).at("invariants"),
+            filtered.at("subjects").at(0).at("families").at(0).at("invariants"));
+  const std::string text = with({"text", "--exact", "--out", TemporaryDirectory().path().c_str()});
+  EXPECT_NE(text.find("judged in exact arithmetic alone"), std::string::npos) << text;
+  EXPECT_NE(text.find(" --exact\n"), std::string::npos) << "the command that replays: " << text;
+  EXPECT_EQ(with({"text"}).find("exact arithmetic"), std::string::npos);
+}
+
 TEST(GateCommand, WrongUsageEndsInTwoAndSaysWhy) {
   struct WrongUse {
     std::vector<std::string> arguments;

@@ -42,6 +42,23 @@ TEST(Replay, JudgesASubject) {
   EXPECT_NE(result.output.find("restitution            holds"), std::string::npos) << result.output;
 }
 
+TEST(Replay, JudgesExactlyWhereAskedAndSaysSo) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("cube.json", cube_on_floor().dump());
+  const auto replay = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"replay", file, "--subject", "frictionless-double"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run_carom(arguments);
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    return result.output;
+  };
+  EXPECT_NE(replay({"--exact"}).find("judged in exact arithmetic alone"), std::string::npos);
+  const json exact = json::parse(replay({"--exact", "--format", "json"}));
+  const json filtered = json::parse(replay({"--format", "json"}));
+  EXPECT_EQ(exact.at("yardstick").at("exact"), true);
+  EXPECT_EQ(exact.at("verdicts"), filtered.at("verdicts"));
+}
+
 TEST(Replay, ReadsArraysAndJsonLines) {
   const TemporaryDirectory directory;
   const json wrapped{{"collision", cube_on_floor()}};

@@ -27,8 +27,9 @@ struct GateArguments {
   std::uint64_t cases = 1000;
   double limit_ulps = 32;
   std::optional<int> digits;
-  unsigned jobs = 0;  // 0: one for each core
-  std::string out;    // a directory; empty for none
+  bool exact = false;  // judged in ℚ alone
+  unsigned jobs = 0;   // 0: one for each core
+  std::string out;     // a directory; empty for none
   bool engines = false;
   std::uint64_t relations_every = 0;  // 0: as GateOptions says
   double timeout = 5;                 // of each reply of a program [s]
@@ -41,6 +42,7 @@ struct ReplayArguments {
   double timeout = 5;   // of each reply of a program [s]
   double limit_ulps = 32;
   std::optional<int> digits;
+  bool exact = false;  // judged in ℚ alone
   std::string format = "text";
 };
 

@@ -145,6 +145,7 @@ int gate(const GateArguments& arguments) {
   options.families = families_of(arguments);
   options.yardstick.limit_ulps = arguments.limit_ulps;
   options.yardstick.digits = arguments.digits;
+  options.yardstick.filtered = !arguments.exact;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   options.progress = progress_line("cases judged");
   options.stop = stop;

@@ -130,6 +130,7 @@ class OpenSubjects {
   OpenSubjects(const ReplayArguments& arguments, std::stop_token stop) : arguments_(arguments), stop_(std::move(stop)) {
     yardstick_.limit_ulps = arguments.limit_ulps;
     yardstick_.digits = arguments.digits;
+    yardstick_.filtered = !arguments.exact;
   }
 
   /// The subject to judge on this collision; none where there is none.
@@ -199,7 +200,7 @@ int replay(const ReplayArguments& arguments) {
     if (stop.stop_requested()) {
       throw UsageError(fmt::format("stopped by the user before {}", read.place));
     }
-    const properties::JudgedCase judged_case(read.one);
+    const properties::JudgedCase judged_case(read.one, !arguments.exact);
     const Collision& collision = read.one.collision;
     json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
     std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
@@ -220,6 +221,7 @@ int replay(const ReplayArguments& arguments) {
       });
       violated = violated || is_violated(judgement);
       record["subject"] = subject.name;
+      record["yardstick"] = yardstick_record(claim.yardstick);
       record["outcome"] = answer_record(answer);
       if (judgement.accuracy) {
         record["backward_error_ulps"] =
@@ -230,8 +232,8 @@ int replay(const ReplayArguments& arguments) {
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
       }
-      text +=
-          fmt::format("{}, judged\n{}", subject.name, judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+      text += fmt::format("{}, judged{}\n{}", subject.name, arguments.exact ? " in exact arithmetic alone" : "",
+                          judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
     }
     if (const std::string why_none = subjects.why_none(read); !why_none.empty()) {
       record["not_judged"] = why_none;

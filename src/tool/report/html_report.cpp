@@ -52,7 +52,9 @@ void add_summary(pugi::xml_node section, const GateRun& run) {
                       {"interrupted", run.report.interrupted ? "yes: what follows was judged until then" : "no"},
                       {"seed", std::to_string(options.seed)},
                       {"cases", fmt::format("{} of each of {} families", options.cases, options.families.size())},
-                      {"limit", limit_of(options.yardstick)}});
+                      {"limit", limit_of(options.yardstick)},
+                      {"judge", options.yardstick.filtered ? "exact arithmetic, and bounds where they decide"
+                                                           : "exact arithmetic alone (--exact)"}});
 }
 
 void add_environment(pugi::xml_node section, const GateRun& run) {

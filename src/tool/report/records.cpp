@@ -55,15 +55,18 @@ json count_record(const properties::Count& count) {
   return {{"holds", count.holds}, {"violated", count.violated}, {"skipped", count.skipped}};
 }
 
+}  // namespace
+
 json yardstick_record(const oracles::Yardstick& yardstick) {
   json record{{"limit_ulps", yardstick.limit_ulps}};
   if (yardstick.digits) {
     record["digits"] = *yardstick.digits;
   }
+  if (!yardstick.filtered) {
+    record["exact"] = true;
+  }
   return record;
 }
-
-}  // namespace
 
 std::string status_of(const properties::SubjectResult& result) {
   if (!result.error.empty()) {
@@ -280,6 +283,9 @@ std::string replay_command(const std::filesystem::path& witness_file, const Subj
   }
   if (yardstick.digits) {
     command += fmt::format(" --digits {}", *yardstick.digits);
+  }
+  if (!yardstick.filtered) {
+    command += " --exact";
   }
   return command;
 }

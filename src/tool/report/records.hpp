@@ -24,6 +24,9 @@ namespace carom::tool {
 /// velocities as binary64.
 [[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
 
+/// What outcomes were judged by.
+[[nodiscard]] nlohmann::json yardstick_record(const oracles::Yardstick& yardstick);
+
 /// "holds", "violated" or "skipped", with both sides of the formula where violated.
 [[nodiscard]] nlohmann::json verdict_record(const properties::Verdict& verdict);
 

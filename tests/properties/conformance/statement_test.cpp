@@ -39,13 +39,16 @@ std::set<std::string_view> families_of(const std::vector<Statement>& all) {
   return names;
 }
 
-/// The environment's CAROM_CASES for as long as this lives.
-class GivenCases {
+/// A variable of the environment for as long as this lives.
+class Given {
  public:
-  explicit GivenCases(const char* text) { setenv("CAROM_CASES", text, 1); }
-  ~GivenCases() { unsetenv("CAROM_CASES"); }
-  GivenCases(const GivenCases&) = delete;
-  GivenCases& operator=(const GivenCases&) = delete;
+  Given(const char* name, const char* text) : name_(name) { setenv(name, text, 1); }
+  ~Given() { unsetenv(name_); }
+  Given(const Given&) = delete;
+  Given& operator=(const Given&) = delete;
+
+ private:
+  const char* name_;
 };
 
 TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
@@ -93,8 +96,27 @@ TEST(Statements, FollowTheOptions) {
 }
 
 TEST(Statements, TakeTheirCasesFromTheEnvironment) {
-  const GivenCases given("3");
+  const Given given("CAROM_CASES", "3");
   EXPECT_EQ(statements(idle_callable(Model::any)).at(0).cases, 3);
+}
+
+TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
+  const Subject idle = idle_callable(Model::any);
+  const auto is_exact = [&](bool option) { return !statements(idle, {.exact = option}).at(0).yardstick.filtered; };
+  EXPECT_FALSE(is_exact(false));
+  EXPECT_TRUE(is_exact(true));
+  {
+    const Given given("CAROM_EXACT", "1");
+    EXPECT_TRUE(is_exact(false));
+  }
+  {
+    const Given given("CAROM_EXACT", "0");
+    EXPECT_FALSE(is_exact(true));
+  }
+  for (const char* text : {"", "2", "yes"}) {
+    const Given given("CAROM_EXACT", text);
+    EXPECT_THROW((void)statements(idle), std::invalid_argument) << text;
+  }
 }
 
 TEST(Statements, RefuseWhatWouldTestNothing) {
@@ -103,7 +125,7 @@ TEST(Statements, RefuseWhatWouldTestNothing) {
   EXPECT_THROW((void)statements(idle, {.families = {"generics"}}), std::invalid_argument);
   EXPECT_THROW((void)statements(idle, {.deviates = {"energies"}}), std::invalid_argument);
   for (const char* text : {"0", "-1", "many", "", "10x"}) {
-    const GivenCases given(text);
+    const Given given("CAROM_CASES", text);
     EXPECT_THROW((void)statements(idle), std::invalid_argument) << text;
   }
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace carom::properties {
+
+/// Counts numbers by the fixed bins of a scale, so that what is kept does not grow with how many there are. Counts are
+/// whole numbers: nothing that is read off them depends on the order in which the numbers came, nor on how they were
+/// divided among threads.
+template <class Scale>
+class Histogram {
+ public:
+  void add(double number) {
+    const std::size_t bin = Scale::bin_of(number);
+    if (counts_.size() <= bin) {
+      counts_.resize(bin + 1);
+    }
+    ++counts_[bin];
+    ++size_;
+    smallest_ = std::min(smallest_, number);
+    largest_ = std::max(largest_, number);
+  }
+
+  Histogram& operator+=(const Histogram& other) {
+    counts_.resize(std::max(counts_.size(), other.counts_.size()));
+    for (std::size_t bin = 0; bin < other.counts_.size(); ++bin) {
+      counts_[bin] += other.counts_[bin];
+    }
+    size_ += other.size_;
+    smallest_ = std::min(smallest_, other.smallest_);
+    largest_ = std::max(largest_, other.largest_);
+    return *this;
+  }
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  /// Counts that are kept: at most Scale::bins.
+  [[nodiscard]] std::size_t bins() const { return counts_.size(); }
+
+  /// The number of that rank, counted from 0 for the smallest: the middle of its bin, and the smallest and the largest
+  /// number themselves. Precondition: rank < size().
+  [[nodiscard]] double at(std::uint64_t rank) const {
+    if (rank == 0 || rank + 1 == size_) {
+      return rank == 0 ? smallest_ : largest_;
+    }
+    std::size_t bin = 0;
+    for (std::uint64_t below = counts_[0]; below <= rank; below += counts_[bin]) {
+      ++bin;
+    }
+    return std::clamp(Scale::middle_of(bin), smallest_, largest_);
+  }
+
+ private:
+  std::vector<std::uint64_t> counts_;  // up to the last bin that holds any
+  std::uint64_t size_ = 0;
+  double smallest_ = std::numeric_limits<double>::infinity();
+  double largest_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace carom::properties

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/tally.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// A collision that collides, answered with every accuracy that there is, violated each time.
+void add_many(Tally& tally, std::uint64_t count) {
+  const JudgedCase judged_case(unit::case_of("elastic", 1));
+  ASSERT_EQ(judged_case.exact().approach(), oracles::Approach::colliding);
+  Claim claim;
+  claim.yardstick.unit_roundoff = 0x1p-53;
+  Stream stream = stream_from(count);
+  Judgement judgement;
+  Verdict violated;
+  violated.status = Status::violated;
+  judgement.verdicts.push_back({invariant_named("restitution"), violated});
+  for (std::uint64_t i = 0; i < count; ++i) {
+    judgement.accuracy.emplace();
+    judgement.accuracy->relative_error = std::pow(10.0, stream.between(-45, 45));
+    tally.add(0, i, judged_case, Answer(), judgement, claim);
+    tally.nanoseconds_per_solve.add(std::pow(10.0, stream.between(-5, 20)));
+  }
+}
+
+TEST(Tally, DoesNotGrowWithItsCases) {
+  Tally tally;
+  tally.families.resize(1);
+  add_many(tally, 200000);
+  EXPECT_EQ(tally.digits.size(), 200000U);
+  EXPECT_LE(tally.digits.bins(), DigitsScale::bins);
+  EXPECT_EQ(tally.nanoseconds_per_solve.size(), 200000U);
+  EXPECT_LE(tally.nanoseconds_per_solve.bins(), TimeScale::bins);
+  EXPECT_EQ(tally.families[0].cases, 200000U);
+  EXPECT_EQ(tally.families[0].worst.size(), 1U) << "one violation is kept of each invariant";
+  // What a tally holds besides is a few numbers for each invariant and family.
+  EXPECT_LT((DigitsScale::bins + TimeScale::bins) * sizeof(std::uint64_t), 128U << 10U);
+}
+
+}  // namespace
+}  // namespace carom::properties
