@@ -58,9 +58,29 @@ struct Evidence {
   const oracles::Accuracy* accuracy;              // of the outcome; nullptr for models without a truth
   const oracles::Closeness& closeness;            // of the outcome to the truth
   const oracles::LiftedMatrix* collision_matrix;  // as the subject computed it; nullptr where it shows none
-  std::span<const Related> related;               // the answers to the invariant's own questions
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
+};
+
+/// An invariant that speaks of the answer itself, to a valid collision or to an invalid one.
+struct AboutAnswer {
+  bool to_valid;
+  Verdict (*check)(const Collision&, const ExactAnswer&);
+};
+
+/// One that speaks of the outcome of a valid collision.
+struct AboutOutcome {
+  Verdict (*check)(const Evidence&);
+};
+
+/// One that relates the outcome to those of further collisions, which are put to the subject: made from the collision
+/// alone, or with the outcome. `check` gets the answers to these, one each.
+struct AboutRelation {
+  using OfCollision = std::vector<Collision> (*)(const Collision&);
+  using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
+
+  std::variant<OfCollision, OfOutcome> ask;
+  Verdict (*check)(const Evidence&, std::span<const Related>);
 };
 
 /// A named statement about a collision and its outcome.
@@ -71,13 +91,10 @@ struct Invariant {
   std::string_view source;
   std::string_view domain;    // the collisions that it speaks of
   std::vector<Model> models;  // that it is claimed for
-  Verdict (*check)(const Evidence&);
-  /// Further collisions to put to the subject, made from the collision alone or with the outcome: at most one of these
-  /// is given, none where no further collision is needed.
-  std::vector<Collision> (*questions)(const Collision&) = nullptr;
-  std::vector<Collision> (*questions_by_outcome)(const Collision&, const Outcome<double>&) = nullptr;
+  std::variant<AboutAnswer, AboutOutcome, AboutRelation> about;
 
-  [[nodiscard]] bool asks() const { return questions != nullptr || questions_by_outcome != nullptr; }
+  /// Whether it puts further collisions to the subject.
+  [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
 
   [[nodiscard]] bool claimed_for(Model model) const;
 };

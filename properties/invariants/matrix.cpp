@@ -2,7 +2,7 @@
 
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -75,8 +75,6 @@ bool is_surely_well_conditioned(const Evidence& e) {
   return false;
 }
 
-}  // namespace
-
 Verdict check_definite(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("both bodies are immovable");
@@ -120,6 +118,20 @@ Verdict check_well_conditioned(const Evidence& e) {
     return bound_missed("the computed C and 16 λI", e.collision_matrix->exact(), bound);
   }
   return {};
+}
+
+}  // namespace
+
+std::vector<Invariant> matrix_invariants() {
+  return {Invariant{"definite", "The collision matrix is positive definite, with the margin λ.",
+                    R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
+                    "note eq. 27, with QᵀJ⁻¹Q positive semidefinite; the exact C, and the one that a subject shows",
+                    "a movable body", every_model(), AboutOutcome{check_definite}},
+          Invariant{"well_conditioned",
+                    "For convex uniform bodies touched inside, the condition number of C is at most 16.",
+                    R"(C \preceq 16\, \lambda I)",
+                    "R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. Geom. 13 (1995), Thm 4.1, with n = 3",
+                    "bodies known to be convex and uniform", every_model(), AboutOutcome{check_well_conditioned}}};
 }
 
 }  // namespace carom::properties

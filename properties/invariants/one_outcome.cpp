@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/untouched.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -18,8 +17,6 @@ using oracles::Approach;
 using oracles::compare;
 using oracles::Rational;
 using oracles::Relation;
-
-constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
 
 bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::colliding; }
 
@@ -40,28 +37,6 @@ Verdict untouched_body(const Evidence& e, bool a) {
   return holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
                equation::Untouched{a});
 }
-
-/// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
-Verdict vector_untouched(const Evidence& e, OutcomeVector k, const oracles::Sensitivity& sensitivity) {
-  const auto before = unchanged(e.exact_case.bounds().enclosed());
-  const auto exact_pair = [&] {
-    const auto exactly_before = unchanged(e.exact_case.exact());
-    return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
-  };
-  return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
-}
-
-/// Whether the closeness to the truth, which leaves these vectors untouched, or bounds show that they are so.
-bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
-  if (e.closeness.shows_untouched(which)) {
-    count(oracles::Stage::closeness);
-    return true;
-  }
-  return is_surely_untouched(e.exact_case, e.outcome, e.yardstick, which);
-}
-
-}  // namespace
 
 Verdict check_backward_error(const Evidence& e) {
   const oracles::Accuracy& accuracy = *e.accuracy;
@@ -213,22 +188,59 @@ Verdict check_energy(const Evidence& e) {
   return holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }
 
-Verdict check_collinear_spin(const Evidence& e) {
-  if (!collides(e)) {
-    return outside_domain("the contact is not colliding");
-  }
-  if (!e.exact_case.is_collinear()) {
-    return outside_domain("a lever arm is not along the normal");
-  }
-  if (are_surely_untouched(e, spins)) {
-    return {};
-  }
-  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
-  Verdict worst;
-  for (const OutcomeVector k : spins) {
-    worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
-  }
-  return worst;
+}  // namespace
+
+std::vector<Invariant> outcome_invariants() {
+  return {
+      Invariant{
+          "backward_error", "The outcome is exact for inputs within the limit of those at hand.",
+          R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \left(\sum_j \lVert \partial y_k / \partial x_j \rVert\, |x_j| + \lVert y_k^- \rVert\right)} \le \eta_{\max})",
+          "mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5; y is exact",
+          "valid collisions", with_truth(), AboutOutcome{check_backward_error}},
+      Invariant{"linear_momentum", "What A gains in linear momentum, B loses.",
+                R"(m_A (v_A^+ - v_A^-) = -m_B (v_B^+ - v_B^-))", "note eq. 23", "two movable bodies", every_model(),
+                AboutOutcome{check_linear_momentum}},
+      Invariant{
+          "angular_momentum",
+          "Each movable body turns by the moment of the impulse that it received; the total about any point is kept.",
+          R"(J (w^+ - w^-) = r \times m (v^+ - v^-))", "note eq. 11, 23", "a movable body", every_model(),
+          AboutOutcome{check_angular_momentum}},
+      Invariant{"restitution", "The normal velocity is reversed and multiplied by ε.",
+                R"(N \cdot V^+ = -\varepsilon\, N \cdot V^-)", "note eq. 17", "colliding contacts", every_model(),
+                AboutOutcome{check_restitution}},
+      Invariant{"non_penetration", "After the impulse the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
+                "note §1, after eq. 4", "a movable body", every_model(), AboutOutcome{check_non_penetration}},
+      Invariant{"push", "The impulse pushes the bodies apart, it never pulls.", R"(N \cdot F \ge 0)",
+                "note eq. 18, with C positive definite", "a movable body", every_model(), AboutOutcome{check_push}},
+      Invariant{"separating_untouched", "A contact that is not colliding keeps its velocities.",
+                R"(N \cdot V^- \ge 0 \Rightarrow y = (v_A^-, w_A^-, v_B^-, w_B^-))", "note §1, after eq. 2",
+                "separating and resting contacts, and two immovable bodies", every_model(),
+                AboutOutcome{check_separating_untouched}},
+      Invariant{"immovable_untouched", "A body of infinite mass keeps its velocity.",
+                R"(1/m = 0 \Rightarrow v^+ = v^-,\ w^+ = w^-)", "protocol; failure cases 26, 27", "an immovable body",
+                every_model(), AboutOutcome{check_immovable_untouched}},
+      Invariant{"frictionless_direction",
+                "The impulse is along the normal.",
+                R"(N \times F = 0)",
+                "note eq. 10",
+                "a movable body",
+                {Model::frictionless},
+                AboutOutcome{check_frictionless_direction}},
+      Invariant{"reflection_plane",
+                "The tangential relative velocity of the contact point is kept.",
+                R"(N \times V^+ = N \times V^-)",
+                "note eq. 20, 21",
+                "a movable body",
+                {Model::reflection},
+                AboutOutcome{check_reflection_plane}},
+      Invariant{"energy",
+                "The kinetic energy grows by no more than the work of a driven wall.",
+                R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",
+                "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law; reflection can create energy, so it is not "
+                "claimed there",
+                "a movable body",
+                {Model::frictionless},
+                AboutOutcome{check_energy}}};
 }
 
 }  // namespace carom::properties

@@ -6,7 +6,7 @@
 
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/families/bodies.hpp>
-#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -110,16 +110,16 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
 /// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
 /// `factor` is what `expected` multiplies the first outcome by, and its rounding with it.
 template <class Expected>
-Verdict related_pair(const Evidence& e, double factor, const Expected& expected) {
-  const auto first = outcome_of(e.related[0]);
-  const auto second = outcome_of(e.related[1]);
+Verdict related_pair(const Evidence& e, std::span<const Related> related, double factor, const Expected& expected) {
+  const auto first = outcome_of(related[0]);
+  const auto second = outcome_of(related[1]);
   for (const auto* answer : {&first, &second}) {
     if (const auto* verdict = std::get_if<Verdict>(answer)) {
       return *verdict;
     }
   }
-  const oracles::ExactCase& first_case = e.related[0].exact_case;
-  const oracles::ExactCase& second_case = e.related[1].exact_case;
+  const oracles::ExactCase& first_case = related[0].exact_case;
+  const oracles::ExactCase& second_case = related[1].exact_case;
   const oracles::LiftedOutcome& first_outcome = *std::get<const oracles::LiftedOutcome*>(first);
   const oracles::LiftedOutcome& second_outcome = *std::get<const oracles::LiftedOutcome*>(second);
   if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
@@ -259,9 +259,9 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
 
 /// The outcome with what the second related collision's velocities have more than the first's.
 template <class T>
-Outcome<T> plus_added_velocity(const Outcome<T>& y, const Evidence& e) {
-  const auto& from = collision_in<T>(e.related[0].exact_case);
-  const auto& to = collision_in<T>(e.related[1].exact_case);
+Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> related) {
+  const auto& from = collision_in<T>(related[0].exact_case);
+  const auto& to = collision_in<T>(related[1].exact_case);
   const auto added = [](const auto& before, const auto& after) {
     return Vector3<T>(after.template cast<T>() - before.template cast<T>());
   };
@@ -272,8 +272,6 @@ Outcome<T> plus_added_velocity(const Outcome<T>& y, const Evidence& e) {
   return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
 }
 
-}  // namespace
-
 std::vector<Collision> ask_swap(const Collision& collision) {
   Collision swapped = collision;
   std::swap(swapped.a, swapped.b);
@@ -281,8 +279,8 @@ std::vector<Collision> ask_swap(const Collision& collision) {
   return {swapped};
 }
 
-Verdict check_swap(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](auto y) {
+Verdict check_swap(const Evidence& e, std::span<const Related> related) {
+  return exactly_mapped(e, related[0], [](auto y) {
     std::swap(y.a, y.b);
     return y;
   });
@@ -299,8 +297,8 @@ std::vector<Collision> ask_galilean(const Collision& collision) {
   return {rounded, moving};
 }
 
-Verdict check_galilean(const Evidence& e) {
-  return related_pair(e, 1, [&](const auto& y) { return plus_added_velocity(y, e); });
+Verdict check_galilean(const Evidence& e, std::span<const Related> related) {
+  return related_pair(e, related, 1, [&](const auto& y) { return plus_added_velocity(y, related); });
 }
 
 std::vector<Collision> ask_translation(const Collision& collision) {
@@ -316,17 +314,17 @@ std::vector<Collision> ask_translation(const Collision& collision) {
   return {rounded, translated};
 }
 
-Verdict check_translation(const Evidence& e) {
-  return related_pair(e, 1, [](const auto& y) { return y; });
+Verdict check_translation(const Evidence& e, std::span<const Related> related) {
+  return related_pair(e, related, 1, [](const auto& y) { return y; });
 }
 
 std::vector<Collision> ask_rotation(const Collision& collision) {
   return {turned(collision, about_z), turned(collision, about_x)};
 }
 
-Verdict check_rotation(const Evidence& e) {
+Verdict check_rotation(const Evidence& e, std::span<const Related> related) {
   const auto turned_back = [&](std::size_t index, const QuarterTurn& turn) {
-    return exactly_mapped(e, e.related[index],
+    return exactly_mapped(e, related[index],
                           [back = turn.inverse()](const auto& y) { return mapped_vectors(y, back, back); });
   };
   return both(turned_back(0, about_z), turned_back(1, about_x));
@@ -340,8 +338,8 @@ std::vector<Collision> ask_reflection_symmetry(const Collision& collision) {
   return {mirrored};
 }
 
-Verdict check_reflection_symmetry(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](const auto& y) {
+Verdict check_reflection_symmetry(const Evidence& e, std::span<const Related> related) {
+  return exactly_mapped(e, related[0], [](const auto& y) {
     const auto polar = [](const auto& v) { return mirrored_polar(v); };
     const auto axial = [](const auto& v) { return mirrored_axial(v); };
     return mapped_vectors(y, polar, axial);
@@ -364,8 +362,8 @@ std::vector<Collision> ask_unit_scaling(const Collision& collision) {
   return {scaled};
 }
 
-Verdict check_unit_scaling(const Evidence& e) {
-  return exactly_mapped(e, e.related[0], [](auto back) {
+Verdict check_unit_scaling(const Evidence& e, std::span<const Related> related) {
+  return exactly_mapped(e, related[0], [](auto back) {
     for (auto* motion : {&back.a, &back.b}) {
       for (int i = 0; i < 3; ++i) {
         motion->velocity[i] = times_power_of_two(motion->velocity[i], time_exponent - length_exponent);
@@ -390,8 +388,8 @@ std::vector<Collision> ask_homogeneous(const Collision& collision) {
   return {rounded, faster};
 }
 
-Verdict check_homogeneous(const Evidence& e) {
-  return related_pair(e, velocity_factor, [](const auto& y) {
+Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
+  return related_pair(e, related, velocity_factor, [](const auto& y) {
     using T = std::decay_t<decltype(y.a.velocity[0])>;
     return map_outcome<T>(y, [](const T& number) { return T(number * T(velocity_factor)); });
   });
@@ -422,17 +420,17 @@ std::vector<Collision> ask_continuous(const Collision& collision) {
   return {head_on, oblique};
 }
 
-Verdict check_continuous(const Evidence& e) { return check_galilean(e); }
+Verdict check_continuous(const Evidence& e, std::span<const Related> related) { return check_galilean(e, related); }
 
 std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<double>& outcome) {
   return {with_velocities(collision, outcome)};
 }
 
-Verdict check_repeat(const Evidence& e) {
+Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   if (e.exact_case.approach() != oracles::Approach::colliding || e.exact_case.collision().restitution == 0) {
     return outside_domain("the contact is not colliding, or ε = 0");
   }
-  const Related& second = e.related[0];
+  const Related& second = related[0];
   // The outcome was rounded to binary64 to be posed: by u relatively, which the band has to include.
   if (second.exact_case.is_grazing(e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome is within rounding of a colliding contact");
@@ -452,6 +450,44 @@ Verdict check_repeat(const Evidence& e) {
                         : "velocities of B, after a second impulse and before it");
   };
   return both(untouched(true), untouched(false));
+}
+
+}  // namespace
+
+std::vector<Invariant> relation_invariants() {
+  return {Invariant{"swap", "Naming the bodies the other way round changes nothing.",
+                    R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
+                    with_truth(), AboutRelation{ask_swap, check_swap}},
+          Invariant{"galilean", "A common velocity is only added.", R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)",
+                    "Galilean invariance", "valid collisions, velocities rounded to a grid so that the sum is exact",
+                    with_truth(), AboutRelation{ask_galilean, check_galilean}},
+          Invariant{"translation", "The place of the origin does not matter.", R"(y(X + t, P + t) = y(X, P))",
+                    "homogeneity of space", "valid collisions, places rounded to a grid so that the sum is exact",
+                    with_truth(), AboutRelation{ask_translation, check_translation}},
+          Invariant{"rotation", "Turned by 90°, the outcome is turned by 90°.", R"(y(T x) = T y(x))",
+                    "isotropy of space", "valid collisions, turned about z and about x", with_truth(),
+                    AboutRelation{ask_rotation, check_rotation}},
+          Invariant{"reflection_symmetry", "The mirror image of a collision has the mirror image as its outcome.",
+                    R"(y(M x) = M y(x))", "parity; angular velocities are axial vectors",
+                    "valid collisions, mirrored in x = 0", with_truth(),
+                    AboutRelation{ask_reflection_symmetry, check_reflection_symmetry}},
+          Invariant{"unit_scaling", "The units of mass, length and time do not matter.",
+                    R"(y(2^a \mathrm{kg}, 2^b \mathrm{m}, 2^c \mathrm{s}) = y(\mathrm{kg}, \mathrm{m}, \mathrm{s}))",
+                    "dimensional analysis; failure cases 21, 31", "valid collisions", with_truth(),
+                    AboutRelation{ask_unit_scaling, check_unit_scaling}},
+          Invariant{"homogeneous", "Three times the velocities give three times the outcome.",
+                    R"(y(k V) = k\, y(V),\ k = 3)", "the laws are linear in the velocities; failure cases 21, 38",
+                    "valid collisions, velocities rounded to 50 bits", with_truth(),
+                    AboutRelation{ask_homogeneous, check_homogeneous}},
+          Invariant{"continuous",
+                    "A small tangential velocity changes the outcome little: as v_t → 0 it becomes the head-on one.",
+                    R"(y(v_n, v_t) - (v_n, v_t) = y(v_n, 0) - (v_n, 0),\ v_t = 2^{-30} v_n)",
+                    "the laws depend on N·V⁻ alone; failure cases 3, 4",
+                    "the bodies of valid collisions, meeting head-on without spin", with_truth(),
+                    AboutRelation{ask_continuous, check_continuous}},
+          Invariant{"repeat", "A second impulse on the outcome does nothing.",
+                    R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
+                    "colliding contacts with ε > 0", with_truth(), AboutRelation{ask_repeat, check_repeat}}};
 }
 
 }  // namespace carom::properties

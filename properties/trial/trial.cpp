@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/invariants/verdicts.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
@@ -20,38 +21,6 @@ std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collis
     cases.emplace_back(collision, filtered);
   }
   return cases;
-}
-
-Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
-
-/// `finite`, of the answer to a valid collision.
-Verdict finite(const ExactAnswer& answer) {
-  if (std::holds_alternative<NotFinite>(answer)) {
-    return violated("the outcome is not finite");
-  }
-  if (const auto* refused = std::get_if<Refused>(&answer)) {
-    return violated("a valid collision was refused: " + refused->why);
-  }
-  return {};
-}
-
-/// Whether a collision is invalid only by fields that no law judged here reads: friction is the law `rough`'s alone.
-bool is_invalid_by_friction_alone(const Collision& collision) {
-  Collision without = collision;
-  without.friction = 0;
-  without.tangential_restitution = 0;
-  return validate(without).empty();
-}
-
-/// `invalid_refused`, of the answer to an invalid collision.
-Verdict invalid_refused(const Collision& collision, const ExactAnswer& answer) {
-  if (std::holds_alternative<Refused>(answer)) {
-    return {};
-  }
-  if (is_invalid_by_friction_alone(collision)) {
-    return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
-  }
-  return violated("an invalid collision was answered");
 }
 
 oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& claim,
@@ -88,7 +57,8 @@ JudgedCase::JudgedCase(const Case& generated, bool filtered) : generated_(genera
 std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
   const auto [known, is_new] = questions_.try_emplace(&invariant);
   if (is_new) {
-    known->second = exact_cases(invariant.questions(generated_.collision), filtered_);
+    const auto& relation = std::get<AboutRelation>(invariant.about);
+    known->second = exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(generated_.collision), filtered_);
   }
   return known->second;
 }
@@ -107,13 +77,16 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
   }
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     const Invariant& invariant = *claim.invariants[i];
-    if (invariant.questions != nullptr) {
-      questions_[i] = judged_case.questions_of(invariant);
-    } else if (invariant.questions_by_outcome != nullptr) {
+    const auto* relation = std::get_if<AboutRelation>(&invariant.about);
+    if (relation == nullptr) {
+      continue;
+    }
+    if (const auto* of_outcome = std::get_if<AboutRelation::OfOutcome>(&relation->ask)) {
       by_outcome_.push_back(
-          exact_cases(invariant.questions_by_outcome(judged_case.exact().collision(), outcome->rounded()),
-                      claim.yardstick.filtered));
+          exact_cases((*of_outcome)(judged_case.exact().collision(), outcome->rounded()), claim.yardstick.filtered));
       questions_[i] = by_outcome_.back();
+    } else {
+      questions_[i] = judged_case.questions_of(invariant);
     }
   }
 }
@@ -181,53 +154,51 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     return judgement;
   }
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
-  const bool has_truth = claim_->model != Model::any;
-  if (outcome != nullptr && judged_case_->is_valid() && has_truth) {
+  const bool is_of_valid = outcome != nullptr && judged_case_->is_valid();
+  if (is_of_valid && determines_outcome(claim_->model)) {
     judgement.accuracy =
         oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick, known_backward_error);
   }
   const oracles::Closeness closeness = closeness_of(*judged_case_, *claim_, outcome, judgement.accuracy);
+  std::optional<Evidence> evidence;
+  if (is_of_valid) {
+    evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->model,
+                              claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
+                              closeness, collision_matrix_ ? &*collision_matrix_ : nullptr});
+  }
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
   std::vector<Related> related;  // of one invariant
   related.reserve(most_questions());
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];
-    if (invariant.check == nullptr) {
-      const bool about_invalid = invariant.name == "invalid_refused";
-      if (about_invalid != judged_case_->is_valid()) {
-        judgement.verdicts.push_back({&invariant, about_invalid
-                                                      ? invalid_refused(judged_case_->generated().collision, answer_)
-                                                      : finite(answer_)});
+    if (const auto* of_answer = std::get_if<AboutAnswer>(&invariant.about)) {
+      if (of_answer->to_valid == judged_case_->is_valid()) {
+        judgement.verdicts.push_back({&invariant, of_answer->check(judged_case_->generated().collision, answer_)});
       }
       continue;
     }
-    if (outcome == nullptr || !judged_case_->is_valid() || (invariant.asks() && !with_relations_)) {
+    if (!evidence) {
       continue;
     }
+    if (const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about)) {
+      judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
+      continue;
+    }
+    if (!with_relations_) {
+      continue;
+    }
+    if (questions_[i].empty()) {
+      judgement.verdicts.push_back({&invariant, outside_domain("the related collision is out of range")});
+      continue;
+    }
+    const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
+    next_question += questions_[i].size();
     related.clear();
-    if (!questions_[i].empty()) {
-      const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
-      next_question += questions_[i].size();
-      for (std::size_t question = 0; question < answers.size(); ++question) {
-        related.push_back({questions_[i][question], answers[question]});
-      }
+    for (std::size_t question = 0; question < answers.size(); ++question) {
+      related.push_back({questions_[i][question], answers[question]});
     }
-    if (invariant.asks() && related.empty()) {
-      judgement.verdicts.push_back(
-          {&invariant, {Status::skipped, "the related collision is out of range", 0, 0, {}, {}}});
-      continue;
-    }
-    const Evidence evidence{judged_case_->exact(),
-                            judged_case_->generated().convex_uniform,
-                            claim_->model,
-                            claim_->yardstick,
-                            *outcome,
-                            judgement.accuracy ? &*judgement.accuracy : nullptr,
-                            closeness,
-                            collision_matrix_ ? &*collision_matrix_ : nullptr,
-                            related};
-    judgement.verdicts.push_back({&invariant, invariant.check(evidence)});
+    judgement.verdicts.push_back({&invariant, std::get<AboutRelation>(invariant.about).check(*evidence, related)});
   }
   return judgement;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -25,6 +26,10 @@ using PerModel = EnumArray<Model, T, all_models.size()>;
 
 /// The models that determine one outcome, so that there is a truth to compare with.
 inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection};
+
+[[nodiscard]] constexpr bool determines_outcome(Model model) {
+  return std::find(models_with_truth.begin(), models_with_truth.end(), model) != models_with_truth.end();
+}
 
 [[nodiscard]] constexpr std::string_view name_of(Model model) {
   switch (model) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -31,7 +30,7 @@ void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
   if (!is_available(set)) {
     throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
   }
-  if (std::find(models_with_truth.begin(), models_with_truth.end(), model) == models_with_truth.end()) {
+  if (!determines_outcome(model)) {
     throw std::invalid_argument("carom::impulse::solve: the model says no law");
   }
 #ifdef CAROM_BATCH_HAS_avx512

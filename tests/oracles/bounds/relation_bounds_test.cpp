@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string_view>
+#include <variant>
+#include <vector>
+
 #include <gtest/gtest.h>
 
-#include <carom/properties/invariants/checks.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 #include "support/exact.hpp"
 
@@ -9,6 +13,12 @@
 /// is multiplied by, is so exactly.
 namespace carom::bounds {
 namespace {
+
+/// The further collisions that a relation asks about.
+std::vector<Collision> asked_by(std::string_view relation, const Collision& collision) {
+  const auto& about = std::get<properties::AboutRelation>(properties::invariant_named(relation)->about);
+  return std::get<properties::AboutRelation::OfCollision>(about.ask)(collision);
+}
 
 using oracles::Rational;
 
@@ -21,11 +31,11 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
 /// 48 bits and an offset as large: sums have at most 49, and two more for 3/4 of a power of two.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
-    const std::vector<Collision> moving = properties::ask_galilean(one.collision);
+    const std::vector<Collision> moving = asked_by("galilean", one.collision);
     const Vector3<Rational> added = exact_difference(moving[1].a.velocity, moving[0].a.velocity);
     EXPECT_EQ(exact_difference(moving[1].b.velocity, moving[0].b.velocity), added) << family;
     EXPECT_NE(added[0], 0) << family;
-    const std::vector<Collision> moved = properties::ask_translation(one.collision);
+    const std::vector<Collision> moved = asked_by("translation", one.collision);
     const Vector3<Rational> step = exact_difference(moved[1].point, moved[0].point);
     EXPECT_EQ(exact_difference(moved[1].a.position, moved[0].a.position), step) << family;
     EXPECT_EQ(exact_difference(moved[1].b.position, moved[0].b.position), step) << family;
@@ -36,7 +46,7 @@ TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
 /// 50 bits, times three: 52.
 TEST(RelationBounds, MultiplyVelocitiesByThree) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
-    const std::vector<Collision> asked = properties::ask_homogeneous(one.collision);
+    const std::vector<Collision> asked = asked_by("homogeneous", one.collision);
     const Outcome<double> slow = unchanged(asked[0]);
     const Outcome<double> fast = unchanged(asked[1]);
     for (const OutcomeVector k : all_outcome_vectors) {
@@ -51,7 +61,7 @@ TEST(RelationBounds, AddATangentialVelocity) {
     if (one.collision.a.immovable && one.collision.b.immovable) {
       continue;
     }
-    const std::vector<Collision> asked = properties::ask_continuous(one.collision);
+    const std::vector<Collision> asked = asked_by("continuous", one.collision);
     const bool of_b = one.collision.a.immovable;
     const Vector3<Rational> added =
         exact_difference((of_b ? asked[1].b : asked[1].a).velocity, (of_b ? asked[0].b : asked[0].a).velocity);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/collision/validate.hpp>
+#include <carom/properties/invariants/groups.hpp>
+
+namespace carom::properties {
+namespace {
+
+Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
+
+/// `finite`, of the answer to a valid collision.
+Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer) {
+  if (std::holds_alternative<NotFinite>(answer)) {
+    return violated("the outcome is not finite");
+  }
+  if (const auto* refused = std::get_if<Refused>(&answer)) {
+    return violated("a valid collision was refused: " + refused->why);
+  }
+  return {};
+}
+
+/// Whether a collision is invalid only by fields that no law judged here reads: friction is the law `rough`'s alone.
+bool is_invalid_by_friction_alone(const Collision& collision) {
+  Collision without = collision;
+  without.friction = 0;
+  without.tangential_restitution = 0;
+  return validate(without).empty();
+}
+
+/// `invalid_refused`, of the answer to an invalid collision.
+Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer) {
+  if (std::holds_alternative<Refused>(answer)) {
+    return {};
+  }
+  if (is_invalid_by_friction_alone(collision)) {
+    return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
+  }
+  return violated("an invalid collision was answered");
+}
+
+}  // namespace
+
+std::vector<Invariant> answer_invariants() {
+  return {Invariant{"finite", "A valid collision is answered, with finite numbers.",
+                    R"(x \text{ valid} \Rightarrow y(x) \in \mathbb{R}^{12})",
+                    "protocol; failure cases 12, 25, 28 to 30, 34", "valid collisions", every_model(),
+                    AboutAnswer{true, check_finite}},
+          Invariant{"invalid_refused", "An invalid collision is refused, not answered.",
+                    R"(x \text{ invalid} \Rightarrow \text{no } y(x))", "protocol; failure cases 12, 22, 28",
+                    "invalid collisions", every_model(), AboutAnswer{false, check_invalid_refused}}};
+}
+
+}  // namespace carom::properties
