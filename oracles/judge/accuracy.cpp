@@ -58,7 +58,7 @@ struct Deviation {
 };
 
 template <class T>
-Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicCollision<T>& collision,
+Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as, const BasicCollision<T>& collision,
                           const Truth<T>& truth, const Outcome<T>& outcome) {
   Deviation<T> result;
   Accuracy& accuracy = result.accuracy;
@@ -81,10 +81,14 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
       return std::sqrt(twice_energy(exact_case.collision(), of));
     };
     const double norm_of_deviation = energy_norm(deviation);
-    const double norm_of_change = exact_case.energy_norm_of_change(model, std::is_same_v<T, Rational>, [&] {
+    const auto find_norm_of_change = [&] {
       return energy_norm(
           map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
-    });
+    };
+    const double norm_of_change =
+        as == exact_case.approach()
+            ? exact_case.energy_norm_of_change(model, std::is_same_v<T, Rational>, find_norm_of_change)
+            : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
     // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
@@ -136,33 +140,37 @@ double Accuracy::digits() const {
   return relative_error > 0 ? std::min(exact, -std::log10(relative_error)) : exact;
 }
 
-Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
-                  double known) {
+namespace {
+
+/// Against the answer to a contact with this approach.
+Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, const LiftedOutcome& outcome,
+                     const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
   const auto with_digits = [&](Accuracy accuracy) {
     if (yardstick.digits) {
       const double bound = yardstick.allowance();
       const std::optional<bool> decided =
           may_use_bounds ? relative_error_at_most(bound, exact_case.bounds().enclosed(),
-                                                  exact_case.enclosed_truth(model), outcome.enclosed())
+                                                  exact_case.enclosed_truth(model, as), outcome.enclosed())
                          : std::nullopt;
       accuracy.has_digits =
           decided ? *decided
-                  : *relative_error_at_most(bound, exact_case.exact(), exact_case.truth(model), outcome.exact());
+                  : *relative_error_at_most(bound, exact_case.exact(), exact_case.truth(model, as), outcome.exact());
     }
     return accuracy;
   };
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed = deviation_of(exact_case, model, exact_case.bounds().enclosed(), exact_case.enclosed_truth(model),
-                              outcome.enclosed());
+      enclosed = deviation_of(exact_case, model, as, exact_case.bounds().enclosed(),
+                              exact_case.enclosed_truth(model, as), outcome.enclosed());
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
   // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
   // are the same either way, so that what is reported does not depend on what is known.
-  if (yardstick.uses_bounds() && known > 0 && exact_case.bounds().is_moderate() && outcome.is_moderate()) {
+  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.bounds().is_moderate() &&
+      outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(model);
     const auto bounded = by_enclosures(below);
     if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff) <= known) {
@@ -170,7 +178,8 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
       return with_digits(*bounded);
     }
   }
-  const Sensitivity& sensitivity = exact_case.sensitivity(model, yardstick.allowance());
+  const Sensitivity& sensitivity = as == exact_case.approach() ? exact_case.sensitivity(model, yardstick.allowance())
+                                                               : exact_case.sensitivity_as(model, as);
   for (const double sum : sensitivity) {
     if (!yardstick.allowed(sum)) {
       Accuracy undecided;
@@ -185,8 +194,32 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
     }
   }
   count(Stage::rational);
-  const auto exactly = deviation_of(exact_case, model, exact_case.exact(), exact_case.truth(model), outcome.exact());
+  const auto exactly =
+      deviation_of(exact_case, model, as, exact_case.exact(), exact_case.truth(model, as), outcome.exact());
   return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
+}
+
+/// Whether an outcome with this accuracy passes.
+bool passes(const Accuracy& accuracy, const Yardstick& yardstick) {
+  return accuracy.is_decided && (accuracy.is_allowed() || (yardstick.digits && accuracy.has_digits));
+}
+
+}  // namespace
+
+Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
+                  double known) {
+  const Approach approach = exact_case.approach();
+  Accuracy own = accuracy_as(exact_case, model, approach, outcome, yardstick, known);
+  if (passes(own, yardstick) || !exact_case.has_two_answers(model, yardstick.allowance())) {
+    return own;
+  }
+  const Approach other = approach == Approach::colliding ? Approach::separating : Approach::colliding;
+  Accuracy result = accuracy_as(exact_case, model, other, outcome, yardstick, known);
+  if (!passes(result, yardstick)) {
+    return own;
+  }
+  result.error_above = Accuracy{}.error_above;  // the answer that it is near to is not the truth
+  return result;
 }
 
 }  // namespace carom::oracles

@@ -34,9 +34,10 @@ struct Accuracy {
   static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
-/// Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most `known`, by a
-/// filtered yardstick, the sensitivity may be a lower bound in place of the number itself, at a small part of the cost:
-/// the backward error then comes out too large, but at most `known`.
+/// Where the case has two answers by this model, that of the answer by which the outcome passes; of the truth where
+/// there is none. Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most
+/// `known`, by a filtered yardstick, the sensitivity may be a lower bound in place of the number itself, at a small
+/// part of the cost: the backward error then comes out too large, but at most `known`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

@@ -84,22 +84,22 @@ bool ExactCase::is_grazing(double allowance) const {
   return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
 
-const Truth<Rational>& ExactCase::truth(Model model) const {
-  std::optional<Truth<Rational>>& known = of_model_[model].truth;
+const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
+  std::optional<Truth<Rational>>& known = as == Approach::colliding ? of_model_[model].truth : unchanged_;
   if (!known) {
-    Truth<Rational> truth = truth_of(exact(), model, approach());
-    certify(exact(), model, approach(), truth.outcome);
+    Truth<Rational> truth = truth_of(exact(), model, as);
+    certify(exact(), model, as, truth.outcome);
     known = std::move(truth);
   }
   return *known;
 }
 
-const Truth<Enclosure>& ExactCase::enclosed_truth(Model model) const {
-  if (approach() == Approach::colliding) {
+const Truth<Enclosure>& ExactCase::enclosed_truth(Model model, Approach as) const {
+  if (as == Approach::colliding) {
     return bounds_.colliding_truth(model);
   }
   if (!enclosed_unchanged_) {
-    enclosed_unchanged_ = truth_of(bounds_.enclosed(), model, approach());
+    enclosed_unchanged_ = truth_of(bounds_.enclosed(), model, as);
   }
   return *enclosed_unchanged_;
 }
@@ -116,7 +116,16 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
 }
 
 const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
-  if (approach() != Approach::colliding && !is_grazing(allowance)) {
+  const bool may_collide = approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once(model));
+  return sensitivity_as(model, may_collide ? Approach::colliding : approach());
+}
+
+bool ExactCase::has_two_answers(Model model, double allowance) const {
+  return acts_at_once(model) && is_grazing(allowance);
+}
+
+const Sensitivity& ExactCase::sensitivity_as(Model model, Approach as) const {
+  if (as != Approach::colliding) {
     return unchanged_sensitivity();
   }
   // By binary64 where it keeps ten digits, else in enclosures, and where these do not keep them either, in ℚ.

@@ -28,14 +28,25 @@ class ExactCase {
 
   /// The law's answer, certified: both sides of each of its defining equations are the same.
   /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`.
-  [[nodiscard]] const Truth<Rational>& truth(Model model) const;
+  [[nodiscard]] const Truth<Rational>& truth(Model model) const { return truth(model, approach()); }
+
+  /// The same as if the contact had this approach.
+  [[nodiscard]] const Truth<Rational>& truth(Model model, Approach as) const;
 
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
-  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const;
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model, Approach as) const;
 
   /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs
-  /// within the allowance collide.
+  /// within the allowance collide; but not of a law that acts at once, whose two answers are judged apart.
   [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
+
+  /// The same as if the contact had this approach, away from the band.
+  [[nodiscard]] const Sensitivity& sensitivity_as(Model model, Approach as) const;
+
+  /// Whether inputs that differ relatively by `allowance` have answers that are far from each other: those of a law
+  /// that acts at once, in the grazing band.
+  [[nodiscard]] bool has_two_answers(Model model, double allowance) const;
 
   /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of BoundedCase,
   /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: bounds().is_moderate().
@@ -90,6 +101,7 @@ class ExactCase {
   mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
   mutable PerModel<OfModel> of_model_;
+  mutable std::optional<Truth<Rational>> unchanged_;
   mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;

@@ -78,6 +78,11 @@ struct Frictionless {
   /// Whether its answer never has more energy than before, beside the work of a driven wall:
   /// ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
   static constexpr bool creates_no_energy = true;
+
+  // What happens where the contact only just collides.
+
+  /// Whether the impulse does not vanish with N·V⁻.
+  static constexpr bool acts_at_once = false;
 };
 
 }  // namespace carom::oracles

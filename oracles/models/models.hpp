@@ -88,6 +88,12 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<Law>
   return with_law(model, [&]<class Law>(Law) { return detail::kept_equations_of<Law>[equation]; });
 }
 
+/// Whether the impulse of the model does not vanish with N·V⁻. Where inputs within rounding include both colliding and
+/// separating contacts, its answers to both are then open to an outcome, and neither is asked of it alone.
+[[nodiscard]] inline bool acts_at_once(Model model) {
+  return with_law(model, []<class Law>(Law) { return Law::acts_at_once; });
+}
+
 /// Whether the answer of the model never has more energy than before, beside the work of a driven wall.
 [[nodiscard]] inline bool creates_no_energy(Model model) {
   return with_law(model, []<class Law>(Law) { return Law::creates_no_energy; });

@@ -53,6 +53,11 @@ struct Reflection {
                                     AffineEquation::reflection_plane};
   /// Whether its answer never has more energy than before, beside the work of a driven wall.
   static constexpr bool creates_no_energy = false;
+
+  // What happens where the contact only just collides.
+
+  /// Whether the impulse does not vanish with N·V⁻.
+  static constexpr bool acts_at_once = false;
 };
 
 }  // namespace carom::oracles

@@ -144,6 +144,9 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (are_surely_untouched(e, all_outcome_vectors)) {
     return {};
   }
+  if (has_two_answers(e, e.exact_case)) {
+    return between_two_answers();
+  }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -211,7 +214,8 @@ std::vector<Invariant> outcome_invariants() {
       Invariant{"non_penetration", "After the impulse the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
                 "note §1, after eq. 4", "a movable body", every_model(), AboutOutcome{check_non_penetration}},
       Invariant{"push", "The impulse pushes the bodies apart, it never pulls.", R"(N \cdot F \ge 0)",
-                "note eq. 18, with C positive definite", "a movable body", every_model(), AboutOutcome{check_push}},
+                "note eq. 18, with C positive definite", "a movable body",
+                std::vector{Model::frictionless, Model::reflection, Model::any}, AboutOutcome{check_push}},
       Invariant{"separating_untouched", "A contact that is not colliding keeps its velocities.",
                 R"(N \cdot V^- \ge 0 \Rightarrow y = (v_A^-, w_A^-, v_B^-, w_B^-))", "note §1, after eq. 2",
                 "separating and resting contacts, and two immovable bodies", every_model(),

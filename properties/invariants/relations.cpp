@@ -103,6 +103,9 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       return {};
     }
   }
+  if (has_two_answers(e, e.exact_case)) {
+    return between_two_answers();
+  }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
@@ -131,6 +134,9 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
         agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
       return {};
     }
+  }
+  if (has_two_answers(e, first_case) || has_two_answers(e, second_case)) {
+    return between_two_answers();
   }
   return agree(e, first_outcome, expected, second_outcome,
                weighted_sum(factor, first_case.sensitivity(e.model, e.allowance()),
@@ -455,39 +461,40 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
 }  // namespace
 
 std::vector<Invariant> relation_invariants() {
-  return {Invariant{"swap", "Naming the bodies the other way round changes nothing.",
-                    R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
-                    with_truth(), AboutRelation{ask_swap, check_swap}},
-          Invariant{"galilean", "A common velocity is only added.", R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)",
-                    "Galilean invariance", "valid collisions, velocities rounded to a grid so that the sum is exact",
-                    with_truth(), AboutRelation{ask_galilean, check_galilean}},
-          Invariant{"translation", "The place of the origin does not matter.", R"(y(X + t, P + t) = y(X, P))",
-                    "homogeneity of space", "valid collisions, places rounded to a grid so that the sum is exact",
-                    with_truth(), AboutRelation{ask_translation, check_translation}},
-          Invariant{"rotation", "Turned by 90°, the outcome is turned by 90°.", R"(y(T x) = T y(x))",
-                    "isotropy of space", "valid collisions, turned about z and about x", with_truth(),
-                    AboutRelation{ask_rotation, check_rotation}},
-          Invariant{"reflection_symmetry", "The mirror image of a collision has the mirror image as its outcome.",
-                    R"(y(M x) = M y(x))", "parity; angular velocities are axial vectors",
-                    "valid collisions, mirrored in x = 0", with_truth(),
-                    AboutRelation{ask_reflection_symmetry, check_reflection_symmetry}},
-          Invariant{"unit_scaling", "The units of mass, length and time do not matter.",
-                    R"(y(2^a \mathrm{kg}, 2^b \mathrm{m}, 2^c \mathrm{s}) = y(\mathrm{kg}, \mathrm{m}, \mathrm{s}))",
-                    "dimensional analysis; failure cases 21, 31", "valid collisions", with_truth(),
-                    AboutRelation{ask_unit_scaling, check_unit_scaling}},
-          Invariant{"homogeneous", "Three times the velocities give three times the outcome.",
-                    R"(y(k V) = k\, y(V),\ k = 3)", "the laws are linear in the velocities; failure cases 21, 38",
-                    "valid collisions, velocities rounded to 50 bits", with_truth(),
-                    AboutRelation{ask_homogeneous, check_homogeneous}},
-          Invariant{"continuous",
-                    "A small tangential velocity changes the outcome little: as v_t → 0 it becomes the head-on one.",
-                    R"(y(v_n, v_t) - (v_n, v_t) = y(v_n, 0) - (v_n, 0),\ v_t = 2^{-30} v_n)",
-                    "the laws depend on N·V⁻ alone; failure cases 3, 4",
-                    "the bodies of valid collisions, meeting head-on without spin", with_truth(),
-                    AboutRelation{ask_continuous, check_continuous}},
-          Invariant{"repeat", "A second impulse on the outcome does nothing.",
-                    R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
-                    "colliding contacts with ε > 0", with_truth(), AboutRelation{ask_repeat, check_repeat}}};
+  return {
+      Invariant{"swap", "Naming the bodies the other way round changes nothing.",
+                R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
+                with_truth(), AboutRelation{ask_swap, check_swap}},
+      Invariant{"galilean", "A common velocity is only added.", R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)",
+                "Galilean invariance", "valid collisions, velocities rounded to a grid so that the sum is exact",
+                with_truth(), AboutRelation{ask_galilean, check_galilean}},
+      Invariant{"translation", "The place of the origin does not matter.", R"(y(X + t, P + t) = y(X, P))",
+                "homogeneity of space", "valid collisions, places rounded to a grid so that the sum is exact",
+                with_truth(), AboutRelation{ask_translation, check_translation}},
+      Invariant{"rotation", "Turned by 90°, the outcome is turned by 90°.", R"(y(T x) = T y(x))", "isotropy of space",
+                "valid collisions, turned about z and about x", with_truth(),
+                AboutRelation{ask_rotation, check_rotation}},
+      Invariant{"reflection_symmetry", "The mirror image of a collision has the mirror image as its outcome.",
+                R"(y(M x) = M y(x))", "parity; angular velocities are axial vectors",
+                "valid collisions, mirrored in x = 0", with_truth(),
+                AboutRelation{ask_reflection_symmetry, check_reflection_symmetry}},
+      Invariant{"unit_scaling", "The units of mass, length and time do not matter.",
+                R"(y(2^a \mathrm{kg}, 2^b \mathrm{m}, 2^c \mathrm{s}) = y(\mathrm{kg}, \mathrm{m}, \mathrm{s}))",
+                "dimensional analysis; failure cases 21, 31", "valid collisions", with_truth(),
+                AboutRelation{ask_unit_scaling, check_unit_scaling}},
+      Invariant{"homogeneous", "Three times the velocities give three times the outcome.",
+                R"(y(k V) = k\, y(V),\ k = 3)", "the laws are linear in the velocities; failure cases 21, 38",
+                "valid collisions, velocities rounded to 50 bits", with_truth(),
+                AboutRelation{ask_homogeneous, check_homogeneous}},
+      Invariant{"continuous",
+                "A small tangential velocity changes the outcome little: as v_t → 0 it becomes the head-on one.",
+                R"(y(v_n, v_t) - (v_n, v_t) = y(v_n, 0) - (v_n, 0),\ v_t = 2^{-30} v_n)",
+                "the laws depend on N·V⁻ alone; failure cases 3, 4",
+                "the bodies of valid collisions, meeting head-on without spin",
+                std::vector{Model::frictionless, Model::reflection}, AboutRelation{ask_continuous, check_continuous}},
+      Invariant{"repeat", "A second impulse on the outcome does nothing.",
+                R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
+                "colliding contacts with ε > 0", with_truth(), AboutRelation{ask_repeat, check_repeat}}};
 }
 
 }  // namespace carom::properties

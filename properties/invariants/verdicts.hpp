@@ -39,6 +39,15 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
+/// Whether the law acts at once and inputs within rounding include both colliding and separating contacts: what holds
+/// of one of its answers is then not asked of the other.
+[[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
+  return determines_outcome(e.model) && exact_case.has_two_answers(e.model, e.allowance());
+}
+[[nodiscard]] inline Verdict between_two_answers() {
+  return outside_domain("within rounding of both colliding and separating contacts, whose answers differ");
+}
+
 /// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as
 /// enclosures, and as functions that give them exactly where those do not decide. `relation` says what is compared of
 /// the vector; none is allowed where that leaves the range of numbers.
