@@ -9,9 +9,8 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Core>
-
 #include <carom/collision/outcome.hpp>
+#include <carom/oracles/laws/eigen_scalar.hpp>
 
 namespace carom::oracles {
 
@@ -100,19 +99,5 @@ class Rational {
 }  // namespace carom::oracles
 
 template <>
-struct Eigen::NumTraits<carom::oracles::Rational> : GenericNumTraits<carom::oracles::Rational> {
-  using Real = carom::oracles::Rational;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  static int digits10() { return 0; }
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 6,
-    AddCost = 150,
-    MulCost = 100
-  };
+struct Eigen::NumTraits<carom::oracles::Rational> : carom::oracles::EigenScalar<carom::oracles::Rational, 6, 150, 100> {
 };

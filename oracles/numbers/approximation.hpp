@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Core>
+#include <carom/oracles/laws/eigen_scalar.hpp>
 
 namespace carom::oracles {
 
@@ -101,23 +101,6 @@ class Approximation {
 
 }  // namespace carom::oracles
 
-namespace Eigen {
-
 template <>
-struct NumTraits<carom::oracles::Approximation> : GenericNumTraits<carom::oracles::Approximation> {
-  using Real = carom::oracles::Approximation;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = int;
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 2,
-    AddCost = 4,
-    MulCost = 8
-  };
-};
-
-}  // namespace Eigen
+struct Eigen::NumTraits<carom::oracles::Approximation>
+    : carom::oracles::EigenScalar<carom::oracles::Approximation, 2, 4, 8> {};

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <Eigen/Core>
+#include <carom/oracles/laws/eigen_scalar.hpp>
 
 namespace carom::oracles {
 
@@ -72,23 +72,6 @@ struct Dual {
 
 }  // namespace carom::oracles
 
-namespace Eigen {
-
 template <class S, std::size_t N>
-struct NumTraits<carom::oracles::Dual<S, N>> : GenericNumTraits<carom::oracles::Dual<S, N>> {
-  using Real = carom::oracles::Dual<S, N>;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = int;
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 1,
-    AddCost = 8,
-    MulCost = 16
-  };
-};
-
-}  // namespace Eigen
+struct Eigen::NumTraits<carom::oracles::Dual<S, N>>
+    : carom::oracles::EigenScalar<carom::oracles::Dual<S, N>, 1, 8, 16> {};

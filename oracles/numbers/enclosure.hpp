@@ -6,9 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include <Eigen/Core>
-
 #include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/laws/eigen_scalar.hpp>
 
 namespace carom::oracles {
 
@@ -178,23 +177,6 @@ class Enclosure {
 
 }  // namespace carom::oracles
 
-namespace Eigen {
-
 template <>
-struct NumTraits<carom::oracles::Enclosure> : GenericNumTraits<carom::oracles::Enclosure> {
-  using Real = carom::oracles::Enclosure;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = int;
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 3,
-    AddCost = 20,
-    MulCost = 30
-  };
+struct Eigen::NumTraits<carom::oracles::Enclosure> : carom::oracles::EigenScalar<carom::oracles::Enclosure, 3, 20, 30> {
 };
-
-}  // namespace Eigen

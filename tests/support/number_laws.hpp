@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <carom/collision/vector.hpp>
+
+#include "support/cases.hpp"
+
+/// The laws of a field, written once for every type of number. What a type has to say of itself is a specialisation of
+/// NumberType, in a small file of its own that instantiates the suite.
+namespace carom::unit {
+
+/// For a type T:
+///   static T draw(properties::Stream&)   any number, zero at times;
+///   static bool is_zero(x)               whether x is, or may be, zero: nothing is divided by it;
+///   static bool same(x, y)               whether both are the same number in the same bits, and their bounds too;
+///   static bool same_value(x, y)         the same but for their bounds, where they have any;
+///   static bool agrees(x, y, terms)      whether both can be the same real number. A type that is exact asks whether
+///                                        they are; one with a bound, whether the bounds meet; one that rounds without
+///                                        a bound, whether they differ by a few of its roundings of `terms`;
+///   static double size(x)                |x|, roughly; for `terms`.
+template <class T>
+struct NumberType;
+
+template <class T>
+class NumberLaws : public testing::Test {
+ protected:
+  /// visit(x, y, z), often enough.
+  template <class Visit>
+  static void for_each_triple(const Visit& visit) {
+    for (std::uint64_t i = 0; i < 400; ++i) {
+      properties::Stream stream = properties::case_stream(seed, "number_laws", i);
+      const T x = NumberType<T>::draw(stream);
+      const T y = NumberType<T>::draw(stream);
+      const T z = NumberType<T>::draw(stream);
+      visit(x, y, z);
+      ASSERT_FALSE(testing::Test::HasFailure()) << "triple " << i;
+    }
+  }
+
+  static bool same(const T& x, const T& y) { return NumberType<T>::same(x, y); }
+};
+
+TYPED_TEST_SUITE_P(NumberLaws);
+
+/// Also of numbers that are rounded: x + y and y + x are the same bits. A bound of them may be rounded otherwise.
+TYPED_TEST_P(NumberLaws, CommuteBitForBit) {
+  this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
+    EXPECT_TRUE(NumberType<TypeParam>::same_value(x + y, y + x));
+    EXPECT_TRUE(NumberType<TypeParam>::same_value(x * y, y * x));
+  });
+}
+
+TYPED_TEST_P(NumberLaws, Associate) {
+  using Type = NumberType<TypeParam>;
+  this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam& z) {
+    EXPECT_TRUE(Type::agrees((x + y) + z, x + (y + z), Type::size(x) + Type::size(y) + Type::size(z)));
+    EXPECT_TRUE(Type::agrees((x * y) * z, x * (y * z), Type::size(x) * Type::size(y) * Type::size(z)));
+  });
+}
+
+TYPED_TEST_P(NumberLaws, Distribute) {
+  using Type = NumberType<TypeParam>;
+  this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam& z) {
+    EXPECT_TRUE(Type::agrees(x * (y + z), x * y + x * z, Type::size(x) * (Type::size(y) + Type::size(z))));
+    EXPECT_TRUE(Type::agrees((x - y) * z, x * z - y * z, (Type::size(x) + Type::size(y)) * Type::size(z)));
+  });
+}
+
+TYPED_TEST_P(NumberLaws, HaveNeutralNumbers) {
+  using Type = NumberType<TypeParam>;
+  const TypeParam zero(0);
+  const TypeParam one(1);
+  EXPECT_TRUE(this->same(TypeParam(), zero));
+  this->for_each_triple([&](const TypeParam& x, const TypeParam&, const TypeParam&) {
+    EXPECT_TRUE(Type::agrees(x + zero, x, Type::size(x)));
+    EXPECT_TRUE(Type::agrees(x * one, x, Type::size(x)));
+    EXPECT_TRUE(Type::agrees(x / one, x, Type::size(x)));
+    EXPECT_TRUE(this->same(x * zero, zero));
+  });
+}
+
+TYPED_TEST_P(NumberLaws, HaveInverses) {
+  using Type = NumberType<TypeParam>;
+  this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
+    EXPECT_TRUE(Type::agrees(x + (-x), TypeParam(0), Type::size(x)));
+    EXPECT_TRUE(this->same(-(-x), x));
+    EXPECT_TRUE(this->same(x - y, x + (-y)));
+    if (!Type::is_zero(y)) {
+      EXPECT_TRUE(Type::agrees(y / y, TypeParam(1), 1));
+      EXPECT_TRUE(Type::agrees(x / y * y, x, Type::size(x)));
+      EXPECT_TRUE(Type::agrees(x / y, x * (TypeParam(1) / y), Type::size(x) / Type::size(y)));
+    }
+  });
+}
+
+/// Sums and products of small integers are those of int, without rounding in any type.
+TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
+  for (int i = -9; i <= 9; ++i) {
+    for (int j = -9; j <= 9; ++j) {
+      const TypeParam x(i);
+      const TypeParam y(j);
+      EXPECT_TRUE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j), 0)) << i << ' ' << j;
+      EXPECT_TRUE(NumberType<TypeParam>::agrees(x - y, TypeParam(i - j), 0)) << i << ' ' << j;
+      EXPECT_TRUE(NumberType<TypeParam>::agrees(x * y, TypeParam(i * j), 0)) << i << ' ' << j;
+      // And told apart, so that `agrees` is no empty word.
+      EXPECT_FALSE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j + 1), 1)) << i << ' ' << j;
+    }
+  }
+}
+
+TYPED_TEST_P(NumberLaws, AssignAsTheyCompute) {
+  this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
+    TypeParam sum = x;
+    TypeParam difference = x;
+    TypeParam product = x;
+    EXPECT_TRUE(this->same(sum += y, x + y));
+    EXPECT_TRUE(this->same(difference -= y, x - y));
+    EXPECT_TRUE(this->same(product *= y, x * y));
+    if (!NumberType<TypeParam>::is_zero(y)) {
+      TypeParam quotient = x;
+      EXPECT_TRUE(this->same(quotient /= y, x / y));
+    }
+  });
+}
+
+/// An operand may be the number that is assigned to.
+TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
+  // In a way that compilers do not warn of.
+  const auto itself = [](const TypeParam& x) -> const TypeParam& { return x; };
+  this->for_each_triple([&](const TypeParam& x, const TypeParam&, const TypeParam&) {
+    TypeParam sum = x;
+    TypeParam difference = x;
+    TypeParam product = x;
+    sum += itself(sum);
+    difference -= itself(difference);
+    product *= itself(product);
+    EXPECT_TRUE(this->same(sum, x + x));
+    EXPECT_TRUE(this->same(difference, x - x));
+    EXPECT_TRUE(this->same(product, x * x));
+    if (!NumberType<TypeParam>::is_zero(x)) {
+      TypeParam quotient = x;
+      quotient /= itself(quotient);
+      EXPECT_TRUE(this->same(quotient, x / x));
+    }
+  });
+}
+
+/// As the laws use them: (x × y)·z = x·(y × z), and x × x = 0.
+TYPED_TEST_P(NumberLaws, GoThroughEigen) {
+  using Type = NumberType<TypeParam>;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    properties::Stream stream = properties::case_stream(seed, "number_laws in vectors", i);
+    const auto draw = [&] {
+      Vector3<TypeParam> vector;
+      for (int k = 0; k < 3; ++k) {
+        vector[k] = Type::draw(stream);
+      }
+      return vector;
+    };
+    const auto size = [](const Vector3<TypeParam>& vector) {
+      return Type::size(vector[0]) + Type::size(vector[1]) + Type::size(vector[2]);
+    };
+    const Vector3<TypeParam> x = draw();
+    const Vector3<TypeParam> y = draw();
+    const Vector3<TypeParam> z = draw();
+    const Vector3<TypeParam> nothing = x.cross(x);
+    EXPECT_TRUE(Type::agrees(x.cross(y).dot(z), x.dot(y.cross(z)), size(x) * size(y) * size(z))) << i;
+    EXPECT_TRUE(Type::agrees(nothing[i % 3], TypeParam(0), size(x) * size(x))) << i;
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(NumberLaws, CommuteBitForBit, Associate, Distribute, HaveNeutralNumbers, HaveInverses,
+                            ContainTheIntegers, AssignAsTheyCompute, SurviveBeingTheirOwnOperand, GoThroughEigen);
+
+}  // namespace carom::unit
