@@ -8,11 +8,55 @@
 
 namespace carom::oracles {
 
+/// The bounds of Approximation: each a formula for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, and ẑ the rounded result of an operation on x̂ and ŷ:
+///
+///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number where a product or quotient underflows;
+///   (2) |x + y − (x̂ + ŷ)| ≤ r_x + r_y;
+///   (3) |x y − x̂ ŷ| ≤ |x̂| r_y + (|ŷ| + r_y) r_x;
+///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y).
+///
+/// The roundings of (1) to (4) themselves are fewer than (up − 1) / u; what underflows in them is less than `least`.
+namespace approximation {
+
+inline constexpr double unit_roundoff = 0x1p-53;
+inline constexpr double up = 1 + 0x1p-45;
+inline constexpr double down = 1 - 0x1p-45;
+inline constexpr double least = 0x1p-1000;
+
+/// What a product may lose below the range of binary64, where it is divided by something small.
+inline constexpr double least_number = 0x1p-1074;
+
+/// |x| of x = ± size ± radius, from above and from below.
+template <class S>
+[[nodiscard]] S above(const S& size, const S& radius) {
+  return (size + radius) * S(up);
+}
+template <class S>
+[[nodiscard]] S below(const S& size, const S& radius) {
+  return size * S(down) - radius * S(up);
+}
+
+/// The radii of results; `size` is |ẑ|.
+template <class S>
+[[nodiscard]] S radius_of_sum(const S& radius_x, const S& radius_y, const S& size) {
+  return (radius_x + radius_y + size * S(unit_roundoff)) * S(up);
+}
+template <class S>
+[[nodiscard]] S radius_of_product(const S& size_x, const S& radius_x, const S& size_y, const S& radius_y,
+                                  const S& size) {
+  return (size_x * radius_y + (size_y + radius_y) * radius_x + size * S(unit_roundoff)) * S(up) + S(least);
+}
+template <class S>
+[[nodiscard]] S radius_of_quotient(const S& radius_x, const S& radius_y, const S& below_y, const S& size) {
+  return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
+}
+
+}  // namespace approximation
+
 /// A real number known to within a radius: |x − middle| ≤ radius. Binary64 with a bound that is carried along, a tenth
 /// of the work of an `Enclosure`: running error analysis, J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §3.3. The rounded result ẑ of an operation is off by at most u |ẑ|, or by the least number where it
-/// underflows. Each operation on the bound is rounded up: the few roundings of 2⁻⁵³ each are less than `up`, and what
-/// underflows is less than `least`. Where a bound overflows it is infinite or no number, and nothing is decided.
+/// Algorithms, §3.3. Where a bound overflows it is infinite or no number, and nothing is decided.
 class Approximation {
  public:
   Approximation() = default;
@@ -21,21 +65,23 @@ class Approximation {
   /// What is beyond binary64 becomes part of the radius.
   explicit Approximation(long double exact) : middle_(static_cast<double>(exact)) {
     const long double rest = exact - static_cast<long double>(middle_);
-    radius_ = rest == 0 ? 0 : std::abs(static_cast<double>(rest)) * up + least;
+    radius_ = rest == 0 ? 0 : std::abs(static_cast<double>(rest)) * approximation::up + approximation::least;
   }
 
   [[nodiscard]] double middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }
 
   /// The same, known to within so much less.
-  [[nodiscard]] Approximation widened_by(double radius) const { return {middle_, (radius_ + radius) * up}; }
+  [[nodiscard]] Approximation widened_by(double radius) const {
+    return {middle_, approximation::above(radius_, radius)};
+  }
 
   /// At least |x|.
-  [[nodiscard]] double magnitude_above() const { return (std::abs(middle_) + radius_) * up; }
+  [[nodiscard]] double magnitude_above() const { return approximation::above(std::abs(middle_), radius_); }
 
   /// At most |x|.
   [[nodiscard]] double magnitude_below() const {
-    const double below = std::abs(middle_) * down - radius_ * up;
+    const double below = approximation::below(std::abs(middle_), radius_);
     return below > 0 ? below : 0;
   }
 
@@ -57,28 +103,23 @@ class Approximation {
   friend Approximation operator+(const Approximation& x, const Approximation& y) {
     const double z = x.middle_ + y.middle_;
     // Sums do not underflow, their bounds can; a sum of zero is exact.
-    return {z, (x.radius_ + y.radius_ + std::abs(z) * unit_roundoff) * up + (z == 0 ? 0 : least)};
+    return {z, approximation::radius_of_sum(x.radius_, y.radius_, std::abs(z)) + (z == 0 ? 0 : approximation::least)};
   }
 
   friend Approximation operator-(const Approximation& x, const Approximation& y) { return x + (-y); }
 
-  // |x y − x̂ ŷ| ≤ |x̂| r_y + (|ŷ| + r_y) r_x.
   friend Approximation operator*(const Approximation& x, const Approximation& y) {
     if (x.is_exactly_zero() || y.is_exactly_zero()) {
       return {};
     }
     const double z = x.middle_ * y.middle_;
-    return {z, (std::abs(x.middle_) * y.radius_ + (std::abs(y.middle_) + y.radius_) * x.radius_ +
-                std::abs(z) * unit_roundoff) *
-                       up +
-                   least};
+    return {z, approximation::radius_of_product(std::abs(x.middle_), x.radius_, std::abs(y.middle_), y.radius_,
+                                                std::abs(z))};
   }
 
-  // |x / y − q| = |x − q y| / |y| ≤ (r_x + |q| r_y) / (|ŷ| − r_y) with q = x̂ / ŷ, up to the rounding of q.
   friend Approximation operator/(const Approximation& x, const Approximation& y) {
-    const double divisor = y.magnitude_below();
     const double q = x.middle_ / y.middle_;
-    return {q, ((x.radius_ + std::abs(q) * y.radius_) / divisor + std::abs(q) * unit_roundoff) * up + least};
+    return {q, approximation::radius_of_quotient(x.radius_, y.radius_, y.magnitude_below(), std::abs(q))};
   }
 
   Approximation& operator+=(const Approximation& other) { return *this = *this + other; }
@@ -88,12 +129,6 @@ class Approximation {
 
  private:
   Approximation(double middle, double radius) : middle_(middle), radius_(radius) {}
-
-  // Half an ulp, and a little more: the bound of q's rounding enters the error bound a second time.
-  static constexpr double unit_roundoff = 0x1p-53 * (1 + 0x1p-20);
-  static constexpr double up = 1 + 0x1p-45;
-  static constexpr double down = 1 - 0x1p-45;
-  static constexpr double least = 0x1p-1000;
 
   double middle_ = 0;
   double radius_ = 0;

@@ -11,14 +11,56 @@
 
 namespace carom::oracles {
 
+/// The bounds of Enclosure: each a formula for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). With u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, z the result of double-double arithmetic on x̂
+/// and ŷ, and nothing out of the range of binary64:
+///
+///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
+///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
+///   (2) |x y − x̂ ŷ| ≤ |x| r_y + |y| r_x;
+///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y), whatever q is.
+///
+/// The roundings of these themselves are fewer than (up − 1) / u. Products and quotients below `least` may lose all of
+/// their error terms, less than `least` together.
+namespace enclosure {
+
+inline constexpr double rounding = 0x1p-102;  // 16 u²
+inline constexpr double up = 1 + 0x1p-48;
+inline constexpr double down = 1 - 0x1p-48;
+inline constexpr double least = 0x1p-900;
+
+/// |x| of x = ±high ± low ± radius, from above and from below.
+template <class S>
+[[nodiscard]] S above(const S& high, const S& low, const S& radius) {
+  return (high * S(up) + low) + radius * S(up);
+}
+template <class S>
+[[nodiscard]] S below(const S& high, const S& low, const S& radius) {
+  return high * S(down) - low - radius * S(up);
+}
+
+/// The radius of z = ±high ± low: what its operands leave unknown, and the rounding of the operation.
+template <class S>
+[[nodiscard]] S radius_of_result(const S& of_operands, const S& high, const S& low, double absolute) {
+  return of_operands * S(up) + (high + low) * S(rounding) + S(absolute);
+}
+template <class S>
+[[nodiscard]] S radius_of_product(const S& above_x, const S& radius_x, const S& above_y, const S& radius_y) {
+  return above_x * radius_y + above_y * radius_x;
+}
+/// `rest` is at least |x̂ − q ŷ|, `above_q` at least |q|.
+template <class S>
+[[nodiscard]] S radius_of_quotient(const S& rest, const S& radius_x, const S& above_q, const S& radius_y,
+                                   const S& below_y) {
+  return (rest + radius_x + above_q * radius_y) / below_y * S(up);
+}
+
+}  // namespace enclosure
+
 /// A real number known to within a radius: |x − (high + low)| ≤ radius. Double-double arithmetic with a bound that is
 /// carried along, so that what it decides is decided exactly and the rest goes to rationals, as in CGAL's filtered
 /// predicates. About 100 bits, in the range of binary64; outside of it the radius becomes infinite, and nothing is
 /// decided.
-///
-/// The bounds are those of M. Joldes, J.-M. Muller, V. Popescu, ACM Trans. Math. Softw. 44 (2017), with u = 2⁻⁵³: sum
-/// 3u², product 5u², quotient 10u² and a little, relatively; rounded up to 16u² and kept from underflow by an absolute
-/// term.
 class Enclosure {
  public:
   Enclosure() = default;
@@ -26,8 +68,11 @@ class Enclosure {
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
-    // Extended has a wider range of exponents; an outcome that leaves binary64's is left to rationals.
-    radius_ = std::isfinite(high_) && std::abs(high_) >= smallest_product ? 0 : (exact == 0 ? 0 : infinity);
+    // Extended has a wider range of exponents, and other formats have more bits than two doubles: an outcome that
+    // needs them is left to rationals.
+    const bool is_held = std::isfinite(high_) && std::abs(high_) >= enclosure::least &&
+                         exact - static_cast<long double>(high_) == static_cast<long double>(low_);
+    radius_ = is_held || exact == 0 ? 0 : infinity;
   }
   explicit Enclosure(const Rational& exact) : high_(to_double(exact)) {
     if (!std::isfinite(high_)) {
@@ -38,7 +83,7 @@ class Enclosure {
     // What is left out is at most an ulp of the lower part, or lies below the range of binary64.
     const bool is_exact = exact == Rational(high_) + Rational(low_);
     const Pair normalised = fast_two_sum(high_, low_);
-    *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * two_to_minus_50 + smallest_product};
+    *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * part_of_lower + enclosure::least};
   }
 
   [[nodiscard]] double middle() const { return high_; }
@@ -46,16 +91,14 @@ class Enclosure {
   [[nodiscard]] double radius() const { return radius_; }
 
   /// The same, known to within so much less.
-  [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * one_and_a_bit}; }
+  [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * enclosure::up}; }
 
   /// At least |x|.
-  [[nodiscard]] double magnitude_above() const {
-    return (std::abs(high_) * one_and_a_bit + std::abs(low_)) + radius_ * one_and_a_bit;
-  }
+  [[nodiscard]] double magnitude_above() const { return enclosure::above(std::abs(high_), std::abs(low_), radius_); }
 
   /// At most |x|.
   [[nodiscard]] double magnitude_below() const {
-    return std::max(0.0, std::abs(high_) * one_less_a_bit - std::abs(low_) - radius_ * one_and_a_bit);
+    return std::max(0.0, enclosure::below(std::abs(high_), std::abs(low_), radius_));
   }
 
   [[nodiscard]] bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && radius_ == 0; }
@@ -89,9 +132,10 @@ class Enclosure {
     }
     const Pair c = two_product(x.high_, y.high_);
     const Pair z = fast_two_sum(c.high, c.low + (x.high_ * y.low_ + x.low_ * y.high_));
-    const double radius =
-        x.radius_ > 0 || y.radius_ > 0 ? x.magnitude_above() * y.radius_ + y.magnitude_above() * x.radius_ : 0;
-    return with_rounding(z, radius, smallest_product);
+    const double radius = x.radius_ > 0 || y.radius_ > 0 ? enclosure::radius_of_product(x.magnitude_above(), x.radius_,
+                                                                                        y.magnitude_above(), y.radius_)
+                                                         : 0;
+    return with_rounding(z, radius, enclosure::least);
   }
 
   friend Enclosure operator/(const Enclosure& x, const Enclosure& y) {
@@ -105,9 +149,9 @@ class Enclosure {
     const double q2 = rest1.high_ / y.high_;
     const Enclosure rest2 = rest1 - without_radius(y) * Enclosure(q2);
     const Pair q = fast_two_sum(q1, q2);
-    const double quotient_above = (std::abs(q1) + std::abs(q2)) * one_and_a_bit;
-    const double radius = (rest2.magnitude_above() + x.radius_ + quotient_above * y.radius_) / divisor * one_and_a_bit;
-    return with_rounding(q, radius, smallest_product);
+    const double radius = enclosure::radius_of_quotient(
+        rest2.magnitude_above(), x.radius_, (std::abs(q1) + std::abs(q2)) * enclosure::up, y.radius_, divisor);
+    return with_rounding(q, radius, enclosure::least);
   }
 
   Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
@@ -154,7 +198,7 @@ class Enclosure {
   /// The sum, product or quotient z with the rounding of double-double and of the radius itself added to the radius.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
     // Whatever is infinite or no number makes the bound so; hence the lower part, which adds next to nothing.
-    const double bound = radius * one_and_a_bit + (std::abs(z.high) + std::abs(z.low)) * rounding + absolute;
+    const double bound = enclosure::radius_of_result(radius, std::abs(z.high), std::abs(z.low), absolute);
     if (!(bound < infinity)) {
       return {0, 0, infinity};
     }
@@ -163,12 +207,8 @@ class Enclosure {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double splitter = 134217729;  // 2²⁷ + 1
-  static constexpr double two_to_minus_50 = 1.0 / (1LL << 50);
-  static constexpr double rounding = two_to_minus_50 * two_to_minus_50 / 4;  // 2⁻¹⁰² = 16 u²
-  static constexpr double one_and_a_bit = 1 + 4 * two_to_minus_50;
-  static constexpr double one_less_a_bit = 1 - 4 * two_to_minus_50;
-  // Below this the error terms of a product may underflow; 2⁻⁹⁰⁰ covers what they can lose.
-  static constexpr double smallest_product = 0x1p-900;
+  // What is left of a rational beyond the lower part: to_double is within an ulp, at most 2⁻⁵² of it.
+  static constexpr double part_of_lower = 0x1p-50;
 
   double high_ = 0;
   double low_ = 0;

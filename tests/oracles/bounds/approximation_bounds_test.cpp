@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/oracles/numbers/approximation.hpp>
+
+#include "covers.hpp"
+#include "support/exact.hpp"
+#include "support/rounding_count.hpp"
+
+/// The constants of oracles/numbers/approximation.hpp: what its inequalities (1) to (4) lose in binary64.
+namespace carom::bounds {
+namespace {
+
+namespace approximation = oracles::approximation;
+using oracles::Approximation;
+using oracles::Rational;
+
+/// More than one, so that no product with it is exact; what was computed before does not count.
+const RoundingCount any = RoundingCount::input(3);
+
+/// The last product, by `up`, is one of the roundings; so is the sum with `least`.
+TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
+  const int of_sum = approximation::radius_of_sum(any, any, any).roundings() + 1;
+  const int of_product = approximation::radius_of_product(any, any, any, any, any).roundings();
+  // By (4) |x̂ / ŷ| ≤ (1 + u) |q|: one more.
+  const int of_quotient = approximation::radius_of_quotient(any, any, any, any).roundings() + 1;
+  const int of_size = approximation::above(any, any).roundings();
+  const int most = std::max({of_sum, of_product, of_quotient, of_size});
+  EXPECT_GE(most, 6);
+  EXPECT_TRUE(covers(approximation::up - 1, most * u / (1 - most * u), 64));
+  EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any, any).roundings() * u, 128));
+}
+
+/// Each operation on a bound may lose half the least number, and no formula has more of them than `any * any` has
+/// terms; where one of these is divided by, what was lost is there to be divided.
+TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
+  constexpr int operations = 8;
+  EXPECT_GE(approximation::least, operations * 0x1p-1074 / 2);
+  EXPECT_GE(approximation::least_number, 0x1p-1074);
+}
+
+/// |x / y − q| ≤ radius for all x, y within their own.
+testing::AssertionResult contains_quotients(const Approximation& x, const Approximation& y) {
+  const Approximation q = x / y;
+  for (const int of_x : {-1, 1}) {
+    for (const int of_y : {-1, 1}) {
+      const Rational numerator = Rational(x.middle()) + of_x * Rational(x.radius());
+      const Rational denominator = Rational(y.middle()) + of_y * Rational(y.radius());
+      if (abs(numerator / denominator - Rational(q.middle())) > Rational(q.radius())) {
+        return testing::AssertionFailure()
+               << x.middle() << " / (" << y.middle() << " ± " << y.radius() << ") is off by "
+               << to_double(abs(numerator / denominator - Rational(q.middle()))) << ", more than " << q.radius();
+      }
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+/// A divisor that is hardly known, at the end of the range: |q| r_y underflows, and is then divided by 2⁻¹⁰⁴⁰.
+TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
+  int tried = 0;
+  for (int k = 1; k <= 40; ++k) {
+    for (int bits = 2; bits <= 40; bits += 2) {
+      const double y = 0x1p-1000 * (1 + std::ldexp(1.0, -bits));
+      const Approximation divisor = Approximation(y).widened_by(0x1p-1000);
+      const Approximation x(k * 0x1p-1074);
+      if (divisor.magnitude_below() > 0) {
+        ++tried;
+        EXPECT_TRUE(contains_quotients(x, divisor)) << k << ' ' << bits;
+      }
+    }
+  }
+  EXPECT_GT(tried, 700);
+}
+
+/// (1) to (4) by the letter: each operation on numbers at the ends of their radii.
+TEST(ApproximationBounds, HoldAtTheEndsOfTheRadii) {
+  properties::Stream stream = properties::stream_from(51);
+  for (int i = 0; i < 4000; ++i) {
+    const auto draw = [&] {
+      const double middle = stream.signed_unit() * stream.power_of_two(-30, 30);
+      return Approximation(middle).widened_by(std::abs(middle) * stream.power_of_two(-60, -1));
+    };
+    const Approximation x = draw();
+    const Approximation y = draw();
+    const Rational exact_x = Rational(x.middle()) + (stream.chance(2) ? 1 : -1) * Rational(x.radius());
+    const Rational exact_y = Rational(y.middle()) + (stream.chance(2) ? 1 : -1) * Rational(y.radius());
+    const auto contains = [&](const Approximation& z, const Rational& exact) {
+      return abs(exact - Rational(z.middle())) <= Rational(z.radius());
+    };
+    EXPECT_TRUE(contains(x + y, exact_x + exact_y)) << i;
+    EXPECT_TRUE(contains(x - y, exact_x - exact_y)) << i;
+    EXPECT_TRUE(contains(x * y, exact_x * exact_y)) << i;
+    if (y.magnitude_below() > 0) {
+      EXPECT_TRUE(contains(x / y, exact_x / exact_y)) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::bounds

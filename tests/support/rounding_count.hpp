@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <carom/oracles/laws/eigen_scalar.hpp>
+
+namespace carom::bounds {
+
+/// What rounding does to a number, by running the code that computes it. The computed number is Σ t Π (1 + δ), |δ| ≤ u,
+/// over the terms t of the exact one: carried along are the most roundings n that a term went through, and Σ|t|. It is
+/// then off by at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
+/// Algorithms, §3.1). Operations with 0 and products with powers of two are exact. Quotients by numbers other than
+/// these: the divisor is a sum of positive terms, so that it is good to its roundings relatively, and at least 1.
+class RoundingCount {
+ public:
+  RoundingCount() = default;
+  RoundingCount(int exact) : RoundingCount(static_cast<double>(exact)) {}  // NOLINT(google-explicit-constructor)
+  /// An exact constant.
+  explicit RoundingCount(double exact) : terms_(std::abs(exact)), is_power_of_two_(is_power_of_two(exact)) {}
+  explicit RoundingCount(long double exact)
+      : terms_(static_cast<double>(std::abs(exact))), is_power_of_two_(is_power_of_two(exact)) {}
+
+  /// An input: any number of at most this size.
+  [[nodiscard]] static RoundingCount input(double size = 1) { return {0, size}; }
+
+  [[nodiscard]] int roundings() const { return roundings_; }
+  [[nodiscard]] double terms() const { return terms_; }
+
+  /// n Σ|t|: by how many u the computed number is off, to first order.
+  [[nodiscard]] double error() const { return roundings_ * terms_; }
+
+  friend RoundingCount operator-(const RoundingCount& x) { return x; }
+  friend RoundingCount operator+(const RoundingCount& x, const RoundingCount& y) {
+    if (x.terms_ == 0 || y.terms_ == 0) {
+      return x.terms_ == 0 ? y : x;
+    }
+    return {std::max(x.roundings_, y.roundings_) + 1, x.terms_ + y.terms_};
+  }
+  friend RoundingCount operator-(const RoundingCount& x, const RoundingCount& y) { return x + y; }
+  friend RoundingCount operator*(const RoundingCount& x, const RoundingCount& y) {
+    if (x.terms_ == 0 || y.terms_ == 0) {
+      return {};
+    }
+    const int own = x.is_power_of_two_ || y.is_power_of_two_ ? 0 : 1;
+    return {x.roundings_ + y.roundings_ + own, x.terms_ * y.terms_};
+  }
+  friend RoundingCount operator/(const RoundingCount& x, const RoundingCount& y) {
+    if (y.terms_ == 0) {
+      throw std::domain_error("a quotient by zero");
+    }
+    if (x.terms_ == 0) {
+      return {};
+    }
+    return y.is_power_of_two_ ? RoundingCount(x.roundings_, x.terms_ / y.terms_)
+                              : RoundingCount(x.roundings_ + y.roundings_ + 1, x.terms_);
+  }
+  RoundingCount& operator+=(const RoundingCount& y) { return *this = *this + y; }
+  RoundingCount& operator-=(const RoundingCount& y) { return *this = *this - y; }
+  RoundingCount& operator*=(const RoundingCount& y) { return *this = *this * y; }
+  RoundingCount& operator/=(const RoundingCount& y) { return *this = *this / y; }
+
+  friend RoundingCount abs(const RoundingCount& x) { return x; }
+  /// Of a sum of positive terms: half of its roundings, and one.
+  friend RoundingCount sqrt(const RoundingCount& x) { return {(x.roundings_ + 1) / 2 + 1, std::sqrt(x.terms_)}; }
+
+  // By Σ|t|, for code that asks whether a number is of ordinary size.
+  friend bool operator==(const RoundingCount& x, const RoundingCount& y) { return x.terms_ == y.terms_; }
+  friend bool operator<=(const RoundingCount& x, const RoundingCount& y) { return x.terms_ <= y.terms_; }
+  friend bool operator>=(const RoundingCount& x, const RoundingCount& y) { return y <= x; }
+
+ private:
+  RoundingCount(int roundings, double terms) : roundings_(roundings), terms_(terms) {}
+
+  static bool is_power_of_two(long double x) {
+    int exponent = 0;
+    return std::abs(std::frexp(x, &exponent)) == 0.5L;
+  }
+
+  int roundings_ = 0;
+  double terms_ = 0;
+  bool is_power_of_two_ = false;
+};
+
+}  // namespace carom::bounds
+
+template <>
+struct Eigen::NumTraits<carom::bounds::RoundingCount>
+    : carom::oracles::EigenScalar<carom::bounds::RoundingCount, 1, 1, 1> {};
