@@ -25,6 +25,10 @@ namespace detail {
   return true;
 }
 
+/// What a component of r × N = (P − X) × N may be off by, relatively to |r_j N_k| + |r_k N_j|: each product has two
+/// roundings, their difference one, and one is left for the roundings of that sum.
+inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
+
 /// A velocity component, and how fast N·V grows with it.
 struct Adjustable {
   double* component = nullptr;
@@ -66,14 +70,10 @@ struct Adjustable {
       consider(motion.velocity[i], s * c.normal[i]);
     }
     for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      const int k = (i + 2) % 3;
-      const double left = r[j] * c.normal[k];
-      const double right = r[k] * c.normal[j];
-      // Where r × N may be rounding alone, its sign is not known. Each product has two roundings, their difference one.
-      constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
+      const auto [left, right] = moment_terms<double>(r, c.normal, i);
+      // Where r × N may be rounding alone, its sign is not known.
       const double slope = left - right;
-      const bool sign_is_known = std::abs(slope) > rounding * (std::abs(left) + std::abs(right));
+      const bool sign_is_known = std::abs(slope) > rounding_of_slope * (std::abs(left) + std::abs(right));
       consider(motion.angular_velocity[i], sign_is_known && std::isfinite(slope) ? s * slope : 0);
     }
   };

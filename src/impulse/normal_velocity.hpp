@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include <carom/collision/outcome.hpp>
@@ -31,42 +29,71 @@ inline void add_normal_velocity(const Collision& c, const Body& body, const Body
   }
 }
 
-/// s N·(v + w × (P − X)) in S, and the sum of the absolute values of its terms, for one body.
+/// |x| in the type that bounds are computed in.
+template <class Size, class S>
+[[nodiscard]] Size size_of(const S& x) {
+  using std::abs;
+  return abs(static_cast<Size>(x));
+}
+
+/// r_j N_k and r_k N_j, of which component i of r × N is the difference.
 template <class S>
+struct MomentTerms {
+  S left;
+  S right;
+};
+
+template <class S>
+[[nodiscard]] MomentTerms<S> moment_terms(const Vector3<S>& r, const Vector3<S>& n, int i) {
+  const int j = (i + 1) % 3;
+  const int k = (i + 2) % 3;
+  return {r[j] * n[k], r[k] * n[j]};
+}
+
+/// s N·(v + w × (P − X)) in S, and the sum of the absolute values of its terms, for one body.
+template <class S, class Size>
 void add_rounded_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
-                                 S& sum, double& terms) {
-  const auto size = [](const S& x) { return std::abs(static_cast<double>(x)); };
-  std::array<S, 3> r;
+                                 S& sum, Size& terms) {
+  Vector3<S> r;
+  Vector3<S> n;
   for (int i = 0; i < 3; ++i) {
-    r[static_cast<std::size_t>(i)] = S(c.point[i]) - S(body.position[i]);
+    r[i] = S(c.point[i]) - S(body.position[i]);
+    n[i] = S(c.normal[i]);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    const auto normal = [&](std::size_t axis) { return S(c.normal[static_cast<int>(axis)]); };
-    const double w = motion.angular_velocity[static_cast<int>(i)];
-    const S direct = normal(i) * S(motion.velocity[static_cast<int>(i)]);
-    const S left = r[j] * normal(k);
-    const S right = r[k] * normal(j);
+  for (int i = 0; i < 3; ++i) {
+    const double w = motion.angular_velocity[i];
+    const S direct = n[i] * S(motion.velocity[i]);
+    const auto [left, right] = moment_terms<S>(r, n, i);
     sum += S(s) * (direct + (left - right) * S(w));
-    terms += size(direct) + (size(left) + size(right)) * std::abs(w);
+    terms += size_of<Size>(direct) + (size_of<Size>(left) + size_of<Size>(right)) * size_of<Size>(w);
   }
 }
 
-/// N·V in S, and by how much it may be off: a term passes at most 11 roundings (P − X, two products, a difference, an
-/// addition, and 6 additions to the sum), each relatively less than `rounding`, so the error is below γ₁₁ Σ|terms|, and
-/// 16 times the rounding covers it and the roundings of Σ|terms| itself. What underflows loses less than 2⁻¹⁰⁷⁰ a
-/// product, 18 times, times a component of the normal or of w.
+/// A term of N·V passes at most so many roundings on its way into the sum.
+inline constexpr int roundings_of_normal_velocity = 10;
+
+/// So many times what one rounding makes of Σ|terms| covers them, and the roundings of Σ|terms| itself.
+inline constexpr int covered_roundings_of_normal_velocity = 16;
+
+/// What may underflow: less than this, times 1 or a component of w.
+inline constexpr double underflow_of_normal_velocity = std::numeric_limits<double>::min();
+
+/// N·V in S, and by how much it may be off. With ρ = `rounding`, what one operation of S is off by relatively, n and 16
+/// the constants above, t the terms of the polynomial, T the computed sum of their absolute values:
+///
+///   (1) |value − N·V| ≤ n ρ / (1 − n ρ) Σ|t| + underflow;
+///   (2) Σ|t| ≤ (1 + 2⁻⁴⁸) T, for a term passes fewer than 2⁵ roundings of double on its way into T;
+///   (3) n / (1 − n ρ) (1 + 2⁻⁴⁸) ≤ 16;
+///   (4) each of the 24 products loses less than 2⁻¹⁰⁷⁰ to underflow, and what is lost in r × N is multiplied by w.
 template <class S>
 struct RoundedNormalVelocity {
   RoundedNormalVelocity(const Collision& collision, const Outcome<double>& motion, double rounding) {
     double terms = 0;
     add_rounded_normal_velocity<S>(collision, collision.a, motion.a, 1, value, terms);
     add_rounded_normal_velocity<S>(collision, collision.b, motion.b, -1, value, terms);
-    const double largest_factor = 1 + collision.normal.cwiseAbs().maxCoeff() +
-                                  motion.a.angular_velocity.cwiseAbs().maxCoeff() +
-                                  motion.b.angular_velocity.cwiseAbs().maxCoeff();
-    bound = 16 * rounding * terms + std::numeric_limits<double>::min() * largest_factor;
+    const double largest_factor =
+        1 + motion.a.angular_velocity.cwiseAbs().maxCoeff() + motion.b.angular_velocity.cwiseAbs().maxCoeff();
+    bound = covered_roundings_of_normal_velocity * rounding * terms + underflow_of_normal_velocity * largest_factor;
   }
 
   S value{0};
@@ -74,6 +101,13 @@ struct RoundedNormalVelocity {
 };
 
 inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::epsilon() / 2;
+
+/// The most that an operation of DoubleDouble is off by relatively, short of division: its product's 7 u².
+inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
+
+/// A double-double sum counts as known where it is so many times its bound: n / 16 of 2⁻⁴⁰ and the rounding to double
+/// are then at most 2⁻⁴⁰ of it.
+inline constexpr double known_multiple_of_bound = 0x1p+40;
 
 }  // namespace detail
 
@@ -94,10 +128,9 @@ struct NormalVelocity {
 /// By double-double arithmetic where its error bound decides, else by the exact sum. Precondition: all numbers are
 /// finite.
 [[nodiscard]] inline NormalVelocity known_normal_velocity(const Collision& collision, const Outcome<double>& motion) {
-  constexpr double u = detail::unit_roundoff_of_double;
-  const detail::RoundedNormalVelocity<DoubleDouble> closely(collision, motion, 7 * u * u);
+  const detail::RoundedNormalVelocity<DoubleDouble> closely(collision, motion, detail::unit_roundoff_of_double_double);
   const auto value = static_cast<double>(closely.value);
-  if (std::abs(value) > 0x1p+40 * closely.bound) {  // false where anything overflowed
+  if (std::abs(value) > detail::known_multiple_of_bound * closely.bound) {  // false where anything overflowed
     return {value < 0 ? -1 : 1, value};
   }
   const ExactSum exactly = exact_normal_velocity(collision, motion);

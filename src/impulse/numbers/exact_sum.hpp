@@ -7,14 +7,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace carom::impulse {
 
 /// A sum of products of up to three doubles, without rounding, over- or underflow: a fixed-point number so long that it
 /// holds each of them (U. Kulisch, "Computer Arithmetic and Validity", 2nd ed. 2013, ch. 8, where it is a long
-/// accumulator for products of two). Exact for up to 2²⁹ products.
+/// accumulator for products of two). Exact for up to `most_products`.
 class ExactSum {
  public:
+  static constexpr std::int64_t most_products = std::int64_t{1} << 29;
+
   /// Adds x y z. Precondition: all are finite.
   void add(double x, double y, double z = 1) {
     const Parts a(x);
@@ -46,7 +49,8 @@ class ExactSum {
     return carry < 0 ? -1 : (carry > 0 || !zero ? 1 : 0);
   }
 
-  /// The sum within a relative 2⁻⁵⁰; 0 or infinite where it leaves the range of double.
+  /// The sum, within a relative 2⁻⁵⁰ where that is a normal number: two additions are rounded, and what is left out is
+  /// below 2⁻⁶⁴ of it. 0 or infinite where it leaves the range of double.
   [[nodiscard]] double approximately() const {
     const int s = sign();
     std::int64_t carry = 0;
@@ -74,6 +78,11 @@ class ExactSum {
   static constexpr int least_exponent = 1074;  // every double is a multiple of 2^−1074 and below 2^1024
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
+
+  // A product adds to a digit the lower half of one shifted digit and the upper half of another, and `sign` a carry.
+  static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
+  // The place of a double is at most 2045, three of them begin at this digit, and a product has six and a carry.
+  static_assert((3 * 2045) / digit_bits + 7 <= digit_count);
 
   /// x = sign · (digits[0] + 2³² digits[1]) · 2^(place − 1074).
   struct Parts {

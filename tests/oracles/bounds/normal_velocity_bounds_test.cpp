@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <carom/impulse/guaranteed.hpp>
+
+#include "covers.hpp"
+#include "support/exact.hpp"
+#include "support/rounding_count.hpp"
+
+/// The constants of src/impulse/normal_velocity.hpp and guaranteed.hpp, by its inequalities (1) to (4).
+namespace carom::bounds {
+namespace {
+
+using impulse::DoubleDouble;
+using oracles::Rational;
+namespace detail = impulse::detail;
+
+/// No number a power of two, so that no product is exact.
+Collision any_collision() {
+  Collision c;
+  for (Body* body : {&c.a, &c.b}) {
+    body->position = {3, 3, 3};
+    body->velocity = {3, 3, 3};
+    body->angular_velocity = {3, 3, 3};
+  }
+  c.point = {3, 3, 3};
+  c.normal = {3, 3, 3};
+  return c;
+}
+
+struct Counted {
+  RoundingCount value;
+  RoundingCount terms;
+};
+
+Counted counted_normal_velocity() {
+  const Collision c = any_collision();
+  const Outcome<double> motion = unchanged(c);
+  Counted counted;
+  detail::add_rounded_normal_velocity<RoundingCount>(c, c.a, motion.a, 1, counted.value, counted.terms);
+  detail::add_rounded_normal_velocity<RoundingCount>(c, c.b, motion.b, -1, counted.value, counted.terms);
+  return counted;
+}
+
+/// (1)
+TEST(NormalVelocityBounds, CountTheRoundingsOfATerm) {
+  EXPECT_EQ(detail::roundings_of_normal_velocity, counted_normal_velocity().value.roundings());
+}
+
+/// (2), (3): T is summed in double, after a conversion from S, multiplied by 16 ρ, and added to what may underflow.
+TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
+  const Counted counted = counted_normal_velocity();
+  const int roundings_of_terms = counted.terms.roundings() + 3;
+  EXPECT_TRUE(covers(0x1p-48, roundings_of_terms * u, 4));
+  for (const double rounding : {detail::unit_roundoff_of_double, detail::unit_roundoff_of_double_double}) {
+    const double n = counted.value.roundings();
+    EXPECT_TRUE(covers(detail::covered_roundings_of_normal_velocity, n / (1 - n * rounding) * (1 + 0x1p-48), 2));
+  }
+}
+
+/// 7 u² is what the product of DoubleDouble loses at most (enclosure_bounds_test), and its sum loses less.
+TEST(NormalVelocityBounds, KnowTheRoundingOfDoubleDouble) {
+  EXPECT_EQ(detail::unit_roundoff_of_double_double, 7 * u * u);
+  EXPECT_GT(detail::unit_roundoff_of_double_double, 3 * u * u / (1 - 4 * u));
+}
+
+/// (4): of DoubleDouble a product is four of double.
+TEST(NormalVelocityBounds, CoverUnderflow) {
+  constexpr double products = 24 * 4;
+  EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
+}
+
+/// What is known is within 2⁻⁴⁰ of itself: the share of the bound that can be an error, and a rounding to double.
+TEST(NormalVelocityBounds, KnowTwelveDigits) {
+  const double share =
+      static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;
+  EXPECT_TRUE(covers(0x1p-40, share / detail::known_multiple_of_bound + u, 2));
+}
+
+TEST(NormalVelocityBounds, CoverTheRoundingOfASlope) {
+  const Vector3<RoundingCount> n = Vector3<RoundingCount>::Constant(RoundingCount::input(3));
+  const Vector3<RoundingCount> r = n - n;
+  const auto [left, right] = detail::moment_terms<RoundingCount>(r, n, 0);
+  const int of_slope = (left - right).roundings();
+  const int of_size = (left + right).roundings();
+  EXPECT_TRUE(covers(detail::rounding_of_slope, of_slope * u / (1 - (of_slope + of_size) * u), 2));
+}
+
+/// The bound itself, against ℚ: numbers of all sizes, cancelling, and at the end of the range.
+template <class S>
+double worst_share_of_bound(double rounding, int exponents) {
+  double worst = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    properties::Stream stream = properties::case_stream(unit::seed, "normal velocity bounds", i);
+    const auto vector = [&] { return Vector3<double>(stream.vector() * stream.power_of_two(-exponents, exponents)); };
+    Collision c;
+    for (Body* body : {&c.a, &c.b}) {
+      body->position = vector();
+      body->velocity = vector();
+      body->angular_velocity = vector();
+    }
+    c.point = vector();
+    c.normal = vector();
+    const detail::RoundedNormalVelocity<S> rounded(c, unchanged(c), rounding);
+    if (!std::isfinite(rounded.bound) || !std::isfinite(static_cast<double>(rounded.value))) {
+      continue;
+    }
+    const Rational exact = oracles::normal_velocity_before(oracles::lift(c));
+    Rational value(static_cast<double>(rounded.value));
+    if constexpr (std::is_same_v<S, DoubleDouble>) {
+      value += Rational(rounded.value.low());
+    }
+    EXPECT_LE(abs(value - exact), Rational(rounded.bound)) << i;
+    worst = std::max(worst, to_double(abs(value - exact) / Rational(rounded.bound)));
+  }
+  return worst;
+}
+
+TEST(NormalVelocityBounds, HoldAgainstTheExactNumber) {
+  for (const int exponents : {1, 30, 300}) {
+    EXPECT_GT(worst_share_of_bound<double>(detail::unit_roundoff_of_double, exponents), 0x1p-8);
+    EXPECT_GT(worst_share_of_bound<DoubleDouble>(detail::unit_roundoff_of_double_double, exponents), 0x1p-10);
+  }
+  // Down to where every product is below the range.
+  const auto at_the_end = [](auto scalar, double rounding) {
+    return worst_share_of_bound<decltype(scalar)>(rounding, 540);
+  };
+  EXPECT_LE(at_the_end(double(), detail::unit_roundoff_of_double), 1);
+  EXPECT_LE(at_the_end(DoubleDouble(), detail::unit_roundoff_of_double_double), 1);
+}
+
+}  // namespace
+}  // namespace carom::bounds
