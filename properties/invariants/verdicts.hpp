@@ -71,26 +71,47 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// Whether these vectors of two outcomes surely differ by no more than `allowance` times `scale`, by numbers as they
-/// are reported: x87 extended, or what long double is elsewhere. A component of `left` may be y, ±y, a product of y, or
-/// y + (to − from) with ‖to‖ + ‖from‖ at most the scale, rounded at each operation. By u of it, then, it is off itself,
-/// and by u of the term that was added to y, whose components add up to √3 times the scale at most; each difference is
-/// off by u of it, and their sum, the product and the sum that are compared by four times that.
+/// How surely_near bounds the distance of two vectors, for any scalar S, so that a test can count its roundings.
+namespace nearness {
+
+/// Twice the unit roundoff u of reported numbers: x87 extended, or what long double is elsewhere.
+inline constexpr long double two_u = std::numeric_limits<long double>::epsilon();
+static_assert(std::numeric_limits<long double>::is_iec559);
+
+/// 1 + 8u: the difference, the sum and the bound that are computed have five roundings.
+inline constexpr long double up = 1 + 4 * two_u;
+
+/// D = M (1 + 8u) + 2u (s + ‖x‖₁), M the computed ‖x − y‖₁.
+template <class S>
+[[nodiscard]] S distance_above(const Vector3<S>& x, const Vector3<S>& y, const S& scale) {
+  using std::abs;
+  S missed(0);
+  S size = scale;
+  for (int i = 0; i < 3; ++i) {
+    missed += abs(S(x[i] - y[i]));
+    size += abs(x[i]);
+  }
+  return missed * S(up) + S(two_u) * size;
+}
+
+}  // namespace nearness
+
+/// Whether these vectors of two outcomes surely differ by no more than `allowance` times `scale`. Of `left`, x is a
+/// vector as it was computed from a reported one y′ by a relation, x* the same without rounding; y is that of `right`,
+/// s its scale:
+///
+///   (1) where x = y′, ±y′, or a product of y′: ‖x − x*‖₁ ≤ u ‖x‖₁;
+///   (2) where x = y′ + (to − from), with ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s: ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s;
+///   (3) ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁;
+///   (4) the right side of (3) is at most D, as `nearness::distance_above` computes it;
+///   (5) what is shown is D ≤ a s, the product rounded as that of the exact judge is.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
                                       const std::array<double, 4>& scale,
                                       std::initializer_list<std::size_t> which = {0, 1, 2, 3}) {
-  static_assert(std::numeric_limits<long double>::is_iec559);
-  constexpr long double two_u = std::numeric_limits<long double>::epsilon();
   const auto x = vectors(left);
   const auto y = vectors(right);
   return std::all_of(which.begin(), which.end(), [&](std::size_t k) {
-    long double missed = 0;
-    long double size = scale[k];
-    for (int i = 0; i < 3; ++i) {
-      missed += std::abs((*x[k])[i] - (*y[k])[i]);
-      size += std::abs((*x[k])[i]);
-    }
-    return missed * (1 + 4 * two_u) + two_u * size <= allowance * scale[k];
+    return nearness::distance_above<long double>(*x[k], *y[k], scale[k]) <= allowance * scale[k];
   });
 }
 
