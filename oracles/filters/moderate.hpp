@@ -16,13 +16,21 @@ inline constexpr double smallest_moderate = 0x1p-64;
 inline constexpr double largest_moderate_direction = 0x1p+110;
 inline constexpr double smallest_moderate_direction = 0x1p-110;
 
+/// What the inequalities (2) to (5) of `is_moderate` say, each found by running the laws over magnitudes
+/// (docs/internals/bounds.md).
+inline constexpr double largest_scale_of_moderate = 0x1p+264;
+inline constexpr double largest_sensitivity_of_moderate = 0x1p+612;
+inline constexpr double largest_on_the_way_of_moderate = 0x1p+940;
+inline constexpr double least_slope_of_moderate = 0x1p-280;
+
 /// Whether every number of the collision is zero or has a size from 1/M to M, M = 2⁶⁴, or 1/D to D, D = 2¹¹⁰, in a
-/// normal or an orientation. For a valid collision the scale of every law for an outcome of at most M, and the
-/// sensitivities of the truth and of the collision matrix, are then below 2⁹⁰⁰: with the lever arms r ≤ 4 M, the
-/// impulse of either law is at most 2⁹ M⁷ (‖K⁻¹‖ ≤ 1/λ ≤ M), K at most 2⁹ M³, a derivative multiplies it by no more
-/// than ‖K⁻¹‖ times that of K, and the change of a velocity is at most an impulse times 4 M²: 2³⁰ M¹³ = 2⁸⁶² with room.
-/// These are of degree zero in the normal and in the quaternions. Laws are of lower degree, and of degree one in the
-/// normal: below 2²⁰ D M⁵ = 2⁴⁵⁰.
+/// normal or an orientation. If it is valid, then, for an outcome of at most M/2 a component:
+///
+///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M;
+///   (2) Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁶⁴ for every law g: its scale;
+///   (3) Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖ ≤ 2⁶¹² for the truth y of either law, by (1), and Σ_j ‖∂K/∂x_j‖ |x_j| too;
+///   (4) whatever is computed on the way is at most 2⁹⁴⁰, so that nothing overflows;
+///   (5) a slope ∂g/∂ŷ_k of an affine law is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
   bool moderate = true;
   for_each_number(

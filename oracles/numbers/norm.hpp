@@ -9,6 +9,11 @@
 
 namespace carom::oracles {
 
+/// Sums of squares from here to there keep their digits: what squares lose below the range of binary64, 2⁻¹⁰⁷⁵ each, is
+/// nothing beside the first, and the other is far from overflow.
+inline constexpr double smallest_sum_of_squares = 0x1p-900;
+inline constexpr double largest_sum_of_squares = 0x1p+900;
+
 /// √(Σ number(i)²), i < count, of numbers of any size, rounded: by their squares where these keep their digits,
 /// elsewhere by hypotenuses.
 template <class Number>
@@ -19,13 +24,15 @@ template <class Number>
     const S x = number(i);
     squares += x * x;
   }
-  if (squares >= S(0x1p-900) && squares <= S(0x1p+900)) {
-    return std::sqrt(squares);
+  using std::hypot;
+  using std::sqrt;
+  if (squares >= S(smallest_sum_of_squares) && squares <= S(largest_sum_of_squares)) {
+    return sqrt(squares);
   }
   S norm(0);
   for (std::size_t i = 0; i < count; ++i) {
     const S x = number(i);
-    norm = x == 0 ? norm : std::hypot(norm, x);
+    norm = x == 0 ? norm : hypot(norm, x);
   }
   return norm;
 }

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <carom/oracles/judge/compare.hpp>
+
+#include "covers.hpp"
+#include "moderate_collisions.hpp"
+
+/// The constants of oracles/filters/moderate.hpp, by the inequalities (1) to (5) of is_moderate: the laws run over
+/// collisions whose every number is at the edge.
+namespace carom::bounds {
+namespace {
+
+using oracles::DualInputs;
+using oracles::MagnitudeDual;
+
+template <class Visit>
+void for_each_law(const Collision& c, const Visit& visit) {
+  namespace law = oracles::law;
+  for (const bool a : {true, false}) {
+    visit(law::Untouched{a});
+    if (!(a ? c.a.immovable : c.b.immovable)) {
+      visit(law::AngularMomentum{a});
+      visit(law::Push{a});
+      visit(law::FrictionlessDirection{a});
+    }
+  }
+  if (!c.a.immovable && !c.b.immovable) {
+    visit(law::LinearMomentum{});
+    visit(law::TotalAngularMomentum{});
+  }
+  visit(law::Restitution{});
+  visit(law::NonPenetration{});
+  visit(law::ReflectionPlane{});
+  visit(law::Energy{});
+}
+
+TEST(ModerateBounds, AreOfCollisionsThatAreModerate) {
+  for (const Corner& corner : corners()) {
+    const Collision c = collision_at(corner);
+    EXPECT_TRUE(oracles::is_moderate(c));
+    Collision further = c;
+    further.b.position[1] *= 1.5;
+    EXPECT_FALSE(oracles::is_moderate(further));
+    further = c;
+    further.normal[2] *= corner.normal > 1 ? 1.5 : 1 / 1.5;
+    EXPECT_FALSE(oracles::is_moderate(further));
+  }
+}
+
+struct Largest {
+  double scale = -std::numeric_limits<double>::infinity();
+  double on_the_way = scale;
+
+  void note_way() { on_the_way = std::max(on_the_way, Magnitude::highest()); }
+};
+
+/// (2), (4): by the code that computes scales.
+TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
+  const Magnitude size = Magnitude(oracles::largest_moderate);  // ‖ŷ_k‖ < M
+  const Magnitude before = sqrt(size * size + size * size + size * size);
+  Largest largest;
+  for (const Corner& corner : corners()) {
+    const Collision c = collision_at(corner);
+    const auto inputs = differentiated(c);
+    for_each_law(c, [&](const auto& law) {
+      Magnitude::forget();
+      Magnitude scale = oracles::detail::part_by_inputs(law, inputs, largest_outcome());
+      for (const Magnitude& slope :
+           oracles::detail::output_slopes<Magnitude, oracles::outcome_inputs>(law, c, largest_outcome())) {
+        scale += slope * (size + before);
+      }
+      largest.note_way();
+      largest.scale = std::max(largest.scale, scale.above());
+    });
+  }
+  EXPECT_TRUE(covers(std::log2(oracles::largest_scale_of_moderate), largest.scale, 1.01));
+  EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
+}
+
+/// Σ_j ‖∂y/∂x_j‖ |x_j| of the components.
+Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vector<double>& magnitude) {
+  Magnitude sum(0);
+  for (std::size_t j = 0; j < magnitude.size(); ++j) {
+    sum += oracles::root_of_squares(y.size(), [&](std::size_t i) { return y[i]->derivative[j]; }) *
+           Magnitude(magnitude[j]);
+  }
+  return sum;
+}
+
+/// (1), (3), (4). Masses and moments are in denominators alone, and so the smallest.
+TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
+  Largest largest;
+  const double log_of_least_mass = std::log2(oracles::smallest_moderate);
+  for (const Corner& corner : corners()) {
+    if (corner.inertia != oracles::smallest_moderate) {
+      continue;
+    }
+    const auto inputs = differentiated(collision_at(corner));
+    for (const Model model : models_with_truth) {
+      Magnitude::forget();
+      // (1): N·K N ≥ N·N / M, where one component of N has this size.
+      const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_least_mass);
+      const oracles::Truth<MagnitudeDual> truth = oracles::colliding_truth(inputs.collision, model);
+      const Matrix3<MagnitudeDual> k = oracles::response_matrix(inputs.collision);
+      largest.note_way();
+      const Outcome<MagnitudeDual> at_rest = unchanged(inputs.collision);
+      for (std::size_t part = 0; part < 4; ++part) {
+        const Vector3<MagnitudeDual>& y = *vectors(truth.outcome)[part];
+        const Vector3<MagnitudeDual>& before = *vectors(at_rest)[part];
+        const Magnitude of_vector = sensitivity({&y[0], &y[1], &y[2]}, inputs.magnitude) +
+                                    length({before[0].value, before[1].value, before[2].value});
+        largest.scale = std::max(largest.scale, of_vector.above());
+      }
+      const Magnitude of_matrix = sensitivity(
+          {&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)}, inputs.magnitude);
+      EXPECT_LE(of_matrix.above(), largest.scale);
+    }
+  }
+  EXPECT_TRUE(covers(std::log2(oracles::largest_sensitivity_of_moderate), largest.scale, 1.01));
+  EXPECT_TRUE(covers(std::log2(oracles::largest_on_the_way_of_moderate), largest.on_the_way, 1.01));
+  EXPECT_LE(std::log2(oracles::largest_on_the_way_of_moderate), std::numeric_limits<double>::max_exponent - 1);
+}
+
+/// (4): Cramer's rule as binary64 computes it, det K ≥ λ³.
+TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
+  for (const Corner& corner : corners()) {
+    if (corner.inertia != oracles::smallest_moderate) {
+      continue;
+    }
+    const auto inputs = differentiated(collision_at(corner));
+    const BasicCollision<Magnitude> c =
+        map_numbers<Magnitude>(inputs.collision, [](const MagnitudeDual& x) { return x.value; });
+    Magnitude::forget();
+    const Magnitude::DivisorsAtLeast theorem(3 * std::log2(oracles::smallest_moderate));
+    EXPECT_GT(oracles::cramer<Magnitude>(oracles::response_matrix(c), oracles::wanted_change(c))[0].above(), 0);
+    EXPECT_LE(Magnitude::highest(), std::log2(oracles::largest_on_the_way_of_moderate));
+  }
+}
+
+/// (5): slopes are multiples of a power of two, but for those with an inertia tensor, of at least its largest moment.
+TEST(ModerateBounds, CoverTheSlopesOfAffineLaws) {
+  using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
+  constexpr double tiny = oracles::smallest_moderate_direction;
+  Collision c = collision_at({oracles::smallest_moderate, tiny, tiny, tiny, false, false});
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    place->setConstant(oracles::smallest_moderate);
+  }
+  double least = 0;
+  for_each_law(c, [&](const auto& law) {
+    if (!law.name()) {
+      return;
+    }
+    std::size_t next = 0;
+    const auto sides = law(map_numbers<T>(c, [](double x) { return T(Magnitude(x)); }),
+                           map_outcome<T>(largest_outcome(), [&](double x) { return T::input(Magnitude(x), next++); }));
+    const bool has_tensor = law.name() == oracles::AffineLaw::angular_momentum_of_a ||
+                            law.name() == oracles::AffineLaw::angular_momentum_of_b ||
+                            law.name() == oracles::AffineLaw::total_angular_momentum;
+    for (int i = 0; i < sides.left.size(); ++i) {
+      for (std::size_t j = 0; j < oracles::outcome_inputs; ++j) {
+        const Magnitude slope = sides.left[i].derivative[j] - sides.right[i].derivative[j];
+        const bool is_angular = j % 6 >= 3;
+        if (!slope.is_zero() && !(has_tensor && is_angular)) {
+          least = std::min(least, slope.unit());
+        }
+      }
+    }
+  });
+  EXPECT_TRUE(covers(-std::log2(oracles::least_slope_of_moderate), -least, 1.01));
+  EXPECT_GE(oracles::smallest_moderate / 2, oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
+}
+
+}  // namespace
+}  // namespace carom::bounds

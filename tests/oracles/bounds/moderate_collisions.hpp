@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+
+#include "support/magnitude.hpp"
+
+/// Collisions whose every number is at the edge of `moderate`, to run the laws over with Magnitudes. The binary
+/// logarithm of what is computed is convex in those of the inputs, sums being maxima but for a constant and products
+/// sums, so that its maximum over all moderate collisions is at a corner.
+namespace carom::bounds {
+
+/// A corner: the size of what stands in numerators is the largest; masses, moments, and directions, whose lengths are
+/// divided by, have either.
+struct Corner {
+  double inertia;  // of masses and moments
+  double orientation_a;
+  double orientation_b;
+  double normal;
+  bool a_immovable;
+  bool b_immovable;
+};
+
+[[nodiscard]] inline std::vector<Corner> corners() {
+  using oracles::largest_moderate;
+  using oracles::largest_moderate_direction;
+  using oracles::smallest_moderate;
+  using oracles::smallest_moderate_direction;
+  std::vector<Corner> all;
+  for (const double inertia : {smallest_moderate, largest_moderate}) {
+    for (const double a : {smallest_moderate_direction, largest_moderate_direction}) {
+      for (const double b : {smallest_moderate_direction, largest_moderate_direction}) {
+        for (const double n : {smallest_moderate_direction, largest_moderate_direction}) {
+          for (const int immovable : {0, 1, 2}) {
+            all.push_back({inertia, a, b, n, immovable == 1, immovable == 2});
+          }
+        }
+      }
+    }
+  }
+  return all;
+}
+
+[[nodiscard]] inline Collision collision_at(const Corner& corner) {
+  constexpr double most = oracles::largest_moderate;
+  const Vector3<double> largest{most, most, most};
+  Collision c;
+  for (Body* body : {&c.a, &c.b}) {
+    body->mass = corner.inertia;
+    body->principal_inertia.setConstant(corner.inertia);
+    body->position = largest;
+    body->velocity = largest;
+    body->angular_velocity = largest;
+  }
+  c.a.immovable = corner.a_immovable;
+  c.b.immovable = corner.b_immovable;
+  c.a.orientation.setConstant(corner.orientation_a);
+  c.b.orientation.setConstant(corner.orientation_b);
+  c.point = largest;
+  c.normal.setConstant(corner.normal);
+  c.restitution = 1;
+  c.friction = most;
+  c.tangential_restitution = 1;
+  return c;
+}
+
+/// Of a direction only one component is known to have the size, the others have at most that.
+template <class Direction>
+void leave_one_component(Direction& direction) {
+  for (int i = 1; i < direction.size(); ++i) {
+    direction[i].value = Magnitude::at_most(std::exp2(direction[i].value.above()));
+  }
+}
+
+/// The collision as input of differentiation.
+[[nodiscard]] inline oracles::DualInputs<Magnitude, oracles::collision_inputs> differentiated(const Collision& c) {
+  auto inputs = oracles::dual_inputs<Magnitude, oracles::collision_inputs>(c, [](double x) { return Magnitude(x); });
+  leave_one_component(inputs.collision.a.orientation);
+  leave_one_component(inputs.collision.b.orientation);
+  leave_one_component(inputs.collision.normal);
+  return inputs;
+}
+
+/// Every number M/2: as large as a moderate outcome's.
+[[nodiscard]] inline Outcome<double> largest_outcome() {
+  return map_outcome<double>(Outcome<double>{}, [](double) { return oracles::largest_moderate / 2; });
+}
+
+/// A vector's length.
+[[nodiscard]] inline Magnitude length(const Vector3<Magnitude>& v) { return sqrt(v.squaredNorm()); }
+
+}  // namespace carom::bounds
+
+namespace carom::oracles {
+
+using MagnitudeDual = Dual<bounds::Magnitude, collision_inputs>;
+
+/// Cramer's rule gives no bound worth having, the theorem λI ⪯ K does (ExactCase::is_definite): ‖K⁻¹ b‖ ≤ ‖b‖ / λ, and
+/// with K x = b differentiated, ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M.
+template <>
+inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>& k, const Vector3<MagnitudeDual>& b) {
+  using bounds::Magnitude;
+  const auto vector = [&](const auto& component) {
+    return Vector3<Magnitude>{component(b[0]), component(b[1]), component(b[2])};
+  };
+  const Magnitude inverse_lambda = Magnitude::of_exponent(std::log2(largest_moderate));
+  const Magnitude x = length(vector([](const MagnitudeDual& of) { return of.value; })) * inverse_lambda;
+  MagnitudeDual component(x);
+  for (std::size_t j = 0; j < collision_inputs; ++j) {
+    Magnitude of_matrix(0);
+    for (int i = 0; i < 3; ++i) {
+      for (int l = 0; l < 3; ++l) {
+        of_matrix += k(i, l).derivative[j] * k(i, l).derivative[j];
+      }
+    }
+    const Magnitude of_right = length(vector([&](const MagnitudeDual& of) { return of.derivative[j]; }));
+    component.derivative[j] = (of_right + sqrt(of_matrix) * x) * inverse_lambda;
+  }
+  return Vector3<MagnitudeDual>::Constant(component);
+}
+
+}  // namespace carom::oracles

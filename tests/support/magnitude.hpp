@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <carom/oracles/laws/eigen_scalar.hpp>
+
+namespace carom::bounds {
+
+/// How large a number can become, and how small without being zero, by running the code that computes it: binary
+/// logarithms, so that no range ends. `above`: |x| ≤ 2^above. `below`: x is positive, a sum of squares or a product of
+/// such, and x ≥ 2^below; not a number where that is not known. `unit`: x is a multiple of 2^unit, and so at least that
+/// where it is not zero, as rounded sums and products of doubles are; −∞ where it is not known. Whatever was computed
+/// since `forget()` is at most 2^highest().
+class Magnitude {
+ public:
+  Magnitude() = default;
+  /// An exact constant.
+  Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {  // NOLINT(google-explicit-constructor)
+    unit_ = exact == 0 ? infinity : 0;
+  }
+  /// Any number of this size: of either sign, with all its bits.
+  explicit Magnitude(double size) {
+    if (size != 0) {
+      above_ = std::log2(std::abs(size));
+      below_ = above_;
+      unit_ = std::floor(above_) - (std::numeric_limits<double>::digits - 1);
+      identity_ = next_identity();
+    }
+  }
+
+  /// Any number of at most that size; its unit as if it were the number itself.
+  [[nodiscard]] static Magnitude at_most(double size) {
+    Magnitude x(size);
+    x.below_ = unknown;
+    return x;
+  }
+  /// Any number of at most 2^above.
+  [[nodiscard]] static Magnitude of_exponent(double above) {
+    Magnitude x;
+    x.above_ = above;
+    x.unit_ = -infinity;
+    return x;
+  }
+
+  [[nodiscard]] double above() const { return above_; }
+  [[nodiscard]] double below() const { return below_; }
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
+
+  /// What a theorem says of divisors that the code alone gives no lower bound of: each is at least 2^below, as long as
+  /// this object lives.
+  class DivisorsAtLeast {
+   public:
+    explicit DivisorsAtLeast(double below) : outer_(divisors_below()) { divisors_below() = below; }
+    ~DivisorsAtLeast() { divisors_below() = outer_; }
+    DivisorsAtLeast(const DivisorsAtLeast&) = delete;
+    DivisorsAtLeast& operator=(const DivisorsAtLeast&) = delete;
+
+   private:
+    double outer_;
+  };
+
+  static void forget() { highest_ever() = -infinity; }
+  [[nodiscard]] static double highest() { return highest_ever(); }
+
+  friend Magnitude operator-(Magnitude x) { return x; }
+  friend Magnitude operator+(const Magnitude& x, const Magnitude& y) {
+    if (x.is_zero() || y.is_zero()) {
+      return x.is_zero() ? y : x;
+    }
+    Magnitude sum = of_exponent(log_of_sum(x.above_, y.above_));
+    sum.is_positive_ = x.is_positive_ && y.is_positive_;
+    if (sum.is_positive_) {
+      // One of them may be zero.
+      sum.below_ = std::isnan(x.below_) ? y.below_ : (std::isnan(y.below_) ? x.below_ : log_of_sum(x.below_, y.below_));
+    }
+    sum.unit_ = std::min(x.unit_, y.unit_);
+    return sum.noted();
+  }
+  friend Magnitude operator-(const Magnitude& x, const Magnitude& y) {
+    Magnitude difference = x + y;
+    if (!x.is_zero() && !y.is_zero()) {
+      difference.is_positive_ = false;
+      difference.below_ = unknown;
+    }
+    return difference;
+  }
+  friend Magnitude operator*(const Magnitude& x, const Magnitude& y) {
+    if (x.is_zero() || y.is_zero()) {
+      return {};
+    }
+    Magnitude product = of_exponent(x.above_ + y.above_);
+    product.below_ = x.below_ + y.below_;
+    product.is_positive_ = (x.is_positive_ && y.is_positive_) || (x.identity_ != 0 && x.identity_ == y.identity_);
+    product.unit_ = x.unit_ + y.unit_;
+    return product.noted();
+  }
+  /// Precondition: a lower bound of the divisor is known, by itself or by a theorem.
+  friend Magnitude operator/(const Magnitude& x, const Magnitude& y) {
+    const double below = std::isnan(y.below_) ? divisors_below() : y.below_;
+    if (std::isnan(below)) {
+      throw std::domain_error("a quotient by what has no lower bound");
+    }
+    if (x.is_zero()) {
+      return {};
+    }
+    Magnitude quotient = of_exponent(x.above_ - below);
+    quotient.below_ = x.below_ - y.above_;
+    quotient.is_positive_ = x.is_positive_ && y.is_positive_;
+    return quotient.noted();
+  }
+  Magnitude& operator+=(const Magnitude& y) { return *this = *this + y; }
+  Magnitude& operator-=(const Magnitude& y) { return *this = *this - y; }
+  Magnitude& operator*=(const Magnitude& y) { return *this = *this * y; }
+  Magnitude& operator/=(const Magnitude& y) { return *this = *this / y; }
+
+  friend Magnitude sqrt(const Magnitude& x) {
+    Magnitude root = of_exponent(x.above_ / 2);
+    root.below_ = x.below_ / 2;
+    root.is_positive_ = x.is_positive_;
+    return root;
+  }
+  friend Magnitude hypot(const Magnitude& x, const Magnitude& y) { return sqrt(x * x + y * y); }
+
+  // By the upper bounds, for code that asks whether a number is of ordinary size: what is too large is not.
+  friend bool operator==(const Magnitude& x, int zero) { return zero == 0 && x.is_zero(); }
+  friend bool operator<=(const Magnitude& x, const Magnitude& y) { return x.above_ <= y.above_; }
+  friend bool operator>=(const Magnitude& x, const Magnitude& y) { return y <= x; }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  static int next_identity() {
+    static int last = 0;
+    return ++last;
+  }
+  static double& divisors_below() {
+    static double below = unknown;
+    return below;
+  }
+  static double& highest_ever() {
+    static double highest = -infinity;
+    return highest;
+  }
+  /// log₂(2^x + 2^y).
+  static double log_of_sum(double x, double y) {
+    const double larger = std::max(x, y);
+    return larger + std::log2(1 + std::exp2(std::min(x, y) - larger));
+  }
+  [[nodiscard]] Magnitude noted() const {
+    highest_ever() = std::max(highest_ever(), above_);
+    return *this;
+  }
+
+  double above_ = -infinity;  // zero
+  double below_ = unknown;
+  double unit_ = infinity;
+  bool is_positive_ = false;
+  int identity_ = 0;  // two of the same make a square
+};
+
+}  // namespace carom::bounds
+
+template <>
+struct Eigen::NumTraits<carom::bounds::Magnitude> : carom::oracles::EigenScalar<carom::bounds::Magnitude, 1, 1, 1> {};
