@@ -9,6 +9,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/judge.hpp>
 #include <carom/oracles/numbers/norm.hpp>
+#include <carom/oracles/numbers/norm_bounds.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -48,20 +49,6 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
-/// At least ‖x‖; zero only where x is.
-template <class T>
-double norm_above(const Components<T>& x) {
-  constexpr double least = 0x1p-500;  // more than squares lose below the range of binary64
-  double squares = 0;
-  bool is_zero = true;
-  for (const T& component : x) {
-    const double above = component.magnitude_above();
-    squares += above * above;
-    is_zero = is_zero && above == 0;
-  }
-  return is_zero ? 0 : std::sqrt(squares) * (1 + 0x1p-45) + least;
-}
-
 /// An outcome's deviation from the truth, in one arithmetic, and what of the accuracy follows from it alone.
 template <class T>
 struct Deviation {
@@ -85,7 +72,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, const BasicC
     }
     accuracy.error[k] = norm_of(*of_deviation[k]);
     if constexpr (!std::is_same_v<T, Rational>) {
-      accuracy.error_above[k] = norm_above(error);
+      accuracy.error_above[k] = norm_above(std::span<const T>(error));
     }
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
@@ -129,49 +116,6 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
     }
   }
   return result;
-}
-
-/// At most six squares or hypotenuses, each good to an ulp or two.
-constexpr double rounding = 0x1p-45;
-
-/// By the squares, where these are in the range of binary64; what underflows is nothing beside the bound's own square.
-template <class T>
-std::optional<bool> norm_at_most_by_squares(std::span<const T> vector, double bound) {
-  double above = 0;
-  double below = 0;
-  for (const T& component : vector) {
-    above += component.magnitude_above() * component.magnitude_above();
-    below += component.magnitude_below() * component.magnitude_below();
-  }
-  if (above * (1 + rounding) <= bound * bound * (1 - rounding)) {
-    return true;
-  }
-  if (below * (1 - rounding) > bound * bound * (1 + rounding)) {
-    return false;
-  }
-  return std::nullopt;
-}
-
-template <class T>
-std::optional<bool> norm_at_most_by_bounds(std::span<const T> vector, double bound) {
-  constexpr double least = 0x1p-400;
-  constexpr double largest = 0x1p+400;
-  if (bound >= least && bound <= largest) {
-    return norm_at_most_by_squares(vector, bound);
-  }
-  double above = 0;
-  double below = 0;
-  for (const T& component : vector) {
-    above = std::hypot(above, component.magnitude_above());
-    below = std::hypot(below, component.magnitude_below());
-  }
-  if (above * (1 + rounding) <= bound) {
-    return true;
-  }
-  if (below * (1 - rounding) > bound) {
-    return false;
-  }
-  return std::nullopt;
 }
 
 }  // namespace

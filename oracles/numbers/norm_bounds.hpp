@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+/// Norms of vectors whose components are known to within an error, from above and from below.
+namespace carom::oracles {
+
+namespace norm_bounds {
+
+/// More than six squares or hypotenuses (an ulp each) and a comparison are rounded by.
+inline constexpr double rounding = 0x1p-45;
+
+/// Bounds from here to there are compared by squares: what these lose below the range of binary64 is nothing beside the
+/// square of the first, and the square of the other is far from overflow.
+inline constexpr double least_by_squares = 0x1p-400;
+inline constexpr double largest_by_squares = 0x1p+400;
+
+/// More than the root of what squares lose below the range.
+inline constexpr double lost_by_root = 0x1p-500;
+
+/// More than hypotenuses lose below the range.
+inline constexpr double lost_by_hypotenuses = 0x1p-1070;
+
+/// Σ x², each x of the vector being size(component).
+template <class S, class T, class Size>
+[[nodiscard]] S sum_of_squares(std::span<const T> vector, const Size& size) {
+  S sum(0);
+  for (const T& component : vector) {
+    const S x = size(component);
+    sum += x * x;
+  }
+  return sum;
+}
+
+}  // namespace norm_bounds
+
+/// At least ‖v‖; zero only where v is.
+template <class T>
+[[nodiscard]] double norm_above(std::span<const T> vector) {
+  using namespace norm_bounds;
+  bool is_zero = true;
+  const double squares = sum_of_squares<double>(vector, [&](const T& component) {
+    const double above = component.magnitude_above();
+    is_zero = is_zero && above == 0;
+    return above;
+  });
+  return is_zero ? 0 : std::sqrt(squares) * (1 + rounding) + lost_by_root;
+}
+
+/// Whether ‖v‖ ≤ bound, where the errors decide it. With A ≥ ‖v‖ and B ≤ ‖v‖ as computed, relatively off by less than
+/// `rounding`, and by less than `lost_by_hypotenuses` below the range:
+///
+///   (1) it is where A (1 + rounding) + lost ≤ bound, or A = 0;
+///   (2) it is not where B (1 − rounding) − lost > bound;
+///   (3) by squares the same, without what is lost, where that is nothing beside the square of the bound.
+///
+/// Precondition: the bound is finite and not negative.
+template <class T>
+[[nodiscard]] std::optional<bool> norm_at_most_by_bounds(std::span<const T> vector, double bound) {
+  using namespace norm_bounds;
+  const auto above_of = [](const T& component) { return component.magnitude_above(); };
+  const auto below_of = [](const T& component) { return component.magnitude_below(); };
+  if (bound >= least_by_squares && bound <= largest_by_squares) {
+    if (sum_of_squares<double>(vector, above_of) * (1 + rounding) <= bound * bound * (1 - rounding)) {
+      return true;
+    }
+    if (sum_of_squares<double>(vector, below_of) * (1 - rounding) > bound * bound * (1 + rounding)) {
+      return false;
+    }
+    return std::nullopt;
+  }
+  double above = 0;
+  double below = 0;
+  for (const T& component : vector) {
+    above = std::hypot(above, above_of(component));
+    below = std::hypot(below, below_of(component));
+  }
+  if (above == 0 || above * (1 + rounding) + lost_by_hypotenuses <= bound) {
+    return true;
+  }
+  if (below * (1 - rounding) - lost_by_hypotenuses > bound) {
+    return false;
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom::oracles

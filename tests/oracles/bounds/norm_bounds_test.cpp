@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+
+#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/numbers/norm_bounds.hpp>
+
+#include "covers.hpp"
+#include "support/exact.hpp"
+#include "support/rounding_count.hpp"
+
+/// The constants of oracles/numbers/norm.hpp and norm_bounds.hpp, by the inequalities (1) to (3) of the latter.
+namespace carom::bounds {
+namespace {
+
+namespace norm_bounds = oracles::norm_bounds;
+using oracles::Approximation;
+using oracles::Enclosure;
+using oracles::Rational;
+
+/// What two sides of a law miss each other by has no more components.
+constexpr std::size_t most = oracles::Components<double>::capacity;
+
+RoundingCount six_squares() {
+  const std::array<RoundingCount, most> vector = [] {
+    std::array<RoundingCount, most> all;
+    all.fill(RoundingCount::input(3));
+    return all;
+  }();
+  return norm_bounds::sum_of_squares<RoundingCount>(std::span<const RoundingCount>(vector),
+                                                    [](const RoundingCount& x) { return x; });
+}
+
+/// (3): Σ A² (1 + r) ≤ bound² (1 − r), and norm_above: √Σ A² (1 + r) + lost.
+TEST(NormBounds, RoundByMoreThanTheirRoundings) {
+  const RoundingCount factor = RoundingCount::input(1 + norm_bounds::rounding);
+  const RoundingCount bound = RoundingCount::input(3);
+  const int by_squares = (six_squares() * factor).roundings() + (bound * bound * factor).roundings();
+  const int of_root = (sqrt(six_squares()) * factor + RoundingCount::input(1)).roundings();
+  EXPECT_TRUE(covers(norm_bounds::rounding, std::max(by_squares, of_root) * u, 64));
+}
+
+/// (1), (2): a hypotenuse of the C library is good to an ulp, 2u, or to the least number; then two roundings.
+TEST(NormBounds, RoundByMoreThanHypotenuses) {
+  EXPECT_TRUE(covers(norm_bounds::rounding, (2 * most + 2) * u, 64));
+  EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most + 1) * 0x1p-1074, 4));
+}
+
+/// A square loses at most half the least number: less than a rounding of what it is compared with.
+TEST(NormBounds, CoverWhatSquaresLose) {
+  constexpr double squares_lose = most * 0x1p-1074;
+  EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
+  EXPECT_GE(norm_bounds::lost_by_root, std::sqrt(squares_lose));
+  EXPECT_LT(norm_bounds::largest_by_squares * norm_bounds::largest_by_squares, 0x1p+1023);
+  // Of matrices, nine.
+  EXPECT_GE(oracles::smallest_sum_of_squares * u, 9 * 0x1p-1074);
+  EXPECT_LT(oracles::largest_sum_of_squares, 0x1p+1023);
+}
+
+/// Whether it was decided.
+template <class T>
+bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
+  const std::array<T, 3> known{T(vector[0]), T(vector[1]), T(vector[2])};
+  const std::array<Rational, 3> exact{Rational(vector[0]), Rational(vector[1]), Rational(vector[2])};
+  const auto decided = oracles::norm_at_most(std::span<const T>(known), bound);
+  const bool right = oracles::norm_at_most(std::span<const Rational>(exact), bound);
+  EXPECT_EQ(decided.value_or(right), right) << vector[0] << ' ' << vector[1] << ' ' << vector[2] << ", " << bound;
+  const double above = oracles::norm_above(std::span<const T>(known));
+  EXPECT_TRUE(std::isinf(above) || oracles::norm_at_most(std::span<const Rational>(exact), above));
+  return decided.has_value();
+}
+
+/// Wherever the bound lies: in the range of squares, beyond, and among the last subnormal numbers, where a hypotenuse
+/// of (1, 1) is 1.
+TEST(NormBounds, DecideAsRationalsDo) {
+  properties::Stream stream = properties::stream_from(61);
+  for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -540, -401, -399, 0, 399, 401, 900}) {
+    int decided = 0;
+    for (int i = 0; i < 300; ++i) {
+      const auto component = [&] { return std::ldexp(stream.integer(-5, 5), exponent); };
+      const std::array<double, 3> vector{component(), component(), component()};
+      const double bound = std::ldexp(stream.integer(0, 9), exponent);
+      decided += expect_as_in_rationals<Enclosure>(vector, bound) ? 1 : 0;
+      decided += expect_as_in_rationals<Approximation>(vector, bound) ? 1 : 0;
+    }
+    EXPECT_GE(decided, exponent > -1060 ? 500 : 0) << exponent;
+  }
+}
+
+}  // namespace
+}  // namespace carom::bounds
