@@ -2,32 +2,19 @@
 #include <algorithm>
 
 #include <carom/oracles/filters/closeness.hpp>
+#include <carom/oracles/filters/closeness_bounds.hpp>
 
 namespace carom::oracles {
-namespace {
-
-/// What is set aside for the rounding of scales.
-constexpr double less_a_millionth = 1 - 0x1p-20;
-
-/// A part of it: noise up to this share of a scale is covered.
-constexpr double share_for_noise = 0x1p-22;
-
-/// More than the rounding of a slope in binary64, fewer than 2⁶ operations, relative to its terms.
-constexpr double noise_of_slope = 0x1p-46;
-
-}  // namespace
 
 Closeness::Closeness(const ExactCase& exact_case, const LiftedOutcome& outcome, const Accuracy& accuracy,
                      double allowance)
     : exact_case_(&exact_case), outcome_(&outcome), error_above_(accuracy.error_above), allowance_(allowance) {
-  // Where something is missed, the scale has then a part above 2⁻⁹⁰⁰: slopes of moderate numbers are zero or more than
-  // 2⁻⁴⁰⁰.
-  constexpr double smallest = 0x1p-500;
   const std::array<double, 4> norms = outcome.norms();
   for (std::size_t k = 0; k < is_close_.size(); ++k) {
     sizes_[k] = norms[k] + exact_case.norms_before()[k];
     is_close_[k] =
-        error_above_[k] == 0 || (error_above_[k] <= less_a_millionth * allowance * sizes_[k] && sizes_[k] >= smallest);
+        error_above_[k] == 0 || (error_above_[k] <= (1 - closeness_bounds::set_aside) * allowance * sizes_[k] &&
+                                 sizes_[k] >= closeness_bounds::least_size);
   }
 }
 
@@ -67,11 +54,11 @@ bool Closeness::knows_normal_velocity() const {
   const auto add_arm = [&](const Body& body, double size) {
     const Vector3<double> arm = lever_arm(body, c.point);
     scale += arm.cross(c.normal).norm() * size;
-    noise += noise_of_slope * arm.norm() * normal * size;
+    noise += closeness_bounds::noise_of_moment * arm.norm() * normal * size;
   };
   add_arm(c.a, sizes_[1]);
   add_arm(c.b, sizes_[3]);
-  return noise <= share_for_noise * scale;
+  return noise <= closeness_bounds::share_for_noise * scale;
 }
 
 /// E⁺ − W has the slopes ‖m (v̂ − u)‖, u the velocity of a driven wall at the contact point, and ‖J ŵ‖. They cancel
@@ -96,23 +83,24 @@ bool Closeness::shows_energy() const {
       terms += other.velocity.norm() + other.angular_velocity.norm() * arm.norm();
     }
     scale += body.mass * relative.norm() * sizes_[k];
-    noise += noise_of_slope * body.mass * terms * sizes_[k];
+    noise += closeness_bounds::noise_of_energy_slope * body.mass * terms * sizes_[k];
     scale += (inertia * after.angular_velocity).norm() * sizes_[k + 1];
-    noise += noise_of_slope * body.principal_inertia.maxCoeff() * sizes_[k + 1] * sizes_[k + 1];
+    noise +=
+        closeness_bounds::noise_of_energy_slope * body.principal_inertia.maxCoeff() * sizes_[k + 1] * sizes_[k + 1];
     return is_close({k, k + 1});
   };
   const Outcome<double>& after = outcome_->rounded();
   // Where every error is zero, nothing is missed; else the scale has to be a number.
-  constexpr double smallest = 0x1p-800;
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, exact_case_->inertia_of_a(), 0) &&
          add_body(c.b, after.b, c.a, exact_case_->inertia_of_b(), 2) &&
-         (is_exact || (noise <= share_for_noise * scale && scale >= smallest));
+         (is_exact ||
+          (noise <= closeness_bounds::share_for_noise * scale && scale >= closeness_bounds::least_scale_of_energy));
 }
 
 bool Closeness::shows_untouched(std::initializer_list<std::size_t> which) const {
   return exact_case_ != nullptr && std::all_of(which.begin(), which.end(), [&](std::size_t k) {
-           return error_above_[k] <= less_a_millionth * allowance_ * exact_case_->norms_before()[k];
+           return error_above_[k] <= (1 - closeness_bounds::set_aside) * allowance_ * exact_case_->norms_before()[k];
          });
 }
 

@@ -10,16 +10,9 @@
 namespace carom::oracles {
 
 /// An outcome ŷ that is close to the truth y keeps every law within what is allowed, and no law has to be evaluated for
-/// it. The truth satisfies each law g exactly, g(y) = 0 or g(y) ≤ 0 (ExactCase::truth is certified, the tests prove the
-/// inequalities), and g is affine in the outcome, or convex: the kinetic energy. So
-///
-///   ‖g(ŷ)‖, or what is missed of g(ŷ) ≤ 0,  ≤  Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖.
-///
-/// Where ‖ŷ_k − y_k‖ ≤ a (‖ŷ_k‖ + ‖y_k⁻‖) for each vector that the law speaks of, that is at most the allowance a times
-/// the scale of `compare`, of which Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) is a part. The scale is computed in binary64: a
-/// millionth of `a` is set aside for what its slopes may lose, which is less than 2⁻⁴⁰ of each, for they are lengths of
-/// numbers of the collision (N, m, r, J, and their products, each without cancellation) but for r × N and ∂E/∂ŷ, which
-/// are looked at. The collision is moderate, so that none of it leaves the range of numbers.
+/// it. The truth satisfies each law g exactly (ExactCase::truth is certified, the tests prove the inequalities), g is
+/// affine in the outcome, or convex: the kinetic energy, and what is missed of it is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖.
+/// Why that is within what is allowed, rounding and all, is said in inequalities in closeness_bounds.hpp.
 class Closeness {
  public:
   /// Close to nothing.

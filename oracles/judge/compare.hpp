@@ -91,12 +91,13 @@ template <class S, class Law>
   return part;
 }
 
+inline constexpr double smallest_scale = 0x1p-900;
+inline constexpr double largest_scale = 0x1p+1000;
+
 /// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
 template <class S>
 [[nodiscard]] bool is_in_range(S scale) {
-  constexpr S smallest = 0x1p-900;
-  constexpr S largest = 0x1p+1000;
-  return scale >= smallest && scale <= largest;
+  return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
 /// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.

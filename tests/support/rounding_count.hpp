@@ -23,8 +23,8 @@ class RoundingCount {
   explicit RoundingCount(long double exact)
       : terms_(static_cast<double>(std::abs(exact))), is_power_of_two_(is_power_of_two(exact)) {}
 
-  /// An input: any number of at most this size.
-  [[nodiscard]] static RoundingCount input(double size = 1) { return {0, size}; }
+  /// An input: any number of at most this size, which has come with so many roundings.
+  [[nodiscard]] static RoundingCount input(double size = 1, int roundings = 0) { return {roundings, size}; }
 
   [[nodiscard]] int roundings() const { return roundings_; }
   [[nodiscard]] double terms() const { return terms_; }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <carom/oracles/filters/closeness_bounds.hpp>
+#include <carom/oracles/judge/compare.hpp>
+
+#include "covers.hpp"
+#include "normalised_collision.hpp"
+
+/// The constants of oracles/filters/closeness_bounds.hpp, by its inequalities (3) to (6); (1) is closeness_test's.
+namespace carom::bounds {
+namespace {
+
+namespace closeness = oracles::closeness_bounds;
+using T = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
+
+/// By how many u ‖∂g/∂ŷ_k‖ may be off as it is computed, of a normalised collision and velocities of one at most: the
+/// length of the errors of the derivatives, and the roundings of the norm.
+template <class Law>
+std::array<double, 4> errors_of_slopes(const Law& law, bool against_wall = false) {
+  BasicCollision<T> c = normalised_collision<T>();
+  c.b.immovable = against_wall;
+  Outcome<T> outcome;
+  std::size_t next = 0;
+  for (Vector3<T>* part : vectors(outcome)) {
+    for (int i = 0; i < 3; ++i) {
+      (*part)[i] = T::input(RoundingCount::input(0.5), next++);
+    }
+  }
+  const auto sides = law(c, outcome);
+  std::array<double, 4> errors{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    double squares = 0;
+    for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
+      for (std::size_t j = 3 * k; j < 3 * k + 3; ++j) {
+        const double error = (sides.left[i].derivative[j] - sides.right[i].derivative[j]).error();
+        squares += error * error;
+      }
+    }
+    errors[k] = std::sqrt(squares);
+  }
+  return errors;
+}
+
+/// The roundings of a norm: of six squares at most, their sum and the root; relative to the norm.
+constexpr double roundings_of_norm = 6;
+
+/// (3): relative to slopes of one or more: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
+TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
+  namespace law = oracles::law;
+  double most = 0;
+  const auto note = [&](const std::array<double, 4>& errors) {
+    most = std::max(most, *std::max_element(errors.begin(), errors.end()) + roundings_of_norm);
+  };
+  note(errors_of_slopes(law::Untouched{true}));
+  note(errors_of_slopes(law::AngularMomentum{true}));
+  note(errors_of_slopes(law::AngularMomentum{false}));
+  note(errors_of_slopes(law::TotalAngularMomentum{}));
+  note(errors_of_slopes(law::LinearMomentum{}));
+  note(errors_of_slopes(law::Push{true}));
+  note(errors_of_slopes(law::FrictionlessDirection{true}));
+  note(errors_of_slopes(law::ReflectionPlane{}));
+  EXPECT_TRUE(covers(closeness::rounding_of_slope, most * u, 4));
+}
+
+/// (4): relative to the products of lengths, which are one here.
+TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
+  const std::array<double, 4> of_moment = errors_of_slopes(oracles::law::Restitution{});
+  EXPECT_TRUE(covers(closeness::noise_of_moment, (std::max(of_moment[1], of_moment[3]) + roundings_of_norm) * u, 16));
+  for (const bool against_wall : {false, true}) {
+    const std::array<double, 4> of_energy = errors_of_slopes(oracles::law::Energy{}, against_wall);
+    const double most = *std::max_element(of_energy.begin(), of_energy.end()) + roundings_of_norm;
+    EXPECT_TRUE(covers(closeness::noise_of_energy_slope, most * u, 4));
+  }
+}
+
+/// (5): the slopes' rounding, the noise by both ways to compute the scale, the roundings of the sums and the products.
+TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
+  constexpr double of_noise = closeness::share_for_noise * (1 + 4 * closeness::share_for_noise);
+  constexpr double of_sums = 32 * u;
+  EXPECT_LE((1 - closeness::set_aside) * (1 + closeness::rounding_of_slope + of_noise) * (1 + of_sums), 1);
+  EXPECT_TRUE(covers(closeness::set_aside, closeness::rounding_of_slope + of_noise + of_sums, 4));
+}
+
+/// (6)
+TEST(ClosenessBounds, LeaveAScaleThatTheJudgeTakes) {
+  EXPECT_GE(oracles::least_slope_of_moderate * closeness::least_size, oracles::detail::smallest_scale);
+  // Of the energy, what noise has made of it and all.
+  EXPECT_GE(closeness::least_scale_of_energy * (1 - 2 * closeness::share_for_noise), oracles::detail::smallest_scale);
+  EXPECT_LE(oracles::largest_scale_of_moderate, oracles::detail::largest_scale);
+}
+
+}  // namespace
+}  // namespace carom::bounds
