@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -91,13 +92,12 @@ double normal_velocity_sensitivity(const Collision& c) {
   return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), c.point);
 }
 
-/// A number known to six digits, and so its sign. A double's fewer than 2⁴ roundings lose 2⁻⁴⁹ of the sum of its terms,
-/// at most the sensitivity.
+/// A number known to six digits, and so its sign (case_bounds.hpp).
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
-  return std::abs(normal_velocity) > 0x1p-28 * sensitivity_above;
+  return std::abs(normal_velocity) > case_bounds::known_share_of_normal_velocity * sensitivity_above;
 }
 bool is_known_to_six_digits(const Enclosure& x) {
-  return x.is_exactly_zero() || x.radius() < 0x1p-20 * x.magnitude_below();
+  return x.is_exactly_zero() || x.radius() < case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
 /// λ = 1/m_A + 1/m_B.
@@ -219,8 +219,9 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
-  if (is_moderate() && std::abs(normal_velocity().value) > 2 * allowance * sensitivity_above_of_normal_velocity()) {
-    return false;  // the factor is for the rounding of both
+  if (is_moderate() && std::abs(normal_velocity().value) >
+                           case_bounds::factor_for_grazing * allowance * sensitivity_above_of_normal_velocity()) {
+    return false;
   }
   if (!normal_velocity_sensitivity_) {
     normal_velocity_sensitivity_ = normal_velocity_sensitivity(collision_);
@@ -303,7 +304,7 @@ const Sensitivity& ExactCase::sensitivity_below(Model model) const {
           std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
                     y[2].magnitude_below() * y[2].magnitude_below()) /
           2;
-      (*known)[k] += std::isfinite(half) ? half * (1 - 0x1p-40) : 0;  // three squares, two sums and a root
+      (*known)[k] += std::isfinite(half) ? half : 0;
     }
   }
   return *known;
@@ -361,7 +362,8 @@ double ExactCase::collision_matrix_sensitivity_below() const {
     }
     const double norm = std::sqrt(squares);
     const double lambda = approximate_inverse_mass().magnitude_below();
-    collision_matrix_sensitivity_below_ = norm >= 0x1p-20 * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+    collision_matrix_sensitivity_below_ =
+        norm >= case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
   }
   return *collision_matrix_sensitivity_below_;
 }

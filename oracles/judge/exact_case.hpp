@@ -62,7 +62,8 @@ class ExactCase {
 
   /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides ‖y_k⁻‖ + ½ ‖y_k‖.
   /// The law's answer is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖
-  /// (Euler); the half covers the rounding of the sum. Elsewhere ‖y_k⁻‖, whether grazing or not.
+  /// (Euler); the half covers the rounding of the sum, of which ten digits are kept, and its own. Elsewhere ‖y_k⁻‖,
+  /// whether grazing or not.
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
   /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
@@ -74,10 +75,8 @@ class ExactCase {
   [[nodiscard]] Approximation approximate_inverse_mass() const;
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of `collision_matrix_sensitivity`: K is homogeneous of degree −1 in the masses and moments, so the
-  /// sum over these alone is at least ‖K‖_F (Euler), and that over the masses alone at least λ. The first is given only
-  /// where binary64 cannot have lost it: the rounding of the derivatives is below 2¹⁰ u ‖r‖² / I_min for each body, and
-  /// ‖K‖_F, of which half is given, is a millionth of that or more, without u. Precondition: is_moderate().
+  /// A lower bound of `collision_matrix_sensitivity`: half of ‖K‖_F where binary64 cannot have lost it, and of λ
+  /// (case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// Whether λI ⪯ K, decided exactly. Where a body is movable it always is: K − λI is the sum of [r]ᵀ J⁻¹ [r] over the

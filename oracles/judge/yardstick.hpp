@@ -11,6 +11,10 @@ namespace carom::oracles {
 /// The limit that sound outcomes were found to stay below on every physically possible body, in ulps.
 inline constexpr double default_limit_ulps = 32;
 
+/// Where more is allowed, lower bounds of what is allowed decide nothing: up to here what is allowed of a moderate
+/// collision (moderate.hpp) is a finite number, as it has to be for a pass.
+inline constexpr double largest_allowance_for_bounds = 0x1p+64;
+
 /// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
 /// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by
 /// so much.
@@ -22,9 +26,10 @@ struct Yardstick {
   /// Whether enclosures may decide what they can. The verdicts are the same without, only slower.
   bool filtered = true;
 
-  /// Whether lower bounds of what is allowed may decide. The upper limit keeps what is allowed of a moderate collision
-  /// (moderate.hpp) a finite number, as it has to be for a pass.
-  [[nodiscard]] bool uses_bounds() const { return filtered && allowance() > 0 && allowance() <= 0x1p+64; }
+  /// Whether lower bounds of what is allowed may decide.
+  [[nodiscard]] bool uses_bounds() const {
+    return filtered && allowance() > 0 && allowance() <= largest_allowance_for_bounds;
+  }
 
   [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
 };

@@ -190,9 +190,7 @@ double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
   if (sum == 0 && (jacobian.array().abs().colwise().sum() * magnitude == 0).all()) {
     return 0;
   }
-  constexpr double smallest = 0x1p-400;
-  constexpr double largest = 0x1p+400;
-  return sum >= smallest && sum <= largest ? sum : std::numeric_limits<double>::quiet_NaN();
+  return sum >= least_sum_by_squares && sum <= largest_sum_by_squares ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -236,7 +234,7 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
     }
     result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
     // Written so that what is no number is not known.
-    if (!(unknown <= 0x1p-34 * result[k]) || !std::isfinite(result[k])) {
+    if (!(unknown <= ten_digits * result[k]) || !std::isfinite(result[k])) {
       return std::nullopt;
     }
   }

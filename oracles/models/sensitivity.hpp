@@ -22,6 +22,14 @@ namespace carom::oracles {
 /// Algorithms, §1.5.
 using Sensitivity = std::array<double, 4>;
 
+/// Sums Σ_j ‖∂y/∂x_j‖ |x_j| from here to there are taken by squares in binary64: what these lose below its range, times
+/// |x_j|, is no ten-digit part of the first (docs/internals/bounds.md); what overflows is larger than the other.
+inline constexpr double least_sum_by_squares = 0x1p-380;
+inline constexpr double largest_sum_by_squares = 0x1p+400;
+
+/// Ten digits of a sum.
+inline constexpr double ten_digits = 0x1p-34;
+
 /// ‖y_k⁻‖.
 [[nodiscard]] std::array<double, 4> norms_before(const Collision& collision);
 
