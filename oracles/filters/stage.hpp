@@ -24,8 +24,8 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[static_cast<std::size_t>(stage)]; }
 
-/// Approximations carry bounds of n u or more of the sum of a law's terms, n the most roundings of a term, about forty
-/// and, in sums of sums, some more: where a few tens of n u are not allowed, they would decide too seldom to be tried.
+/// Approximations carry bounds of n u or more of the sum of a law's terms, n the most roundings of a term, thirty:
+/// where less than some tens of n u is allowed, they would decide too seldom to be tried.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

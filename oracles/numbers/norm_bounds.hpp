@@ -40,14 +40,13 @@ template <class S, class T, class Size>
 /// At least ‖v‖; zero only where v is.
 template <class T>
 [[nodiscard]] double norm_above(std::span<const T> vector) {
-  using namespace norm_bounds;
   bool is_zero = true;
-  const double squares = sum_of_squares<double>(vector, [&](const T& component) {
+  const double squares = norm_bounds::sum_of_squares<double>(vector, [&](const T& component) {
     const double above = component.magnitude_above();
     is_zero = is_zero && above == 0;
     return above;
   });
-  return is_zero ? 0 : std::sqrt(squares) * (1 + rounding) + lost_by_root;
+  return is_zero ? 0 : std::sqrt(squares) * (1 + norm_bounds::rounding) + norm_bounds::lost_by_root;
 }
 
 /// Whether ‖v‖ ≤ bound, where the errors decide it. With A ≥ ‖v‖ and B ≤ ‖v‖ as computed, relatively off by less than
@@ -60,14 +59,15 @@ template <class T>
 /// Precondition: the bound is finite and not negative.
 template <class T>
 [[nodiscard]] std::optional<bool> norm_at_most_by_bounds(std::span<const T> vector, double bound) {
-  using namespace norm_bounds;
   const auto above_of = [](const T& component) { return component.magnitude_above(); };
   const auto below_of = [](const T& component) { return component.magnitude_below(); };
-  if (bound >= least_by_squares && bound <= largest_by_squares) {
-    if (sum_of_squares<double>(vector, above_of) * (1 + rounding) <= bound * bound * (1 - rounding)) {
+  if (bound >= norm_bounds::least_by_squares && bound <= norm_bounds::largest_by_squares) {
+    if (norm_bounds::sum_of_squares<double>(vector, above_of) * (1 + norm_bounds::rounding) <=
+        bound * bound * (1 - norm_bounds::rounding)) {
       return true;
     }
-    if (sum_of_squares<double>(vector, below_of) * (1 - rounding) > bound * bound * (1 + rounding)) {
+    if (norm_bounds::sum_of_squares<double>(vector, below_of) * (1 - norm_bounds::rounding) >
+        bound * bound * (1 + norm_bounds::rounding)) {
       return false;
     }
     return std::nullopt;
@@ -78,10 +78,10 @@ template <class T>
     above = std::hypot(above, above_of(component));
     below = std::hypot(below, below_of(component));
   }
-  if (above == 0 || above * (1 + rounding) + lost_by_hypotenuses <= bound) {
+  if (above == 0 || above * (1 + norm_bounds::rounding) + norm_bounds::lost_by_hypotenuses <= bound) {
     return true;
   }
-  if (below * (1 - rounding) - lost_by_hypotenuses > bound) {
+  if (below * (1 - norm_bounds::rounding) - norm_bounds::lost_by_hypotenuses > bound) {
     return false;
   }
   return std::nullopt;

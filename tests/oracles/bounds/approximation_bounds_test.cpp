@@ -17,22 +17,24 @@ using oracles::Approximation;
 using oracles::Rational;
 
 /// More than one, so that no product with it is exact; what was computed before does not count.
-const RoundingCount any = RoundingCount::input(3);
+const RoundingCount any_radius = RoundingCount::input(3);
 
 /// The last product, by `up`, is one of the roundings; so is the sum with `least`.
 TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
-  const int of_sum = approximation::radius_of_sum(any, any, any).roundings() + 1;
-  const int of_product = approximation::radius_of_product(any, any, any, any, any).roundings();
+  const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
+  const int of_product =
+      approximation::radius_of_product(any_radius, any_radius, any_radius, any_radius, any_radius).roundings();
   // By (4) |x̂ / ŷ| ≤ (1 + u) |q|: one more.
-  const int of_quotient = approximation::radius_of_quotient(any, any, any, any).roundings() + 1;
-  const int of_size = approximation::above(any, any).roundings();
+  const int of_quotient =
+      approximation::radius_of_quotient(any_radius, any_radius, any_radius, any_radius).roundings() + 1;
+  const int of_size = approximation::above(any_radius, any_radius).roundings();
   const int most = std::max({of_sum, of_product, of_quotient, of_size});
   EXPECT_GE(most, 6);
   EXPECT_TRUE(covers(approximation::up - 1, most * u / (1 - most * u), 64));
-  EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any, any).roundings() * u, 128));
+  EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));
 }
 
-/// Each operation on a bound may lose half the least number, and no formula has more of them than `any * any` has
+/// Each operation on a bound may lose half the least number, and no formula has more of them than a product has
 /// terms; where one of these is divided by, what was lost is there to be divided.
 TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
   constexpr int operations = 8;

@@ -14,19 +14,19 @@ namespace carom::bounds {
 namespace {
 
 namespace closeness = oracles::closeness_bounds;
-using T = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
+using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
 /// By how many u ‖∂g/∂ŷ_k‖ may be off as it is computed, of a normalised collision and velocities of one at most: the
 /// length of the errors of the derivatives, and the roundings of the norm.
 template <class Law>
 std::array<double, 4> errors_of_slopes(const Law& law, bool against_wall = false) {
-  BasicCollision<T> c = normalised_collision<T>();
+  BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
   c.b.immovable = against_wall;
-  Outcome<T> outcome;
+  Outcome<SlopeDual> outcome;
   std::size_t next = 0;
-  for (Vector3<T>* part : vectors(outcome)) {
+  for (Vector3<SlopeDual>* part : vectors(outcome)) {
     for (int i = 0; i < 3; ++i) {
-      (*part)[i] = T::input(RoundingCount::input(0.5), next++);
+      (*part)[i] = SlopeDual::input(RoundingCount::input(0.5), next++);
     }
   }
   const auto sides = law(c, outcome);

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <sstream>
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace carom::bounds {
 
+/// u of binary64.
+inline constexpr double u = 0x1p-53;
+
 /// Whether a constant is at least what the code was found to need, and not so much more that it says nothing: at most
-/// `slack` times that.
+/// `slack` times that. Both are recorded: --gtest_output=json:FILE writes them.
 [[nodiscard]] inline testing::AssertionResult covers(double constant, double needed, double slack) {
+  const testing::TestResult& so_far = *testing::UnitTest::GetInstance()->current_test_info()->result();
+  std::ostringstream both;
+  both << constant << " covers " << needed << " = 2^" << std::log2(std::abs(needed)) << " = " << needed / u << " u";
+  testing::Test::RecordProperty("bound_" + std::to_string(so_far.test_property_count()), both.str());
   if (!(constant >= needed)) {
     return testing::AssertionFailure() << constant << " is less than the " << needed << " that are needed";
   }
@@ -17,8 +28,5 @@ namespace carom::bounds {
   }
   return testing::AssertionSuccess();
 }
-
-/// u of binary64.
-inline constexpr double u = 0x1p-53;
 
 }  // namespace carom::bounds

@@ -21,18 +21,20 @@ using impulse::DoubleDouble;
 using oracles::Enclosure;
 using oracles::Rational;
 
-const RoundingCount any = RoundingCount::input(3);
+const RoundingCount any_part = RoundingCount::input(3);
 
 /// What is doubled by (2) and (3) is rounded up twice, by above(x) and by `up`, and is counted from there on.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
-  const int of_sum = enclosure::radius_of_result(any + any, any, any, 3).roundings();
+  const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
-      enclosure::radius_of_result(enclosure::radius_of_product(any, any, any, any), any, any, 3).roundings();
-  const int of_quotient = enclosure::radius_of_quotient(any, any, any, any, any).roundings();
+      enclosure::radius_of_result(enclosure::radius_of_product(any_part, any_part, any_part, any_part), any_part,
+                                  any_part, 3)
+          .roundings();
+  const int of_quotient = enclosure::radius_of_quotient(any_part, any_part, any_part, any_part, any_part).roundings();
   // q itself comes as a sum rounded up: its roundings count against a factor of its own.
-  const int of_size = enclosure::above(any, any, any).roundings();
+  const int of_size = enclosure::above(any_part, any_part, any_part).roundings();
   EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_size}) * u, 8));
-  EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any, any, any).roundings() * u, 16));
+  EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
 }
 
 /// 16 u² |z| covers 7 u² |exact| with |exact| ≤ |z| / (1 − 7u²), and the roundings of 16 u² (|high| + |low|).

@@ -16,19 +16,19 @@ namespace nearness = properties::nearness;
 constexpr double u_of_long_double = static_cast<double>(nearness::two_u) / 2;
 
 /// The roundings of the bound as it is computed.
-int roundings() {
+int roundings_of_distance() {
   const Vector3<RoundingCount> any = Vector3<RoundingCount>::Constant(RoundingCount::input(3));
   return nearness::distance_above<RoundingCount>(any, any, RoundingCount::input(3)).roundings();
 }
 
 /// (3), (4): M (1 + 8u) is at least ‖x − y‖₁, five roundings and all.
 TEST(NearnessBounds, RoundUpByMoreThanTheirRoundings) {
-  EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings() * u_of_long_double, 2));
+  EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings_of_distance() * u_of_long_double, 2));
 }
 
 /// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers both terms; that of the scale is the larger one.
 TEST(NearnessBounds, CoverTheRoundingOfTheVectorItself) {
-  const double left_by_rounding = 1 - roundings() * u_of_long_double - 4 * u_of_long_double;
+  const double left_by_rounding = 1 - roundings_of_distance() * u_of_long_double - 4 * u_of_long_double;
   const double of_scale = std::sqrt(3) * (1 + 0x1p-50) * (1 + u_of_long_double) * u_of_long_double;
   EXPECT_TRUE(covers(static_cast<double>(nearness::two_u) * left_by_rounding, of_scale, 1.2));
   EXPECT_GE(static_cast<double>(nearness::two_u) * left_by_rounding, u_of_long_double);

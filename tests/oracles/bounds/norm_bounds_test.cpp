@@ -19,11 +19,11 @@ using oracles::Enclosure;
 using oracles::Rational;
 
 /// What two sides of a law miss each other by has no more components.
-constexpr std::size_t most = oracles::Components<double>::capacity;
+constexpr std::size_t most_components = oracles::Components<double>::capacity;
 
 RoundingCount six_squares() {
-  const std::array<RoundingCount, most> vector = [] {
-    std::array<RoundingCount, most> all;
+  const std::array<RoundingCount, most_components> vector = [] {
+    std::array<RoundingCount, most_components> all;
     all.fill(RoundingCount::input(3));
     return all;
   }();
@@ -42,13 +42,13 @@ TEST(NormBounds, RoundByMoreThanTheirRoundings) {
 
 /// (1), (2): a hypotenuse of the C library is good to an ulp, 2u, or to the least number; then two roundings.
 TEST(NormBounds, RoundByMoreThanHypotenuses) {
-  EXPECT_TRUE(covers(norm_bounds::rounding, (2 * most + 2) * u, 64));
-  EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most + 1) * 0x1p-1074, 4));
+  EXPECT_TRUE(covers(norm_bounds::rounding, (2 * most_components + 2) * u, 64));
+  EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most_components + 1) * 0x1p-1074, 4));
 }
 
-/// A square loses at most half the least number: less than a rounding of what it is compared with.
+/// A square loses at most_components half the least number: less than a rounding of what it is compared with.
 TEST(NormBounds, CoverWhatSquaresLose) {
-  constexpr double squares_lose = most * 0x1p-1074;
+  constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
   EXPECT_GE(norm_bounds::lost_by_root, std::sqrt(squares_lose));
   EXPECT_LT(norm_bounds::largest_by_squares * norm_bounds::largest_by_squares, 0x1p+1023);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariants/checks.hpp>
+
+#include "support/exact.hpp"
+
+/// The bits that relations leave free (properties/invariants/relations.cpp): what is added to a collision, and what it
+/// is multiplied by, is so exactly.
+namespace carom::bounds {
+namespace {
+
+using oracles::Rational;
+
+Vector3<Rational> exactly(const Vector3<double>& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
+
+Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<double>& y) {
+  return exactly(x) - exactly(y);
+}
+
+/// 48 bits and an offset as large: sums have at most 49, and two more for 3/4 of a power of two.
+TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
+  for (const auto& [family, one] : unit::valid_cases(40)) {
+    const std::vector<Collision> moving = properties::ask_galilean(one.collision);
+    const Vector3<Rational> added = exact_difference(moving[1].a.velocity, moving[0].a.velocity);
+    EXPECT_EQ(exact_difference(moving[1].b.velocity, moving[0].b.velocity), added) << family;
+    EXPECT_NE(added[0], 0) << family;
+    const std::vector<Collision> moved = properties::ask_translation(one.collision);
+    const Vector3<Rational> step = exact_difference(moved[1].point, moved[0].point);
+    EXPECT_EQ(exact_difference(moved[1].a.position, moved[0].a.position), step) << family;
+    EXPECT_EQ(exact_difference(moved[1].b.position, moved[0].b.position), step) << family;
+    EXPECT_NE(step[0], 0) << family;
+  }
+}
+
+/// 50 bits, times three: 52.
+TEST(RelationBounds, MultiplyVelocitiesByThree) {
+  for (const auto& [family, one] : unit::valid_cases(40)) {
+    const std::vector<Collision> asked = properties::ask_homogeneous(one.collision);
+    const Outcome<double> slow = unchanged(asked[0]);
+    const Outcome<double> fast = unchanged(asked[1]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_EQ(exactly(*vectors(fast)[k]), Vector3<Rational>(exactly(*vectors(slow)[k]) * Rational(3))) << family;
+    }
+  }
+}
+
+/// 20 bits of a normal, and as many thirty places below.
+TEST(RelationBounds, AddATangentialVelocity) {
+  for (const auto& [family, one] : unit::valid_cases(40)) {
+    if (one.collision.a.immovable && one.collision.b.immovable) {
+      continue;
+    }
+    const std::vector<Collision> asked = properties::ask_continuous(one.collision);
+    const bool of_b = one.collision.a.immovable;
+    const Vector3<Rational> added =
+        exact_difference((of_b ? asked[1].b : asked[1].a).velocity, (of_b ? asked[0].b : asked[0].a).velocity);
+    EXPECT_EQ(added.dot(exactly(asked[0].normal)), 0) << family;
+    EXPECT_NE(added.dot(added), 0) << family;
+  }
+}
+
+}  // namespace
+}  // namespace carom::bounds
