@@ -122,6 +122,9 @@ void write_tangential_law(System& system, std::size_t row, const BasicCollision<
     case Model::reflection:  // t·V⁺ = t·V⁻
       write_relative_velocity(system, row, c, t, velocity_before_along(c, t));
       return;
+    case Model::sticking:  // t·V⁺ = 0
+      write_relative_velocity(system, row, c, t, Rational(0));
+      return;
     case Model::any:
       break;
   }

@@ -218,7 +218,8 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
   if (!passes(result, yardstick)) {
     return own;
   }
-  result.error_above = Accuracy{}.error_above;  // the answer that it is near to is not the truth
+  result.is_of_truth = false;
+  result.error_above = Accuracy{}.error_above;  // what it is near to is not the truth
   return result;
 }
 

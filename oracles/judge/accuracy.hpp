@@ -17,7 +17,8 @@ struct Accuracy {
   bool is_decided = true;  // false where the sensitivity, or what is allowed of it, leaves the range of numbers: then
                            // nothing else here means anything
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick
-  bool has_digits = true;  // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
+  bool has_digits = true;   // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
+  bool is_of_truth = true;  // false where the outcome passes by the other of two answers
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
                               // infinite where Δ_exact = 0 and Δ is not
 

@@ -35,6 +35,7 @@ enum class AffineEquation {
   frictionless_direction_read_off_a,
   frictionless_direction_read_off_b,
   reflection_plane,
+  sticks,
   untouched_a,
   untouched_b,
 };
@@ -178,6 +179,18 @@ struct ReflectionPlane {
   }
 };
 
+/// N × V⁺ = 0. Of contacts that collide.
+struct Sticks {
+  static constexpr bool slopes_may_cancel = false;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::sticks; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return {c.normal.cross(relative_velocity<T>(c, after)), Vector3<T>{T(0), T(0), T(0)}};
+  }
+};
+
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
 /// its contact point's velocity. Not affine, but convex in the outcome. Precondition: a body is movable.
 struct Energy {
@@ -209,12 +222,13 @@ struct Energy {
 }  // namespace equation
 
 /// What the judge holds an outcome against.
-using Equation = std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
-                              equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
-                              equation::FrictionlessDirection, equation::ReflectionPlane, equation::Energy>;
+using Equation =
+    std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
+                 equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
+                 equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::Energy>;
 
 /// Those that are affine in the outcome, in the order of their names.
-inline constexpr std::array<Equation, 13> affine_equations{equation::LinearMomentum{},
+inline constexpr std::array<Equation, 14> affine_equations{equation::LinearMomentum{},
                                                            equation::AngularMomentum{true},
                                                            equation::AngularMomentum{false},
                                                            equation::TotalAngularMomentum{},
@@ -225,6 +239,7 @@ inline constexpr std::array<Equation, 13> affine_equations{equation::LinearMomen
                                                            equation::FrictionlessDirection{true},
                                                            equation::FrictionlessDirection{false},
                                                            equation::ReflectionPlane{},
+                                                           equation::Sticks{},
                                                            equation::Untouched{true},
                                                            equation::Untouched{false}};
 
@@ -280,6 +295,10 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
     case Model::reflection:
       visit("restitution", equation::Restitution{});
       visit("the reflection plane", equation::ReflectionPlane{});
+      return;
+    case Model::sticking:
+      visit("restitution", equation::Restitution{});
+      visit("sticking", equation::Sticks{});
       return;
     case Model::any:
       break;

@@ -6,6 +6,7 @@
 
 #include <carom/oracles/models/frictionless.hpp>
 #include <carom/oracles/models/reflection.hpp>
+#include <carom/oracles/models/sticking.hpp>
 
 /// The models that determine an outcome, a type each. None of what these types say is trusted: a truth is certified by
 /// the defining equations, and the rest is held against it in the tests.
@@ -20,6 +21,8 @@ decltype(auto) with_law(Model model, Use&& use) {
       return std::forward<Use>(use)(Frictionless{});
     case Model::reflection:
       return std::forward<Use>(use)(Reflection{});
+    case Model::sticking:
+      return std::forward<Use>(use)(Sticking{});
     case Model::any:
       break;
   }

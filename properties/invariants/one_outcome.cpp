@@ -180,6 +180,16 @@ Verdict check_reflection_plane(const Evidence& e) {
   return holds(e, Relation::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
 }
 
+Verdict check_sticks(const Evidence& e) {
+  if (!collides(e)) {
+    return outside_domain("the contact is not colliding");
+  }
+  if (has_two_answers(e, e.exact_case)) {
+    return between_two_answers();
+  }
+  return holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
+}
+
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
@@ -237,6 +247,13 @@ std::vector<Invariant> outcome_invariants() {
                 "a movable body",
                 {Model::reflection},
                 AboutOutcome{check_reflection_plane}},
+      Invariant{"sticks",
+                "The contact point keeps no tangential relative velocity.",
+                R"(N \times V^+ = 0)",
+                "the limit μ → ∞ of Coulomb friction",
+                "colliding contacts",
+                {Model::sticking},
+                AboutOutcome{check_sticks}},
       Invariant{"energy",
                 "The kinetic energy grows by no more than the work of a driven wall.",
                 R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",

@@ -6,6 +6,7 @@
 #include <carom/collision/model.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
+#include <carom/impulse/sticking.hpp>
 
 /// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
 namespace carom::impulse {
@@ -20,6 +21,9 @@ constexpr void with_law(Model model, const Use& use) {
       return;
     case Model::reflection:
       use([](const auto& contact) { return reflection_impulse<Ldlt>(contact); });
+      return;
+    case Model::sticking:
+      use([](const auto& contact) { return sticking_impulse<Ldlt>(contact); });
       return;
     case Model::any:
       return;
@@ -39,6 +43,8 @@ struct Description {
       return {"impulse along the normal", "", "eq. 18"};
     case Model::reflection:
       return {"basis-free reflection", "LDLᵀ", ""};
+    case Model::sticking:
+      return {"the contact point stops but for ε", "LDLᵀ", ""};
     case Model::any:
       break;
   }

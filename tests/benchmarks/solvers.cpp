@@ -169,11 +169,7 @@ Operations operations_of(Model model) {
   };
   const impulse::Contact<Counted> posed{body(contact.a), body(contact.b), counted(contact.normal), contact.restitution};
   Counted::operations = {};
-  if (model == Model::frictionless) {
-    static_cast<void>(impulse::frictionless(posed));
-  } else {
-    static_cast<void>(impulse::reflection<impulse::Ldlt>(posed));
-  }
+  impulse::with_law(model, [&](const auto& law) { static_cast<void>(impulse::apply_impulse(posed, law(posed))); });
   return Counted::operations;
 }
 

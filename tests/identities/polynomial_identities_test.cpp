@@ -8,6 +8,7 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
+#include <carom/impulse/sticking.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/superposition.hpp>
@@ -67,6 +68,21 @@ bool is_identity(const oracles::Sides<Rational, N>& sides) {
   return sides.left == sides.right;
 }
 
+/// The two sides that tell the model from the others.
+oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model model, const Outcome<Rational>& y) {
+  switch (model) {
+    case Model::frictionless:
+      return oracles::equation::FrictionlessDirection{true}(c, y);
+    case Model::reflection:
+      return oracles::equation::ReflectionPlane{}(c, y);
+    case Model::sticking:
+      return oracles::equation::Sticks{}(c, y);
+    case Model::any:
+      break;
+  }
+  oracles::determines_no_outcome(model);
+}
+
 /// ΔE from the law alone, without the outcome.
 Rational energy_gain(const RationalCollision& c, Model model) {
   const Matrix3<Rational> k = oracles::response_matrix(c);
@@ -76,6 +92,11 @@ Rational energy_gain(const RationalCollision& c, Model model) {
   if (model == Model::frictionless) {
     // −(1 − ε²) (N·V⁻)² / (2 NᵀKN)
     return -(1 - c.restitution * c.restitution) * normal_velocity * normal_velocity / (2 * n.dot(Vector(k * n)));
+  }
+  if (model == Model::sticking) {
+    // ½ (V⁺ᵀ K⁻¹ V⁺ − V⁻ᵀ K⁻¹ V⁻) with V⁺ = −ε (N·V⁻)/(N·N) N
+    const Vector after = n * Rational(-c.restitution * normal_velocity / n.dot(n));
+    return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
   }
   // ½ F·(V⁻ + V⁺) with K F = c N and c = −(1+ε) (N·V⁻)/(N·N): c/2 (2 V⁻ + c N)ᵀ K⁻¹ N
   const Rational change = -(1 + c.restitution) * normal_velocity / n.dot(n);
@@ -101,8 +122,7 @@ std::optional<std::string> false_identity(Solver solver, Model model) {
         !is_identity(oracles::equation::TotalAngularMomentum{}(c, y))) {
       return "angular momentum";
     }
-    if (!is_identity(model == Model::frictionless ? oracles::equation::FrictionlessDirection{true}(c, y)
-                                                  : oracles::equation::ReflectionPlane{}(c, y))) {
+    if (!is_identity(tangential_law(c, model, y))) {
       return "the model's tangential law";
     }
     if (oracles::kinetic_energy_gain(c.a, y.a) + oracles::kinetic_energy_gain(c.b, y.b) != energy_gain(c, model)) {
@@ -127,6 +147,10 @@ TEST(PolynomialIdentities, HoldOfReflectionByTheAdjugate) {
   EXPECT_EQ(false_identity(impulse::reflection<impulse::Adjugate, Rational>, Model::reflection), std::nullopt);
 }
 
+TEST(PolynomialIdentities, HoldOfSticking) {
+  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Model::sticking), std::nullopt);
+}
+
 TEST(PolynomialIdentities, DoNotHoldOfASubjectThatReturnsItsInput) {
   const Solver idle = [](const Contact& contact) { return impulse::unchanged(contact); };
   EXPECT_EQ(false_identity(idle, Model::frictionless), "restitution");
@@ -135,6 +159,10 @@ TEST(PolynomialIdentities, DoNotHoldOfASubjectThatReturnsItsInput) {
 
 TEST(PolynomialIdentities, TellTheModelsApart) {
   EXPECT_EQ(false_identity(impulse::frictionless<Rational>, Model::reflection), "the model's tangential law");
+  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Model::sticking),
+            "the model's tangential law");
+  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Model::reflection),
+            "the model's tangential law");
   EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Model::frictionless),
             "the model's tangential law");
 }

@@ -4,6 +4,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/sticking.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/families/bodies.hpp>
 
@@ -224,6 +225,7 @@ TEST(Solvers, EqualTheOracleExactly) {
     EXPECT_TRUE(same(frictionless(contact), exact_case.truth(Model::frictionless).outcome)) << family;
     EXPECT_TRUE(same(reflection<Ldlt>(contact), exact_case.truth(Model::reflection).outcome)) << family;
     EXPECT_TRUE(same(reflection<Adjugate>(contact), exact_case.truth(Model::reflection).outcome)) << family;
+    EXPECT_TRUE(same(sticking<Ldlt>(contact), exact_case.truth(Model::sticking).outcome)) << family;
   }
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr Model frictionless = Model::frictionless;
 constexpr Model reflection = Model::reflection;
+constexpr Model sticking = Model::sticking;
 
 const std::array mutants{
     // What is taken for a valid collision.
@@ -262,6 +263,20 @@ const std::array mutants{
            "29, 34",
            "the direction of the slip is taken where there is none, and NaN times no friction is NaN",
            {"finite"}},
+
+    Mutant{"slip_without_spin",
+           Defect::slip_without_spin,
+           sticking,
+           "",
+           "the slip that is stopped is that of the centres of mass, without spin",
+           {"sticks", "backward_error"}},
+    Mutant{"slip_stopped_by_mass_alone",
+           Defect::slip_stopped_by_mass_alone,
+           sticking,
+           "14",
+           "the slip is stopped as if the bodies could not turn",
+           {"sticks"}},
+    Mutant{"slip_left_over", Defect::slip_left_over, sticking, "", "a billionth of the slip is left over", {"sticks"}},
 
     // What the impulse does.
     Mutant{"normal_flipped_for_a",

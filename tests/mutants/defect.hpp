@@ -57,6 +57,9 @@ enum class Defect {
   impulse_capped,
   friction_added,
   tangent_of_nothing,
+  slip_without_spin,
+  slip_stopped_by_mass_alone,
+  slip_left_over,
 
   // What the impulse does.
   normal_flipped_for_a,

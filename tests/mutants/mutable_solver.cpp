@@ -241,6 +241,25 @@ class Solver {
     return impulse::Ldlt::solve<double>(matrix, right_hand_side);
   }
 
+  /// What of the tangential relative velocity sticking takes away: all of it.
+  [[nodiscard]] Vector stopped_slip(const Contact& contact) const {
+    const Vector& n = contact.normal;
+    Vector v = relative_velocity(contact);
+    if (has(Defect::slip_without_spin)) {
+      v = contact.a.velocity - contact.b.velocity;
+    }
+    Vector slip = v - n * (n.dot(v) / n.squaredNorm());
+    if (has(Defect::slip_stopped_by_mass_alone)) {
+      slip = collision_matrix(contact) * slip / lambda(contact);
+      slip -= n * (n.dot(slip) / n.squaredNorm());
+    }
+    if (has(Defect::slip_left_over)) {
+      constexpr double left_over = 1e-9;  // the defect itself
+      slip *= 1 - left_over;
+    }
+    return slip;
+  }
+
   [[nodiscard]] Vector lawful_impulse(const Contact& contact, double normal_velocity) const {
     const Vector& n = contact.normal;
     const double change = normal_velocity_change(contact, normal_velocity);
@@ -249,7 +268,11 @@ class Solver {
       return n * (change / normal_response(contact));
     }
     const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
-    return solve(collision_matrix(contact), n * (change / squared_length));
+    const Vector along = n * (change / squared_length);
+    if (model_ == Model::sticking) {
+      return solve(collision_matrix(contact), along - stopped_slip(contact));
+    }
+    return solve(collision_matrix(contact), along);
   }
 
   [[nodiscard]] Vector impulse_of(const Contact& contact, double normal_velocity) const {

@@ -55,7 +55,7 @@ TEST_P(Repaired, MutantIsSound) {
       "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Repaired, testing::Values(Model::frictionless, Model::reflection),
+INSTANTIATE_TEST_SUITE_P(Models, Repaired, testing::ValuesIn(models_with_truth.begin(), models_with_truth.end()),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 TEST(MutantCatalogue, NamesEachDefectOnce) {

@@ -53,15 +53,15 @@ Precision precision_named(const std::string& name) {
   throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
 }
 
-/// The law `rough` is part of the protocol; it is judged by what holds for every model.
+/// The laws `rough` and `coulomb` are part of the protocol; they are judged by what holds for every model.
 Model model_claimed(const std::string& name) {
-  if (name == "rough") {
+  if (name == "rough" || name == "coulomb") {
     return Model::any;
   }
   if (const std::optional<Model> model = model_named(name)) {
     return *model;
   }
-  throw FormatError("/model", "expected frictionless, reflection, rough or any, found " + name);
+  throw FormatError("/model", "expected frictionless, reflection, sticking, rough, coulomb or any, found " + name);
 }
 
 void require_version(const json& introduction) {

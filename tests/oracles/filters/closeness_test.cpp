@@ -8,6 +8,7 @@
 #include <carom/oracles/filters/slopes.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/models/models.hpp>
 
 #include "support/exact.hpp"
 
@@ -42,11 +43,16 @@ void for_each_affine_equation(const ExactCase& exact_case, Model model, const Vi
   }
   const bool off_a = reads_impulse_off_a(exact_case.collision());
   visit(Relation::at_least, equation::NonPenetration{});
-  visit(Relation::at_least, equation::Push{off_a});
-  if (model == Model::frictionless) {
-    visit(Relation::equal, equation::FrictionlessDirection{off_a});
-  } else {
-    visit(Relation::equal, equation::ReflectionPlane{});
+  const auto visit_if_kept = [&](Relation relation, const auto& equation) {
+    if (keeps(model, *equation.name())) {
+      visit(relation, equation);
+    }
+  };
+  visit_if_kept(Relation::at_least, equation::Push{off_a});
+  visit_if_kept(Relation::equal, equation::FrictionlessDirection{off_a});
+  visit_if_kept(Relation::equal, equation::ReflectionPlane{});
+  if (collides) {
+    visit_if_kept(Relation::equal, equation::Sticks{});
   }
 }
 

@@ -374,6 +374,39 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
+/// A ball that slides along a wall and approaches it by less than rounding: sticking stops the slip or leaves it, and
+/// both are open; an outcome between the two is not.
+TEST(Accuracy, TakesEitherOfTwoAnswers) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  for (const double approach : {-0x1p-60, 0x1p-60}) {
+    Collision c;
+    c.normal = {0x1p-10, 1, 0};
+    c.a.velocity = {1, -0x1p-10 + approach * 0x1p+10, 0};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.approach(), approach < 0 ? Approach::colliding : Approach::separating);
+    ASSERT_TRUE(exact_case.has_two_answers(Model::sticking, yardstick.allowance()));
+    EXPECT_FALSE(exact_case.has_two_answers(Model::reflection, yardstick.allowance()));
+    for (const bool filtered : {false, true}) {
+      yardstick.filtered = filtered;
+      const auto result_for = [&](Outcome<double> outcome) {
+        const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+        return accuracy(exact_case, Model::sticking, LiftedOutcome(reported), yardstick);
+      };
+      Outcome<double> stopped = unchanged(c);
+      stopped.a.velocity.setZero();
+      Outcome<double> between = unchanged(c);
+      between.a.velocity *= 0.5;
+      EXPECT_TRUE(result_for(unchanged(c)).is_allowed());
+      EXPECT_EQ(result_for(unchanged(c)).is_of_truth, approach > 0);
+      EXPECT_TRUE(result_for(stopped).is_allowed());
+      EXPECT_EQ(result_for(stopped).is_of_truth, approach < 0);
+      EXPECT_FALSE(result_for(between).is_allowed());
+    }
+  }
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};

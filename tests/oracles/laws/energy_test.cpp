@@ -141,5 +141,43 @@ TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
   EXPECT_NEAR(creations("inelastic", 1000), 250, 68);
 }
 
+/// Sticking: ΔE = ½ (V⁺ᵀ A V⁺ − V⁻ᵀ A V⁻) with A = K⁻¹, and V⁺ = 0 at ε = 0.
+TEST(Energy, IsLostByStickingWithoutRestitution) {
+  for (BasicCollision<Rational> c : collisions()) {
+    c.restitution = 0;
+    EXPECT_LE(energy_change(c, colliding_truth(c, Model::sticking).outcome), 0);
+  }
+}
+
+/// Of given N·V⁻ the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so that ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)): never
+/// positive where ε² (NᵀAN) (NᵀKN) ≤ (N·N)², and by the slip for which it is attained positive elsewhere.
+TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
+  int can_create = 0;
+  for (BasicCollision<Rational> c : collisions()) {
+    const ExactVector n = c.normal;
+    const ExactMatrix k = response_matrix(c);
+    const Rational length = n.dot(n);
+    const Rational product = n.dot(impulse::Ldlt::solve<Rational>(k, n)) * n.dot(ExactVector(k * n));
+    const ExactVector v = unit::velocity_before(c);
+    // The slip of least energy, V⁻ along K N: what the frictionless law takes away.
+    const ExactVector least = k * n * Rational(n.dot(v) / n.dot(ExactVector(k * n)));
+    (c.a.immovable ? c.b : c.a).velocity += (c.a.immovable ? Rational(-1) : Rational(1)) * ExactVector(least - v);
+    const Rational change = energy_change(c, colliding_truth(c, Model::sticking).outcome);
+    const Rational excess = c.restitution * c.restitution * product - length * length;
+    EXPECT_EQ(sign_of(change), n.dot(v) == 0 ? 0 : sign_of(excess));
+    can_create += change > 0 ? 1 : 0;
+  }
+  EXPECT_GT(can_create, 0);
+}
+
+/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich), and κ ≤ 16 for convex uniform bodies: none for ε ≤ 8/17.
+TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);
+    c.restitution = ratio(8, 17);
+    EXPECT_LE(energy_change(c, colliding_truth(c, Model::sticking).outcome), 0) << i;
+  }
+}
+
 }  // namespace
 }  // namespace carom::oracles

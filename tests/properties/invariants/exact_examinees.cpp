@@ -3,6 +3,7 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
+#include <carom/impulse/sticking.hpp>
 
 #include "examinee.hpp"
 
@@ -39,6 +40,7 @@ Examinee exactly(std::string name, Model model, Outcome<Rational> (*solver)(cons
 std::vector<Examinee> exact_examinees() {
   return {exactly("frictionless_rational", Model::frictionless, impulse::frictionless<Rational>),
           exactly("reflection_rational", Model::reflection, impulse::reflection<impulse::Ldlt, Rational>),
+          exactly("sticking_rational", Model::sticking, impulse::sticking<impulse::Ldlt, Rational>),
           exactly("reflection_adjugate_rational", Model::reflection, impulse::reflection<impulse::Adjugate, Rational>)};
 }
 
