@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [packages|build|gate|engines|test|sanitize] [ARG…]
+# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
-#   build     packages, then the program at build/carom
+#   build     packages, then the program at build/carom; this where no COMMAND is given
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
-#   test      build, then all tests
+#   quick     build the tests of single parts that take least, and run them: the first answer to an edit
+#   test      build, then all tests (`ctest ARG…`)
 #   bench     build, then print what solvers, batches, judge and gate take
 #   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
+#   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
+#   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
+#   lint      clang-format, shellcheck, and clang-tidy (of all files, or of FILE…), in build-lint
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -43,11 +47,9 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# configure DIRECTORY [CMAKE ARG…]
+# configure DIRECTORY CACHE: with the choices of src/cmake/caches/CACHE.cmake
 configure() {
-  local directory=$1
-  shift
-  cmake -S . -B "$directory" -G Ninja -Wno-dev --log-level=WARNING "$@" >/dev/null
+  cmake -S . -B "$1" -G Ninja -Wno-dev --log-level=WARNING -C "src/cmake/caches/$2.cmake" >/dev/null
 }
 
 # What the tests start besides: the examples' interpreters, a reader of the schema, and a browser for the report.
@@ -60,8 +62,24 @@ install_test_programs() {
 
 build() {
   install_packages
-  configure build -DCAROM_BUILD_TESTS=ON
+  configure build everything
   cmake --build build --parallel "$jobs" --target "$1" >&2
+}
+
+# Of what is ours, the files whose names match.
+sources() {
+  find src oracles properties tests docs/examples .ci -name node_modules -prune -o -type f "$@" -print
+}
+
+lint() {
+  local status=0 files
+  mapfile -t files < <(sources -name '*.[ch]pp')
+  clang-format --dry-run --Werror "${files[@]}" || status=1
+  mapfile -t files < <(sources '(' -name '*.sh' -o -path '.ci/*' ')')
+  shellcheck "${files[@]}" || status=1
+  configure build-lint lint
+  run-clang-tidy -quiet -p build-lint -j "$jobs" "$@" 2> >(grep -v ' warnings\? generated\.$' >&2) || status=1
+  return "$status"
 }
 
 command=${1:-build}
@@ -78,6 +96,10 @@ engines)
   (cd src/subjects/engines/npm && npm ci --no-audit --no-fund >&2)
   build carom_programs
   exec build/carom gate --engines "$@"
+  ;;
+quick)
+  build carom_unit_tests
+  exec ctest --test-dir build --output-on-failure --parallel "$jobs" --label-regex '^unit$' "$@"
   ;;
 test)
   install_test_programs
@@ -96,7 +118,8 @@ compare)
   build carom_benchmarks
   [ -e build-compare/source ] && git worktree remove --force build-compare/source
   git worktree add --quiet --force --detach build-compare/source "$revision"
-  cmake -S build-compare/source -B build-compare/build -G Ninja -Wno-dev --log-level=WARNING -DCAROM_BUILD_TESTS=ON >/dev/null
+  cmake -S build-compare/source -B build-compare/build -G Ninja -Wno-dev --log-level=WARNING \
+    -DCAROM_BUILD_TESTS=ON -DCAROM_UNITY=ON >/dev/null
   cmake --build build-compare/build --parallel "$jobs" --target carom_benchmarks >&2
   status=0
   for benchmark in solvers judge_rate; do
@@ -109,12 +132,33 @@ compare)
   ;;
 sanitize)
   install_test_programs
-  configure build-sanitize -DCAROM_BUILD_TESTS=ON -DCAROM_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
+  configure build-sanitize sanitize
   cmake --build build-sanitize --parallel "$jobs" >&2
   exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
   ;;
+tsan)
+  install_packages
+  configure build-tsan tsan
+  cmake --build build-tsan --parallel "$jobs" --target carom_programs carom_tool_tests >&2
+  exec ctest --test-dir build-tsan --output-on-failure --parallel "$jobs" --label-regex '^tool$' "$@"
+  ;;
+coverage)
+  install_test_programs
+  install_packages gcovr
+  configure build-coverage coverage
+  cmake --build build-coverage --parallel "$jobs" >&2
+  find build-coverage -name '*.gcda' -delete
+  ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" "$@" >&2
+  gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \
+    --filter src/ --filter oracles/ --filter properties/ -j "$jobs" |
+    python3 tests/house/coverage_by_folder.py
+  ;;
+lint)
+  install_packages clang clang-format clang-tidy shellcheck
+  lint "$@"
+  ;;
 *)
-  sed -n '3,11p' src/bootstrap.sh >&2
+  sed -n '3,/^set/{/^set/d;p}' src/bootstrap.sh >&2
   exit 2
   ;;
 esac

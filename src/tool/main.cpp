@@ -14,6 +14,7 @@
 #include <carom/oracles/judge/yardstick.hpp>
 
 #include "commands/commands.hpp"
+#include "version.hpp"
 
 namespace {
 
@@ -76,7 +77,7 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
 
 int main(int argc, char** argv) {
   CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
-  app.set_version_flag("--version", CAROM_VERSION);
+  app.set_version_flag("--version", carom::tool::version);
   app.require_subcommand(0, 1);
   std::function<int()> run;
 

@@ -74,7 +74,8 @@ bool ends_with(std::string_view text, std::string_view ending) {
 
 bool is_source(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
-  return ends_with(file, ".hpp") || ends_with(file, ".cpp") || ends_with(file, ".sh") || file == "CMakeLists.txt";
+  return ends_with(file, ".hpp") || ends_with(file, ".cpp") || ends_with(file, ".sh") || ends_with(file, ".cmake") ||
+         file == "CMakeLists.txt";
 }
 
 /// The licences that a file may have.
@@ -156,7 +157,7 @@ std::vector<SourceFile> source_files(const std::filesystem::path& top) {
   for (auto entry = std::filesystem::begin(walk); entry != std::filesystem::end(walk); ++entry) {
     const std::string name = entry->path().filename().string();
     if (entry->is_directory()) {
-      if (begins_with(name, ".") || (entry.depth() == 0 && begins_with(name, "build"))) {
+      if (begins_with(name, ".") || name == "node_modules" || (entry.depth() == 0 && begins_with(name, "build"))) {
         entry.disable_recursion_pending();
       }
       continue;

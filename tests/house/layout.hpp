@@ -25,7 +25,8 @@ struct SourceFile {
   std::string text;
 };
 
-/// Every *.hpp, *.cpp, *.sh and CMakeLists.txt of the tree, sorted, without dot-folders and build directories.
+/// Every *.hpp, *.cpp, *.sh, *.cmake and CMakeLists.txt of the tree, sorted, without dot-folders, build directories and
+/// node_modules.
 [[nodiscard]] std::vector<SourceFile> source_files(const std::filesystem::path& top);
 
 }  // namespace carom::layout

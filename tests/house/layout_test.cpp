@@ -104,6 +104,7 @@ TEST(LayoutChecker, FindsAMissingOrWrongLicence) {
   EXPECT_EQ(licence_offences("src/impulse/x.hpp", "//" + bsl), Offences{});
   EXPECT_EQ(licence_offences("tests/x.sh", "#!/bin/sh\n#" + gpl), Offences{});
   EXPECT_EQ(licence_offences("tests/CMakeLists.txt", "#" + gpl), Offences{});
+  EXPECT_EQ(licence_offences("src/cmake/x.cmake", "#" + gpl), Offences{});
   EXPECT_EQ(licence_offences("src/CMakeLists.txt", "#" + bsl), Offences{});
   EXPECT_EQ(licence_offences("docs/x.md", "no source file"), Offences{});
   for (const auto& [path, text] : std::vector<std::pair<std::string, std::string>>{
@@ -116,6 +117,7 @@ TEST(LayoutChecker, FindsAMissingOrWrongLicence) {
            {"oracles/x.cpp", "\n//" + gpl},
            {"oracles/x.cpp", "// SPDX-License-Identifier: GPL-3.0-or-later-or-not\n"},
            {"tests/x.sh", "#!/bin/sh\necho\n#" + gpl},
+           {"src/cmake/x.cmake", ""},
        }) {
     EXPECT_EQ(licence_offences(path, text).size(), 1U) << path << '\n' << text;
   }

@@ -65,9 +65,12 @@ TEST(ReportSchema, DescribesARealReport) {
 TEST(ReportSchema, RejectsWhatDiffers) {
   const TemporaryDirectory directory;
   const json report = varied_report();
+  ASSERT_EQ(validate(directory.write("report.json", report.dump())).exit_status, 0) << "else everything is rejected";
   const std::vector<std::pair<const char*, std::function<void(json&)>>> changes{
       {"no environment", [](json& r) { r.erase("environment"); }},
       {"no date", [](json& r) { r.at("environment").erase("date"); }},
+      {"flags of no library", [](json& r) { r.at("environment")["compiler_flags"] = json::object(); }},
+      {"flags as one text", [](json& r) { r.at("environment")["compiler_flags"] = "-O3"; }},
       {"an unknown field", [](json& r) { r["mood"] = "good"; }},
       {"an unknown field of a subject", [](json& r) { r.at("subjects").at(0)["mood"] = "good"; }},
       {"an unknown status", [](json& r) { r.at("subjects").at(0)["status"] = "fine"; }},

@@ -3,11 +3,15 @@
 
 #include <chrono>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 #include <thread>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
+
+#include "report/compiled.hpp"
 
 namespace carom::tool {
 namespace {
@@ -15,6 +19,16 @@ namespace {
 std::string stripped(const std::string& text, const char* of) {
   const std::size_t first = text.find_first_not_of(of);
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(of) - first + 1);
+}
+
+/// What stands between the blanks, with one blank between.
+std::string single_spaced(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::string spaced;
+  for (std::string word; words >> word;) {
+    spaced += (spaced.empty() ? "" : " ") + word;
+  }
+  return spaced;
 }
 
 /// The value of the first line "KEY SEPARATOR VALUE" of a file, without blanks and quotes around it.
@@ -35,9 +49,11 @@ Environment this_environment() {
   Environment environment;
   environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                                  fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-  environment.compiler = CAROM_COMPILER;
-  environment.compiler_flags = stripped(CAROM_COMPILER_FLAGS, " ");
-  environment.build_type = CAROM_BUILD_TYPE;
+  environment.compiler = compiler;
+  for (const auto& [library, flags] : compiler_flags) {
+    environment.compiler_flags.emplace(library, single_spaced(flags));
+  }
+  environment.build_type = build_type;
   environment.operating_system = value_in("/etc/os-release", "PRETTY_NAME", '=');
   utsname system{};
   if (uname(&system) == 0) {

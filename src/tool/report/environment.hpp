@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,7 @@ namespace carom::tool {
 struct Environment {
   std::string date;  // UTC, as ISO 8601 writes it
   std::string compiler;
-  std::string compiler_flags;
+  std::map<std::string, std::string> compiler_flags;  // by library: what all of its compile lines have
   std::string build_type;
   std::string operating_system;
   std::string kernel;

@@ -13,6 +13,7 @@
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
 #include "report/report_style.hpp"
+#include "version.hpp"
 
 namespace carom::tool {
 namespace {
@@ -59,16 +60,18 @@ void add_summary(pugi::xml_node section, const GateRun& run) {
 
 void add_environment(pugi::xml_node section, const GateRun& run) {
   const Environment& e = run.environment;
-  std::vector<Fact> facts{{"Carom", CAROM_VERSION},
+  std::vector<Fact> facts{{"Carom", version},
                           {"date", e.date},
                           {"seed", std::to_string(run.report.options.seed)},
                           {"compiler", e.compiler},
-                          {"compiler flags", e.compiler_flags},
                           {"build type", e.build_type},
                           {"operating system", e.operating_system},
                           {"kernel", e.kernel},
                           {"processor", e.processor},
                           {"processor threads", std::to_string(e.processor_threads)}};
+  for (const auto& [library, flags] : e.compiler_flags) {
+    facts.emplace_back("flags of " + library, flags);
+  }
   for (const properties::SubjectResult& result : run.report.results) {
     facts.emplace_back("version of " + result.subject.name, result.subject.version);
   }

@@ -10,6 +10,7 @@
 #include <carom/subjects/protocol/command_line.hpp>
 
 #include "commands/commands.hpp"
+#include "version.hpp"
 
 namespace carom::tool {
 namespace {
@@ -233,7 +234,7 @@ int GateRun::exit_status() const {
 
 json report_record(const GateRun& run) {
   const properties::GateOptions& options = run.report.options;
-  json record{{"carom", CAROM_VERSION},
+  json record{{"carom", version},
               {"environment", environment_record(run.environment)},
               {"seed", options.seed},
               {"cases_of_each_family", options.cases},

@@ -7,6 +7,8 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "version.hpp"
+
 namespace carom::tool {
 namespace {
 
@@ -121,7 +123,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
   const GateReport& report = run.report;
   const oracles::Yardstick& yardstick = report.options.yardstick;
   std::string text = fmt::format(
-      "Carom {}: {} cases of each of {} families, seed {}, limit {}{}\n\n", CAROM_VERSION, report.options.cases,
+      "Carom {}: {} cases of each of {} families, seed {}, limit {}{}\n\n", version, report.options.cases,
       report.options.families.size(), report.options.seed,
       yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps),
       yardstick.filtered ? "" : ", judged in exact arithmetic alone");

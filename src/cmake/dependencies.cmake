@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+if(CAROM_COMPONENTS STREQUAL "all")
+  set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+  find_package(CGAL REQUIRED)
+  find_package(Boost REQUIRED)
+  find_package(fmt REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+  find_package(CLI11 REQUIRED)
+  find_package(benchmark REQUIRED)
+  find_package(pugixml REQUIRED)
+  find_package(Threads REQUIRED)
+  find_package(PkgConfig REQUIRED)
+endif()

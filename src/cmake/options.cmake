@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What a user may choose. src/cmake/caches/ has the choices that bootstrap.sh makes.
+
+set(CAROM_COMPONENTS all CACHE STRING "What is built and installed: impulse (the solvers, for which Eigen is enough) or all")
+set_property(CACHE CAROM_COMPONENTS PROPERTY STRINGS all impulse)
+if(NOT CAROM_COMPONENTS MATCHES "^(all|impulse)$")
+  message(FATAL_ERROR "CAROM_COMPONENTS is all or impulse, not \"${CAROM_COMPONENTS}\"")
+endif()
+
+option(CAROM_BUILD_TESTS "Build the tests, where all components are built" ${PROJECT_IS_TOP_LEVEL})
+option(CAROM_WARNINGS_AS_ERRORS "Treat warnings in Carom's own code as errors" ${PROJECT_IS_TOP_LEVEL})
+option(CAROM_UNITY "Compile small files several at a time: quicker, but no line for each in compile_commands.json" OFF)
+option(CAROM_PRECOMPILED_HEADERS "Compile headers that most units include once" ON)
+option(CAROM_COVERAGE "Count which lines are run" OFF)
+
+set(CAROM_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, or nothing")
+set_property(CACHE CAROM_SANITIZE PROPERTY STRINGS "" address thread)
+if(NOT CAROM_SANITIZE MATCHES "^(address|thread)?$")
+  message(FATAL_ERROR "CAROM_SANITIZE is address, thread or empty, not \"${CAROM_SANITIZE}\"")
+endif()
+
+# A project that contains this one chooses for itself.
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)

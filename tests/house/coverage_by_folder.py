@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads what `gcovr --csv` prints, and prints the share of lines that were run, a folder a line."""
+
+import collections
+import csv
+import os
+import sys
+
+
+def main():
+    folders = collections.defaultdict(lambda: [0, 0])  # lines that were run, lines
+    for row in csv.DictReader(sys.stdin):
+        for folder in (os.path.dirname(row["filename"]), "together"):
+            folders[folder][0] += int(row["line_covered"])
+            folders[folder][1] += int(row["line_total"])
+    if not folders:
+        sys.exit("coverage_by_folder: nothing was measured")
+    together = folders.pop("together")
+    width = max(map(len, [*folders, "together"]))
+    print(f"{'folder':<{width}}   lines     run")
+    for folder, (run, lines) in [*sorted(folders.items()), ("together", together)]:
+        share = f"{100 * run / lines:.1f} %" if lines else "-"
+        print(f"{folder:<{width}}  {lines:>6}  {share:>7}")
+
+
+main()
