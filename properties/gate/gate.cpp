@@ -226,11 +226,11 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
       report.coverage[f] += worker.coverage()[f];
     }
   }
-  struct Place {
+  struct FoundWitness {
     std::size_t subject;
     std::size_t witness;
   };
-  std::vector<Place> places;
+  std::vector<FoundWitness> places;
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     for (std::size_t w = 0; w < report.results[s].witnesses.size(); ++w) {
       places.push_back({s, w});

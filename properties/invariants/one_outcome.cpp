@@ -141,11 +141,11 @@ Verdict check_separating_untouched(const Evidence& e) {
     }
     return both(untouched_body(e, true), untouched_body(e, false));
   }
-  if (are_surely_untouched(e, all_outcome_vectors)) {
-    return {};
-  }
   if (has_two_answers(e, e.exact_case)) {
     return between_two_answers();
+  }
+  if (are_surely_untouched(e, all_outcome_vectors)) {
+    return {};
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   Verdict worst;

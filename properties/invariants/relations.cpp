@@ -92,6 +92,9 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
     return *verdict;
   }
   const oracles::LiftedOutcome& mapped = *std::get<const oracles::LiftedOutcome*>(answer);
+  if (has_two_answers(e, e.exact_case)) {
+    return between_two_answers();
+  }
   if (is_surely_finite(e, e.exact_case, e.outcome) && mapped.is_moderate()) {
     const ReportedOutcome mapped_back = back(*mapped.reported());
     if (same_numbers(mapped_back, *e.outcome.reported())) {
@@ -102,9 +105,6 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
     if (surely_agree(e, mapped_back, e.outcome, weighted_sum(1, below, below))) {
       return {};
     }
-  }
-  if (has_two_answers(e, e.exact_case)) {
-    return between_two_answers();
   }
   const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
@@ -125,6 +125,9 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
   const oracles::ExactCase& second_case = related[1].exact_case;
   const oracles::LiftedOutcome& first_outcome = *std::get<const oracles::LiftedOutcome*>(first);
   const oracles::LiftedOutcome& second_outcome = *std::get<const oracles::LiftedOutcome*>(second);
+  if (has_two_answers(e, first_case) || has_two_answers(e, second_case)) {
+    return between_two_answers();
+  }
   if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
     const ReportedOutcome second_expected = expected(*first_outcome.reported());
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
@@ -134,9 +137,6 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
         agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
       return {};
     }
-  }
-  if (has_two_answers(e, first_case) || has_two_answers(e, second_case)) {
-    return between_two_answers();
   }
   return agree(e, first_outcome, expected, second_outcome,
                weighted_sum(factor, first_case.sensitivity(e.model, e.allowance()),

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -18,6 +19,7 @@
 #include "counted.hpp"
 #include "measurements.hpp"
 #include "peak.hpp"
+#include "plain_note.hpp"
 #include "workload.hpp"
 
 namespace {
@@ -55,6 +57,7 @@ std::string triad_name(std::size_t size) { return fmt::format("triad/{}", size);
 std::string threads_name(Model model, std::size_t size, unsigned threads) {
   return fmt::format("threads/{}/{}/{}", name_of(model), size, threads);
 }
+std::string plain_name(Model model) { return fmt::format("plain/{}", name_of(model)); }
 std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
 
 constexpr Model models[]{Model::frictionless, Model::reflection};
@@ -84,6 +87,36 @@ void register_methods() {
       const subjects::Kernel kernel = method.prepare(collisions);
       for (auto _ : state) {
         kernel();
+        benchmark::ClobberMemory();
+      }
+    });
+  }
+}
+
+/// The note in plain C++, over objects of bodies that lie one after the other.
+void register_plain() {
+  static const std::vector<Collision> collisions = colliding(in_cache);
+  static const std::vector<plain::RigidBody> bodies = [] {
+    std::vector<plain::RigidBody> all;
+    for (const Collision& collision : collisions) {
+      all.push_back(plain::rigid_body(collision.a));
+      all.push_back(plain::rigid_body(collision.b));
+    }
+    return all;
+  }();
+  static const std::vector<plain::Contact> contacts = [] {
+    std::vector<plain::Contact> all;
+    for (std::size_t i = 0; i < collisions.size(); ++i) {
+      all.push_back(plain::contact(collisions[i], bodies[2 * i], bodies[2 * i + 1]));
+    }
+    return all;
+  }();
+  for (const Model model : models) {
+    const auto solve = model == Model::frictionless ? plain::solve_frictionless : plain::solve_reflection;
+    benchmark::RegisterBenchmark(plain_name(model).c_str(), [solve](benchmark::State& state) {
+      std::vector<plain::Motions> motions(contacts.size());
+      for (auto _ : state) {
+        std::ranges::transform(contacts, motions.begin(), solve);
         benchmark::ClobberMemory();
       }
     });
@@ -217,6 +250,33 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
+/// How many times as quick as the note in plain C++ the batches are: as its solver of the same law, and as its
+/// reflection, which is all of the note.
+void print_plain(const Recorder& recorder) {
+  const std::string reflection = plain_name(Model::reflection);
+  if (!recorder.has(reflection)) {
+    return;
+  }
+  fmt::print("\nBatches in double beside the note in plain C++, {} contacts in cache\n", in_cache);
+  fmt::print("  {:<32} {:>11} {:>8} {:>16} {:>17}\n", "", "ns/contact", "spread", "plain, same law",
+             "plain reflection");
+  for (const Model model : models) {
+    std::vector<std::pair<std::string, std::string>> rows{{fmt::format("plain {}", name_of(model)), plain_name(model)}};
+    for (const InstructionSet set : instruction_sets()) {
+      rows.emplace_back(fmt::format("batch {} {}", name_of(model), name_of(set)),
+                        batch_name("double", model, in_cache, set));
+    }
+    for (const auto& [title, name] : rows) {
+      if (recorder.has(name) && recorder.has(plain_name(model))) {
+        const double median = recorder.at(name).median();
+        fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>14.1f} × {:>15.1f} ×\n", title,
+                   per_contact(recorder, name, in_cache), 100 * recorder.at(name).spread(),
+                   recorder.at(plain_name(model)).median() / median, recorder.at(reflection).median() / median);
+      }
+    }
+  }
+}
+
 void print_sizes(const Recorder& recorder) {
   fmt::print("\nBatches in double by number of contacts, {}\n", name_of(impulse::best_instruction_set()));
   fmt::print("  {:>9} {:>13} {:>6} {:>9} {:>13} {:>6} {:>9} {:>12}\n", "contacts", "frictionless", "GB/s", "triad = 1",
@@ -307,6 +367,15 @@ void print_goals(const Recorder& recorder) {
     fmt::print("  reflection in double, in cache: 1/{:.1f} of {}; goal at most 1/8: {}\n", 1 / ratio, baseline_method,
                ratio <= 1.0 / 8 ? "reached" : "not reached");
   }
+  const std::string plain = plain_name(Model::reflection);
+  for (const auto& [model, goal] : {std::pair{Model::reflection, 15}, std::pair{Model::frictionless, 20}}) {
+    const std::string name = batch_name("double", model, in_cache, best);
+    if (recorder.has(name) && recorder.has(plain)) {
+      const double ratio = recorder.at(plain).median() / recorder.at(name).median();
+      fmt::print("  {} in double, in cache: {:.1f} times as quick as the note (reflection) in plain C++; goal {}: {}\n",
+                 name_of(model), ratio, goal, ratio >= goal ? "reached" : "not reached");
+    }
+  }
   for (const Model model : models) {
     const std::string streamed = batch_name("double", model, out_of_cache, best);
     if (recorder.has(streamed) && recorder.has(triad_name(out_of_cache))) {
@@ -337,6 +406,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   register_methods();
+  register_plain();
   register_batches();
   register_threads();
   register_peaks();
@@ -344,6 +414,7 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&recorder);
   print_methods(recorder);
   print_instruction_sets(recorder);
+  print_plain(recorder);
   print_sizes(recorder);
   print_threads(recorder);
   print_roofline(recorder);

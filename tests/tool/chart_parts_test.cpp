@@ -83,7 +83,7 @@ TEST(ChartParts, LabelsDoNotCoverEachOther) {
   constexpr double letter = 15;
   const Panel panel{{0, 1, false, 0, 1000}, {0, 1, false, 0, 1000}};
   std::vector<Label> labels;
-  std::vector<Place> places;
+  std::vector<Pixel> places;
   for (int i = 0; i < 12; ++i) {  // marks that stand almost on each other
     places.push_back({500 + 3.0 * i, 500});
     labels.push_back({std::to_string(i + 1), places.back(), "#000000"});

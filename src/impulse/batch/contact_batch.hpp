@@ -15,31 +15,37 @@ namespace carom::impulse {
 namespace detail {
 
 inline constexpr std::size_t cache_line = 64;
+inline constexpr std::size_t page = 4096;
 
 template <class S>
-struct CacheLineAllocator {
+struct PageAllocator {
   using value_type = S;
-  CacheLineAllocator() = default;
+  PageAllocator() = default;
   template <class T>
   // NOLINTNEXTLINE(google-explicit-constructor): allocators convert
-  CacheLineAllocator(const CacheLineAllocator<T>&) {}
+  PageAllocator(const PageAllocator<T>&) {}
   [[nodiscard]] S* allocate(std::size_t n) {
-    return static_cast<S*>(::operator new (n * sizeof(S), std::align_val_t{cache_line}));
+    return static_cast<S*>(::operator new (n * sizeof(S), std::align_val_t{page}));
   }
-  void deallocate(S* memory, std::size_t) { ::operator delete (memory, std::align_val_t{cache_line}); }
-  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+  void deallocate(S* memory, std::size_t) { ::operator delete (memory, std::align_val_t{page}); }
+  friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
-/// Arrays of one length in one piece of memory, each at the beginning of a cache line.
+/// Arrays of one length in one piece of memory, each at the beginning of a cache line. They lie within pages as if
+/// `before` more of them stood before: a load whose address is that of a late store but for the page waits for it, and
+/// so the arrays of contacts and of outcomes are kept apart.
 template <class S>
 class ArraysInOnePiece {
  public:
-  ArraysInOnePiece(std::size_t arrays, std::size_t length)
-      : length_(length), stride_(stride(length)), memory_(arrays * stride_) {}
+  ArraysInOnePiece(std::size_t arrays, std::size_t length, std::size_t before)
+      : length_(length),
+        stride_(stride(length)),
+        begin_(before * stride_ % (page / sizeof(S))),
+        memory_(begin_ + arrays * stride_) {}
 
   [[nodiscard]] std::size_t length() const { return length_; }
-  [[nodiscard]] S* begin_of(std::size_t k) { return memory_.data() + k * stride_; }
-  [[nodiscard]] const S* begin_of(std::size_t k) const { return memory_.data() + k * stride_; }
+  [[nodiscard]] S* begin_of(std::size_t k) { return memory_.data() + begin_ + k * stride_; }
+  [[nodiscard]] const S* begin_of(std::size_t k) const { return memory_.data() + begin_ + k * stride_; }
   [[nodiscard]] std::span<S> operator[](std::size_t k) { return {begin_of(k), length_}; }
   [[nodiscard]] std::span<const S> operator[](std::size_t k) const { return {begin_of(k), length_}; }
 
@@ -52,7 +58,8 @@ class ArraysInOnePiece {
 
   std::size_t length_;
   std::size_t stride_;
-  std::vector<S, CacheLineAllocator<S>> memory_;
+  std::size_t begin_;
+  std::vector<S, PageAllocator<S>> memory_;
 };
 
 /// `Arrays` over what `memory` holds.
@@ -71,7 +78,7 @@ template <class Arrays, class Memory>
 template <class S>
 class ContactBatch {
  public:
-  explicit ContactBatch(std::size_t size) : memory_(contact_number_count, size) {}
+  explicit ContactBatch(std::size_t size) : memory_(contact_number_count, size, 0) {}
 
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] ContactArrays<S> arrays() { return detail::arrays_over<ContactArrays<S>>(memory_); }
@@ -96,7 +103,7 @@ class ContactBatch {
 template <class S>
 class OutcomeBatch {
  public:
-  explicit OutcomeBatch(std::size_t size) : memory_(outcome_number_count, size) {}
+  explicit OutcomeBatch(std::size_t size) : memory_(outcome_number_count, size, contact_number_count) {}
 
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] OutcomeArrays<S> arrays() { return detail::arrays_over<OutcomeArrays<S>>(memory_); }

@@ -20,7 +20,7 @@ struct Box {
   double top;
 };
 
-Box box_around(Place middle, double width, double height) {
+Box box_around(Pixel middle, double width, double height) {
   return {middle.x - width / 2, middle.x + width / 2, middle.y - height / 2, middle.y + height / 2};
 }
 
@@ -42,10 +42,10 @@ double Axis::pixel_of(double value) const {
   return first_pixel + share * (last_pixel - first_pixel);
 }
 
-void place_labels(std::vector<Label>& labels, const std::vector<Place>& to_keep_free, double letter,
+void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within) {
   std::vector<Box> taken;
-  for (const Place& place : to_keep_free) {
+  for (const Pixel& place : to_keep_free) {
     taken.push_back(box_around(place, letter * 0.6, letter * 0.6));
   }
   constexpr int directions = 16;
@@ -57,7 +57,7 @@ void place_labels(std::vector<Label>& labels, const std::vector<Place>& to_keep_
     for (const double distance : {1.0, 1.5, 2.0, 2.6, 3.3, 4.0, 4.8, 5.6}) {
       for (int k = 0; k < directions; ++k) {
         const double angle = 2 * M_PI * (k + 2) / directions;  // the upper right first
-        const Place at{label.names.x + letter * distance * std::cos(angle),
+        const Pixel at{label.names.x + letter * distance * std::cos(angle),
                        label.names.y + letter * distance * std::sin(angle)};
         const Box box = box_around(at, width, height);
         double cost = distance;
@@ -107,7 +107,7 @@ void Picture::add(std::string_view command) {
   text_ += '\n';
 }
 
-void Picture::write(std::string_view text, Place at, std::string_view colour, std::string_view align, double size) {
+void Picture::write(std::string_view text, Pixel at, std::string_view colour, std::string_view align, double size) {
   text_ += fmt::format("set label {} at screen {:.6f},{:.6f} {} front tc rgb '{}' font ',{:.1f}'\n", gnuplot_text(text),
                        at.x / width_, at.y / height_, align, colour, size * font_size_);
 }
@@ -125,7 +125,7 @@ void Picture::write(const std::vector<Label>& labels, double letter) {
   }
 }
 
-void Picture::swatch(Place at, std::string_view colour, int dash, int point) {
+void Picture::swatch(Pixel at, std::string_view colour, int dash, int point) {
   constexpr double half = 18;
   text_ += fmt::format(
       "set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 2 dt {} lc rgb '{}'\n"

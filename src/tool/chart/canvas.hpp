@@ -8,7 +8,7 @@
 namespace carom::tool::chart {
 
 /// A place in a picture: pixels from its lower left corner.
-struct Place {
+struct Pixel {
   double x;
   double y;
 };
@@ -30,7 +30,7 @@ struct Panel {
   Axis x;
   Axis y;
 
-  [[nodiscard]] Place place_of(double x_value, double y_value) const {
+  [[nodiscard]] Pixel place_of(double x_value, double y_value) const {
     return {x.pixel_of(x_value), y.pixel_of(y_value)};
   }
 };
@@ -38,14 +38,14 @@ struct Panel {
 /// A short text beside the place that it names.
 struct Label {
   std::string text;
-  Place names;
+  Pixel names;
   std::string colour;
-  Place at{0, 0};  // its middle, once it is placed
+  Pixel at{0, 0};  // its middle, once it is placed
 };
 
 /// Moves each label beside its place, so that it covers no other label and no place that one of them names, as far as
 /// there is room nearby. `letter` is the size of a letter in pixels.
-void place_labels(std::vector<Label>& labels, const std::vector<Place>& to_keep_free, double letter,
+void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within);
 
 /// A picture in the language of gnuplot: SVG, of a fixed size in pixels.
@@ -63,12 +63,12 @@ class Picture {
   /// A command of the open diagram, before its curves.
   void add(std::string_view command);
   /// A text at a place, its left end, middle or right end there. In any diagram, before its curves.
-  void write(std::string_view text, Place at, std::string_view colour = "#000000", std::string_view align = "left",
+  void write(std::string_view text, Pixel at, std::string_view colour = "#000000", std::string_view align = "left",
              double size = 1);
   /// Placed labels, on white, each with a line to what it names where that is not beside it.
   void write(const std::vector<Label>& labels, double letter);
   /// A piece of a curve with its mark, as a list of methods shows it. In any diagram, before its curves.
-  void swatch(Place at, std::string_view colour, int dash, int point);
+  void swatch(Pixel at, std::string_view colour, int dash, int point);
   /// A curve or marks through points, each with two or four numbers (x, y and for arrows what they add), in the style
   /// that `with` says. One without points is left out.
   void curve(const std::vector<std::vector<double>>& points, std::string_view with);

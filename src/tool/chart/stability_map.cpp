@@ -27,10 +27,10 @@ Style style_of(const SweepLine& line, std::size_t index) {
 }
 
 /// Whether the end of a line keeps away from all others.
-bool stands_alone(Place end, const std::vector<Place>& ends) {
+bool stands_alone(Pixel end, const std::vector<Pixel>& ends) {
   constexpr double near = 18;
   return std::count_if(ends.begin(), ends.end(),
-                       [&](const Place& other) { return std::hypot(other.x - end.x, other.y - end.y) < near; }) <= 1;
+                       [&](const Pixel& other) { return std::hypot(other.x - end.x, other.y - end.y) < near; }) <= 1;
 }
 
 std::vector<std::vector<double>> points_of(const SweepLine& line) {
@@ -64,7 +64,7 @@ Picture stability_map(const SweepMeasurement& sweep, Model model, double limit_u
                 {panel.x.last_pixel - 8, panel.y.pixel_of(limit_ulps) + 13}, "#333333", "right");
 
   std::vector<Label> labels;
-  std::vector<Place> ends;
+  std::vector<Pixel> ends;
   std::size_t staying = 0;
   std::size_t leaving = 0;
   double y = 695;

@@ -60,7 +60,7 @@ void draw(Picture& picture, const Panel& panel, const std::vector<Mark>& marks, 
   }
   picture.curve(on_line, "using 1:2 with steps lw 2 lc rgb '#bbbbbb'");
   std::vector<Label> labels;
-  std::vector<Place> places;
+  std::vector<Pixel> places;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Mark& mark = marks[i];
     const double x = mark.nanoseconds.median;
@@ -89,7 +89,7 @@ std::string families_text(std::size_t failing, std::size_t all) {
 }
 
 /// The list of methods at the right: number, name, time, digits, and where it fails.
-void write_key(Picture& picture, std::span<const MethodMeasurement> methods, Place top_left) {
+void write_key(Picture& picture, std::span<const MethodMeasurement> methods, Pixel top_left) {
   const double row = std::min(26.0, (top_left.y - 60) / static_cast<double>(methods.size() + 5));
   const double size = std::min(1.0, row / 24);
   double y = top_left.y;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -246,6 +246,24 @@ TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
       EXPECT_EQ(array.size(), size);
       EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % 64, 0U);
     });
+  }
+}
+
+/// The numbers of one contact and of its outcome, which are read and written together, lie on different lines of a
+/// page.
+TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
+  constexpr std::uintptr_t page = 4096;
+  for (const std::size_t size : {1U, 64U, 256U, 1000U, 4096U}) {
+    ContactBatch<double> contacts(size);
+    OutcomeBatch<double> outcomes(size);
+    std::set<std::uintptr_t> lines;
+    for (std::size_t k = 0; k < contact_number_count; ++k) {
+      lines.insert(reinterpret_cast<std::uintptr_t>(std::as_const(contacts).begin_of(k)) % page / 64);
+    }
+    for (std::size_t k = 0; k < outcome_number_count; ++k) {
+      lines.insert(reinterpret_cast<std::uintptr_t>(outcomes.begin_of(k)) % page / 64);
+    }
+    EXPECT_EQ(lines.size(), contact_number_count + outcome_number_count) << size;
   }
 }
 
