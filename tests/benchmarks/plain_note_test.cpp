@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/judge/judge.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
 
 #include "support/cases.hpp"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <iostream>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include <carom/impulse/solve3.hpp>
@@ -168,6 +172,24 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
     can_create += change > 0 ? 1 : 0;
   }
   EXPECT_GT(can_create, 0);
+}
+
+/// What of `energy` and of `push` holds of sticking, counted: both are violated by general bodies, none by spheres.
+TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
+  for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
+    int creates = 0;
+    int pulls = 0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      const BasicCollision<Rational> c = lift(unit::case_of(family, i).collision);
+      const Truth<Rational> truth = colliding_truth(c, Model::sticking);
+      creates += energy_change(c, truth.outcome) > 0 ? 1 : 0;
+      pulls += c.normal.dot(truth.impulse) < 0 ? 1 : 0;
+    }
+    std::cout << family << ": of 1000 contacts " << creates << " create energy, " << pulls << " pull\n";
+    const std::string_view name = family;
+    EXPECT_EQ(creates > 0, name == "elastic" || name == "physical");
+    EXPECT_EQ(pulls > 0, name != "collinear_spheres");
+  }
 }
 
 /// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich), and κ ≤ 16 for convex uniform bodies: none for ε ≤ 8/17.
