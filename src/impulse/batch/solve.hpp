@@ -28,7 +28,7 @@ void solve(const ContactArrays<const double>& contacts, Model model, const Outco
 void solve(const PackTask<float>& task, Model model, InstructionSet set = best_instruction_set());
 void solve(const PackTask<double>& task, Model model, InstructionSet set = best_instruction_set());
 
-/// The same for a batch, whose arrays need no check each: a call takes a tenth of the time.
+/// The same for a batch, whose arrays need no check each: a call takes a quarter of the time.
 template <class S>
 void solve(const ContactBatch<S>& contacts, Model model, OutcomeBatch<S>& outcomes,
            InstructionSet set = best_instruction_set()) {
