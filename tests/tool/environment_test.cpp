@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,14 +28,15 @@ struct Flags {
   bool operator==(const Flags&) const = default;
 };
 
-void PrintTo(const Flags& flags, std::ostream* stream) {
+std::ostream& operator<<(std::ostream& stream, const Flags& flags) {
   for (const std::string& word : flags.definitions) {
-    *stream << word << ' ';
+    stream << word << ' ';
   }
-  *stream << '|';
+  stream << '|';
   for (const std::string& word : flags.others) {
-    *stream << ' ' << word;
+    stream << ' ' << word;
   }
+  return stream;
 }
 
 /// Without headers and files: what a compiler is told of how to compile.
