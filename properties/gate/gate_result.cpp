@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/gate_result.hpp>
 
 namespace carom::properties {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/gate_result.hpp>
 
 /// Violations that can be replayed.
 namespace carom::properties {
@@ -21,5 +21,18 @@ namespace carom::properties {
 /// The simplest case that can be found that violates the invariant about as badly as `found`, the verdict on `one`.
 [[nodiscard]] Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                                       const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls);
+
+struct AnswerAndJudgement {
+  Answer answer;
+  Judgement judgement;
+};
+
+/// A subject's answer to one collision, judged. Throws where the subject cannot be judged.
+/// Precondition: the session is one of the subject's.
+[[nodiscard]] AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session,
+                                                  const Case& one);
+
+/// The same by a session of its own, which is then closed.
+[[nodiscard]] AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one);
 
 }  // namespace carom::properties

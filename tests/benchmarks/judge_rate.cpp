@@ -188,7 +188,7 @@ void print_shares() {
         without.invariants.clear();
         judge_all(work, {without}, false);
         const oracles::StageCounts base = oracles::decided_by_stage();
-        for (std::size_t i = 0; i < after.size(); ++i) {
+        for (const oracles::Stage i : oracles::all_stages) {
           const std::uint64_t of_accuracy = base[i] - after[i];
           shares[invariant.name][i] +=
               invariant.name == "backward_error" ? of_accuracy : after[i] - before[i] - of_accuracy;
@@ -203,7 +203,7 @@ void print_shares() {
     }
     if (sum > 0) {
       const auto share = [&, &counts = counts](oracles::Stage stage) {
-        return 100 * static_cast<double>(counts[static_cast<std::size_t>(stage)]) / sum;
+        return 100 * static_cast<double>(counts[stage]) / sum;
       };
       fmt::print("{:<24}{:>12}{:>11.2f}{:>11.2f}{:>15.2f}{:>11.2f}{:>10.2f}\n", name, sum,
                  share(oracles::Stage::same_bits), share(oracles::Stage::closeness),

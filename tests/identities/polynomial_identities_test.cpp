@@ -89,19 +89,25 @@ Rational energy_gain(const RationalCollision& c, Model model) {
   const Vector& n = c.normal;
   const Vector v = oracles::relative_velocity<Rational>(c, unchanged(c));
   const Rational normal_velocity = n.dot(v);
-  if (model == Model::frictionless) {
-    // −(1 − ε²) (N·V⁻)² / (2 NᵀKN)
-    return -(1 - c.restitution * c.restitution) * normal_velocity * normal_velocity / (2 * n.dot(Vector(k * n)));
+  switch (model) {
+    case Model::frictionless:
+      // −(1 − ε²) (N·V⁻)² / (2 NᵀKN)
+      return -(1 - c.restitution * c.restitution) * normal_velocity * normal_velocity / (2 * n.dot(Vector(k * n)));
+    case Model::reflection: {
+      // ½ F·(V⁻ + V⁺) with K F = c N and c = −(1+ε) (N·V⁻)/(N·N): c/2 (2 V⁻ + c N)ᵀ K⁻¹ N
+      const Rational change = -(1 + c.restitution) * normal_velocity / n.dot(n);
+      const Vector in_response = oracles::cramer<Rational>(k, n);
+      return change / 2 * Vector(Rational(2) * v + change * n).dot(in_response);
+    }
+    case Model::sticking: {
+      // ½ (V⁺ᵀ K⁻¹ V⁺ − V⁻ᵀ K⁻¹ V⁻) with V⁺ = −ε (N·V⁻)/(N·N) N
+      const Vector after = n * Rational(-c.restitution * normal_velocity / n.dot(n));
+      return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
+    }
+    case Model::any:
+      break;
   }
-  if (model == Model::sticking) {
-    // ½ (V⁺ᵀ K⁻¹ V⁺ − V⁻ᵀ K⁻¹ V⁻) with V⁺ = −ε (N·V⁻)/(N·N) N
-    const Vector after = n * Rational(-c.restitution * normal_velocity / n.dot(n));
-    return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
-  }
-  // ½ F·(V⁻ + V⁺) with K F = c N and c = −(1+ε) (N·V⁻)/(N·N): c/2 (2 V⁻ + c N)ᵀ K⁻¹ N
-  const Rational change = -(1 + c.restitution) * normal_velocity / n.dot(n);
-  const Vector in_response = oracles::cramer<Rational>(k, n);
-  return change / 2 * Vector(Rational(2) * v + change * n).dot(in_response);
+  oracles::determines_no_outcome(model);
 }
 
 /// The name of a law that the solver's outcome does not satisfy at one of the points; nothing where all are identities.

@@ -264,15 +264,22 @@ class Solver {
     const Vector& n = contact.normal;
     const double change = normal_velocity_change(contact, normal_velocity);
     const bool along_normal = has(Defect::head_on_falls_back) && n.cross(relative_velocity(contact)).isZero(0);
-    if (model_ == Model::frictionless || along_normal || has(Defect::normal_matrix_for_tangents)) {
-      return n * (change / normal_response(contact));
+    const Vector as_frictionless = n * (change / normal_response(contact));
+    if (along_normal || has(Defect::normal_matrix_for_tangents)) {
+      return as_frictionless;
     }
     const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
     const Vector along = n * (change / squared_length);
-    if (model_ == Model::sticking) {
-      return solve(collision_matrix(contact), along - stopped_slip(contact));
+    switch (model_) {
+      case Model::reflection:
+        return solve(collision_matrix(contact), along);
+      case Model::sticking:
+        return solve(collision_matrix(contact), along - stopped_slip(contact));
+      case Model::frictionless:
+      case Model::any:  // no mutant claims it
+        break;
     }
-    return solve(collision_matrix(contact), along);
+    return as_frictionless;
   }
 
   [[nodiscard]] Vector impulse_of(const Contact& contact, double normal_velocity) const {

@@ -8,6 +8,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/search/shrink.hpp>
+#include <carom/properties/search/witness.hpp>
 
 #include "catalogue.hpp"
 

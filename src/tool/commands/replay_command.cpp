@@ -6,6 +6,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/text.hpp>

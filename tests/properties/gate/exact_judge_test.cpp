@@ -27,7 +27,7 @@ JudgedRun run_of(bool filtered) {
                           *subjects::subject_named("reflection-in-basis-double")},
                          options),
                 oracles::decided_by_stage()};
-  for (std::size_t stage = 0; stage < oracles::stage_count; ++stage) {
+  for (const oracles::Stage stage : oracles::all_stages) {
     run.decided[stage] -= before[stage];
   }
   return run;
@@ -36,10 +36,9 @@ JudgedRun run_of(bool filtered) {
 TEST(ExactJudge, DecidesAllByRationalsAndAsTheFilterDoes) {
   const JudgedRun filtered = run_of(true);
   const JudgedRun exact = run_of(false);
-  constexpr auto rational = static_cast<std::size_t>(oracles::Stage::rational);
-  for (std::size_t stage = 0; stage < oracles::stage_count; ++stage) {
-    EXPECT_EQ(exact.decided[stage] > 0, stage == rational) << stage;
-    EXPECT_GT(filtered.decided[stage], 0U) << stage;
+  for (const oracles::Stage stage : oracles::all_stages) {
+    EXPECT_EQ(exact.decided[stage] > 0, stage == oracles::Stage::rational) << static_cast<int>(stage);
+    EXPECT_GT(filtered.decided[stage], 0U) << static_cast<int>(stage);
   }
   std::uint64_t violated = 0;
   ASSERT_EQ(filtered.report.results.size(), exact.report.results.size());

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <carom/properties/gate/scales.hpp>
+#include <carom/properties/trial/trial.hpp>
+
+/// What the gate is asked, and what came of it.
+namespace carom::properties {
+
+struct GateOptions {
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;           // of each family
+  std::vector<const Family*> families;  // in the order to report
+  oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
+  unsigned jobs = 1;                    // threads
+  /// The invariants that relate a collision to others are judged on every so many cases; 0: on every case of subjects
+  /// in this process, on every eighth of programs, for which each question costs a hundred times as much.
+  std::uint64_t relations_every = 0;
+  /// Where a stop is requested, what was judged until then is reported.
+  std::stop_token stop;
+  /// Called now and then with the cases done and those there are, from any thread, one call at a time.
+  std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+};
+
+/// What a family turned out to hold.
+struct Coverage {
+  std::uint64_t cases = 0;
+  std::uint64_t colliding = 0;
+  std::uint64_t resting = 0;
+  std::uint64_t separating = 0;
+  std::uint64_t inert = 0;  // both bodies immovable
+  std::uint64_t invalid = 0;
+  std::uint64_t one_immovable = 0;
+  std::uint64_t spheres = 0;    // movable bodies isotropic, lever arms exactly along the normal
+  std::uint64_t head_on = 0;    // colliding with V⁻ ∥ N exactly
+  std::uint64_t inelastic = 0;  // ε = 0
+  std::uint64_t elastic = 0;    // ε = 1
+
+  Coverage& operator+=(const Coverage& other);
+};
+
+struct Count {
+  std::uint64_t holds = 0;
+  std::uint64_t violated = 0;
+  std::uint64_t skipped = 0;
+};
+
+/// The case of a family that violated an invariant most; of equals the first.
+struct WorstViolation {
+  std::uint64_t index;
+  Case original;
+  Verdict verdict;
+  Answer answer;
+};
+
+struct FamilyResult {
+  std::uint64_t cases = 0;
+  std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
+  std::uint64_t violated = 0;                   // cases that violated any invariant
+  double worst_backward_error = 0;              // ulps
+  std::map<std::string, Count> counts;          // by invariant
+  std::map<std::string, WorstViolation> worst;  // by invariant
+};
+
+/// A violation that can be replayed.
+struct Witness {
+  std::string invariant;
+  std::string family;
+  std::uint64_t index = 0;  // of the case in its family
+  Case original;
+  Case shrunk;      // the simplest collision found that violates the same invariant about as badly; the original where
+                    // the subject could not be asked on
+  Verdict verdict;  // on the shrunk collision
+  Answer answer;    // to the shrunk collision
+};
+
+struct SubjectResult {
+  Subject subject;
+  std::string error;                   // why the subject could not be judged to the end; empty where it was
+  std::vector<FamilyResult> families;  // as in the options
+  Histogram<DigitsScale> digits;       // of the colliding cases that were answered
+  double nanoseconds_per_solve = 0;    // median over the batches, as seen by the gate: its own overhead included
+  std::vector<Witness> witnesses;      // one for each invariant violated
+
+  [[nodiscard]] std::uint64_t cases() const;
+  [[nodiscard]] std::uint64_t skipped() const;
+  [[nodiscard]] Count count(const std::string& invariant) const;
+  [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
+  /// Judged to the end, something held, and nothing was violated.
+  [[nodiscard]] bool is_sound() const;
+  /// The digits that `share` of the cases have at least; 0.5, 0.99, 1. To within the bins of DigitsScale, of all cases
+  /// exactly.
+  [[nodiscard]] std::optional<double> digits_at_least(double share) const;
+  struct WorstFamily {
+    double backward_error = 0;
+    std::string family;
+  };
+  [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
+};
+
+struct GateReport {
+  GateOptions options;
+  std::vector<Coverage> coverage;      // of each family
+  std::vector<SubjectResult> results;  // of each subject
+  bool interrupted = false;            // by options.stop
+};
+
+}  // namespace carom::properties
