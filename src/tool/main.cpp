@@ -73,9 +73,8 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
       ->capture_default_str();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// What the command line asks for: the exit status.
+int run_command(int argc, char** argv) {
   CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
   app.set_version_flag("--version", carom::tool::version);
   app.require_subcommand(0, 1);
@@ -169,15 +168,22 @@ int main(int argc, char** argv) {
     std::fputs(fmt::format("carom: a command is needed\n{}", app.help()).c_str(), stderr);
     return carom::tool::exit_usage;
   }
-  try {
-    const int status = run();
-    if (std::fflush(stdout) != 0) {
-      throw carom::tool::UsageError("standard output cannot be written");
-    }
-    return status;
-  } catch (const std::exception& error) {
-    std::fputs(fmt::format("carom: {}\n", error.what()).c_str(),
-               stderr);  // and where that cannot be written, the status says it
-    return carom::tool::exit_usage;
+  const int status = run();
+  if (std::fflush(stdout) != 0) {
+    throw carom::tool::UsageError("standard output cannot be written");
   }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "carom: %s\n", error.what());  // and where that cannot be written, the status says it
+  } catch (...) {
+    std::fputs("carom: ended by what is no exception\n", stderr);
+  }
+  return carom::tool::exit_usage;
 }
