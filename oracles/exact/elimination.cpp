@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include <carom/oracles/exact/elimination.hpp>
 
 namespace carom::oracles {

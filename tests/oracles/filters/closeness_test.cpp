@@ -9,6 +9,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/models/models.hpp>
+#include <carom/oracles/numbers/components.hpp>
 
 #include "support/exact.hpp"
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
