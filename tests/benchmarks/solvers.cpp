@@ -12,8 +12,7 @@
 #include <fmt/format.h>
 
 #include <carom/impulse/batch/solve.hpp>
-#include <carom/impulse/frictionless.hpp>
-#include <carom/impulse/reflection.hpp>
+#include <carom/impulse/laws.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "counted.hpp"
