@@ -20,13 +20,14 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "agreement.hpp"
+#include "exit_status.hpp"
 #include "mutants/catalogue.hpp"
 #include "planted.hpp"
 #include "wild.hpp"
 
+namespace carom::benchmarks {
 namespace {
 
-using namespace carom;
 using equality::Agreement;
 using equality::Examined;
 using equality::Relations;
@@ -95,9 +96,8 @@ double rate(std::uint64_t count, std::chrono::nanoseconds spent) {
   return static_cast<double>(count) / std::chrono::duration<double>(spent).count();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status.
+int run(int argc, char** argv) {
   Options options;
   CLI::App app("Compares the filtered judge with the rational one");
   app.add_option("--cases", options.cases);
@@ -107,7 +107,11 @@ int main(int argc, char** argv) {
   app.add_option("--wild-every", options.wild_every)->check(CLI::PositiveNumber);
   app.add_option("--long-every", options.long_every)->check(CLI::PositiveNumber);
   app.add_flag("--one-subject", options.one_subject);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);
   {
@@ -135,4 +139,11 @@ int main(int argc, char** argv) {
     fmt::print("{}\n", all.differences[i]);
   }
   return all.differences.empty() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace carom::benchmarks
+
+int main(int argc, char** argv) {
+  return carom::benchmarks::exit_status("judge_equality", [&] { return carom::benchmarks::run(argc, argv); });
 }

@@ -15,9 +15,11 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "exit_status.hpp"
+
+namespace carom::benchmarks {
 namespace {
 
-using namespace carom;
 using properties::Claim;
 using properties::JudgedCase;
 using properties::Trial;
@@ -213,9 +215,8 @@ void print_shares() {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status.
+int run(int argc, char** argv) {
   const std::vector<Subject> sound = sound_subjects();
   std::vector<const properties::Family*> families;
   for (const properties::Family& family : properties::all_families()) {
@@ -267,4 +268,12 @@ int main(int argc, char** argv) {
   if (rates().contains("filtered/relations/all")) {
     print_shares();
   }
+  return 0;
+}
+
+}  // namespace
+}  // namespace carom::benchmarks
+
+int main(int argc, char** argv) {
+  return carom::benchmarks::exit_status("judge_rate", [&] { return carom::benchmarks::run(argc, argv); });
 }

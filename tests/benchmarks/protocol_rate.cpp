@@ -10,9 +10,10 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
-namespace {
+#include "exit_status.hpp"
 
-using namespace carom;
+namespace carom::benchmarks {
+namespace {
 
 constexpr std::size_t batch = 500;  // about what the gate asks at once
 constexpr std::chrono::seconds duration{5};
@@ -26,9 +27,8 @@ std::vector<Collision> valid_collisions() {
   return collisions;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status.
+int run(int argc, char** argv) {
   if (argc < 2) {
     std::cerr << "protocol_rate 'exec:PROGRAM ARG…' [THREADS]\n";
     return 2;
@@ -56,4 +56,12 @@ int main(int argc, char** argv) {
   }
   fmt::print("{}: {:.0f} solves a second, {} threads\n", subject.name,
              static_cast<double>(sum) / static_cast<double>(duration.count()), threads);
+  return 0;
+}
+
+}  // namespace
+}  // namespace carom::benchmarks
+
+int main(int argc, char** argv) {
+  return carom::benchmarks::exit_status("protocol_rate", [&] { return carom::benchmarks::run(argc, argv); });
 }

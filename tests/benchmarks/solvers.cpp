@@ -16,15 +16,15 @@
 #include <carom/subjects/methods.hpp>
 
 #include "counted.hpp"
+#include "exit_status.hpp"
 #include "measurements.hpp"
 #include "peak.hpp"
 #include "plain_note.hpp"
 #include "workload.hpp"
 
+namespace carom::benchmarks {
 namespace {
 
-using namespace carom;
-using namespace carom::benchmarks;
 using impulse::InstructionSet;
 
 constexpr const char* baseline_method = "reflection-llt-double";
@@ -387,14 +387,14 @@ void print_goals(const Recorder& recorder) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status.
+int run(int argc, char** argv) {
   // Defaults; what is said on the command line comes later and wins.
   std::vector<std::string> words{argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.02",
                                  "--benchmark_enable_random_interleaving=true"};
   words.insert(words.end(), argv + 1, argv + argc);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }
@@ -418,4 +418,12 @@ int main(int argc, char** argv) {
   print_threads(recorder);
   print_roofline(recorder);
   print_goals(recorder);
+  return 0;
+}
+
+}  // namespace
+}  // namespace carom::benchmarks
+
+int main(int argc, char** argv) {
+  return carom::benchmarks::exit_status("solvers", [&] { return carom::benchmarks::run(argc, argv); });
 }

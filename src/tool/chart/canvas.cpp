@@ -45,6 +45,7 @@ double Axis::pixel_of(double value) const {
 void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within) {
   std::vector<Box> taken;
+  taken.reserve(to_keep_free.size() + labels.size());
   for (const Pixel& place : to_keep_free) {
     taken.push_back(box_around(place, letter * 0.6, letter * 0.6));
   }
@@ -160,7 +161,7 @@ std::string Picture::script() const { return text_ + "unset multiplot\n"; }
 
 std::string time_tics(const Axis& axis) {
   std::string tics;
-  for (double decade = 1e-3; decade < 1e7; decade *= 10) {
+  for (const double decade : {1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
     for (const double step : {1.0, 2.0, 5.0}) {
       const double value = decade * step;
       if (value >= axis.low && value <= axis.high) {

@@ -30,6 +30,7 @@ std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> meth
       steps.size(), [&](std::size_t i) { return steps[i].nanoseconds; }, [&](std::size_t i) { return steps[i].share; },
       [&](std::size_t i) { return steps[i].share > 0; });
   std::vector<DeadlineStep> result;
+  result.reserve(best.size());
   for (const std::size_t i : best) {
     result.push_back(steps[i]);
   }

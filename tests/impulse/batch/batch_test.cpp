@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -55,7 +54,7 @@ Outcome<S> solved_alone(const Contact<S>& contact, Model model) {
 /// Equal bits, where NaN is equal to NaN.
 template <class S>
 bool same_bits(S x, S y) {
-  return std::memcmp(&x, &y, sizeof(S)) == 0 || (std::isnan(x) && std::isnan(y));
+  return (x == y && std::signbit(x) == std::signbit(y)) || (std::isnan(x) && std::isnan(y));
 }
 
 template <class S>
