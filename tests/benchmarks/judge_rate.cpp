@@ -114,7 +114,8 @@ std::map<std::string, double>& rates() {
 }
 
 void judge(benchmark::State& state, const std::string& name, const std::vector<Subject>& subjects,
-           std::vector<const properties::Family*> families, std::uint64_t cases, bool filtered, bool with_relations) {
+           const std::vector<const properties::Family*>& families, std::uint64_t cases, bool filtered,
+           bool with_relations) {
   const std::vector<Claim> claims = claims_of(subjects, filtered);
   std::vector<Prepared> work;
   for (const properties::Family* family : families) {

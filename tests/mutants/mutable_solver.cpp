@@ -264,7 +264,7 @@ class Solver {
     const Vector& n = contact.normal;
     const double change = normal_velocity_change(contact, normal_velocity);
     const bool along_normal = has(Defect::head_on_falls_back) && n.cross(relative_velocity(contact)).isZero(0);
-    const Vector as_frictionless = n * (change / normal_response(contact));
+    Vector as_frictionless = n * (change / normal_response(contact));
     if (along_normal || has(Defect::normal_matrix_for_tangents)) {
       return as_frictionless;
     }
@@ -353,7 +353,8 @@ class Solver {
     Outcome<double> after;
     if (has(Defect::each_body_alone)) {
       // As if the other body were a wall.
-      const auto alone = [&](Contact one, ContactBody Contact::*other) -> Vector {
+      const auto alone = [&](const Contact& of_both, ContactBody Contact::*other) -> Vector {
+        Contact one = of_both;
         (one.*other).inverse_mass = 0;
         (one.*other).inverse_inertia.setZero();
         const bool is_wall = one.a.inverse_mass + one.b.inverse_mass == 0;
@@ -381,7 +382,7 @@ class Solver {
     if (has(Defect::constant_outcome)) {
       return {{{1, 0, 0}, {0, 0, 0}}, {{-1, 0, 0}, {0, 0, 0}}};
     }
-    const Outcome<double> outcome = solved(collision);
+    Outcome<double> outcome = solved(collision);
     if (has(Defect::previous_outcome)) {
       return std::exchange(previous_, outcome);
     }

@@ -19,22 +19,22 @@ const std::vector<std::string> methods{"frictionless-double", "reflection-double
 class Chart : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    directory_ = new TemporaryDirectory;
+    shared_directory = new TemporaryDirectory;
     std::vector<std::string> arguments{"chart"};
     arguments.insert(arguments.end(), methods.begin(), methods.end());
     for (const char* argument : {"--cases", "8", "--repetitions", "1", "--out"}) {
       arguments.emplace_back(argument);
     }
     arguments.push_back(out().string());
-    run_ = new RunResult(run_carom(arguments));
+    shared_run = new RunResult(run_carom(arguments));
   }
   static void TearDownTestSuite() {
-    delete directory_;
-    delete run_;
+    delete shared_directory;
+    delete shared_run;
   }
 
-  static std::filesystem::path out() { return directory_->path() / "it's charts"; }
-  static const RunResult& run() { return *run_; }
+  static std::filesystem::path out() { return shared_directory->path() / "it's charts"; }
+  static const RunResult& run() { return *shared_run; }
   static json record() { return json::parse(content_of(out() / "chart.json")); }
   static json method(const std::string& name) {
     const json all = record();
@@ -58,8 +58,8 @@ class Chart : public testing::Test {
   }
 
  private:
-  static inline TemporaryDirectory* directory_ = nullptr;
-  static inline RunResult* run_ = nullptr;
+  static inline TemporaryDirectory* shared_directory = nullptr;
+  static inline RunResult* shared_run = nullptr;
 };
 
 TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {

@@ -170,7 +170,8 @@ Picture work_precision_of_families(std::span<const MethodMeasurement> methods) {
   Picture picture("work-precision-" + model + "-families", columns * cell_width, height, 20);
   for (std::size_t f = 0; f < count; ++f) {
     const double left = cell_width * static_cast<double>(f % columns);
-    const double bottom = height - 100 - cell_height * static_cast<double>(f / columns + 1);
+    const std::size_t row = f / columns;
+    const double bottom = height - 100 - cell_height * static_cast<double>(row + 1);
     const Panel panel{time_axis(methods, left + 75, left + cell_width - 20),
                       {least_digits, most_digits + 0.5, false, bottom + 100, bottom + cell_height - 40}};
     picture.begin(panel, methods.front().families[f].family, f + columns >= count ? "ns for each contact" : "",

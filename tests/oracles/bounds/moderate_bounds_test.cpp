@@ -14,7 +14,6 @@
 namespace carom::bounds {
 namespace {
 
-using oracles::DualInputs;
 using oracles::MagnitudeDual;
 
 template <class Visit>

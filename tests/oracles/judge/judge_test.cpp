@@ -390,7 +390,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
     EXPECT_FALSE(exact_case.has_two_answers(Model::reflection, yardstick.allowance()));
     for (const bool filtered : {false, true}) {
       yardstick.filtered = filtered;
-      const auto result_for = [&](Outcome<double> outcome) {
+      const auto result_for = [&](const Outcome<double>& outcome) {
         const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
         return accuracy(exact_case, Model::sticking, LiftedOutcome(reported), yardstick);
       };

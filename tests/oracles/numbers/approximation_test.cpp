@@ -49,7 +49,7 @@ Approximated expression(properties::Stream& stream, int depth, int exponents, in
                          : std::ldexp(stream.signed_unit(), stream.integer(-exponents, std::min(exponents, 1020)));
     return {Approximation(x), Rational(x)};
   }
-  const Approximated x = expression(stream, depth - 1, exponents, operations, decided);
+  Approximated x = expression(stream, depth - 1, exponents, operations, decided);
   Approximated y = expression(stream, depth - 1, exponents, operations, decided);
   if (stream.chance(6) && std::isfinite(x.approximate.middle())) {
     // Near cancellation.

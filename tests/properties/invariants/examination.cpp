@@ -60,7 +60,7 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
   bool responded = false;
   const auto put = [&](const Case& one) {
     const JudgedCase judged_case(one);
-    const Verdict verdict = question(examinee, judged_case);
+    Verdict verdict = question(examinee, judged_case);
     in_domain = in_domain || verdict.status == Status::holds;
     responded = responded || has_responded(examinee, judged_case);
     return verdict;

@@ -14,9 +14,9 @@
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 
+namespace carom {
 namespace {
 
-using namespace carom;
 using nlohmann::json;
 
 constexpr std::uint64_t faulty_solve = 3;
@@ -141,9 +141,8 @@ const std::map<std::string, Fault>& faults() {
   return all;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit status.
+int run(int argc, char** argv) {
   const std::string fault = argc > 1 ? argv[1] : "none";
   if (fault == "exit-at-once") {
     std::cerr << "nothing to do here\n";
@@ -194,3 +193,9 @@ int main(int argc, char** argv) {
   }
   return 0;
 }
+
+}  // namespace
+}  // namespace carom
+
+// NOLINTNEXTLINE(bugprone-exception-escape): to end so is one of its faults
+int main(int argc, char** argv) { return carom::run(argc, argv); }
