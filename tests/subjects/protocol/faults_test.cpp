@@ -236,15 +236,13 @@ TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const std::string handed_over = (directory.path() / "handed-over").string();
   const std::string mark = "mark-of-" + std::to_string(getpid());
   // "daemon" leaves a process in a session of its own; "hang" keeps the gate until the second job has lost its parent.
-  const RunResult run =
-      run_program("/bin/sh", {"-c",
-                              "job=$1; handed_over=$2; shift 2\n"
-                              "sleep 1000 & echo $! > \"$job\"\n"
-                              "sh -c 'sleep 0.2; sleep 1000 & echo $! > \"$1\"' sh \"$handed_over\" &\n"
-                              "exec \"$@\"",
-                              "sh", job, handed_over, carom_program(), "gate", misbehaving("daemon", mark),
-                              misbehaving("hang", mark), "--families", "generic", "--cases", "60", "--timeout", "0.7",
-                              "--jobs", "1"});
+  const std::string script = R"(job=$1; handed_over=$2; shift 2
+sleep 1000 & echo $! > "$job"
+sh -c 'sleep 0.2; sleep 1000 & echo $! > "$1"' sh "$handed_over" &
+exec "$@")";
+  const RunResult run = run_program("/bin/sh", {"-c", script, "sh", job, handed_over, carom_program(), "gate",
+                                                misbehaving("daemon", mark), misbehaving("hang", mark), "--families",
+                                                "generic", "--cases", "60", "--timeout", "0.7", "--jobs", "1"});
   EXPECT_EQ(run.exit_status, 2) << run.output << run.errors;
   EXPECT_TRUE(processes_with(mark).empty());
   for (const std::string& file : {job, handed_over}) {
