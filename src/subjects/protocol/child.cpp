@@ -122,7 +122,7 @@ class ChildProcess::State {
     std::error_code failure;
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     process::environment environment = boost::this_process::environment();
-    environment[mark_of_children()] = "1";
+    environment.set(mark_of_children(), "1");  // operator[] of Boost 1.74 reads past the end of shorter entries
     child_ = process::child(process::exe = program_path(words[0]), process::args = arguments, environment,
                             process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_, group_,
                             AsProgramsExpect(), failure);
