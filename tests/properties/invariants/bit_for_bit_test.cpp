@@ -126,7 +126,8 @@ constexpr const char* bits_differ = "the bits differ";
 /// Whether the outcome of the related collision is the related outcome, exactly, after `prepared` has had its way with
 /// the collision.
 Question bit_for_bit(
-    const Relation& relation, const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
+    const Relation& relation,
+    const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
   return [=](const Examinee& examinee, const JudgedCase& judged_case) -> Verdict {
     if (!judged_case.is_valid()) {
       return {Status::skipped, "invalid", 0, 0, {}, {}};
