@@ -75,12 +75,12 @@ class LiftedOutcome {
     return *further_;
   }
 
-  /// Each number at most M/2, and so each vector less than M.
+  /// Each number moderate.
   static bool is_moderate(const ReportedOutcome& reported) {
     bool moderate = true;
     for (const Vector3<long double>* part : vectors(reported)) {
       for (int i = 0; i < 3; ++i) {
-        moderate = moderate && std::abs((*part)[i]) <= largest_moderate / 2;
+        moderate = moderate && std::abs((*part)[i]) <= largest_moderate_outcome;
       }
     }
     return moderate;

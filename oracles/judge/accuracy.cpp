@@ -178,8 +178,9 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
       return with_digits(*bounded);
     }
   }
-  const Sensitivity& sensitivity = as == exact_case.approach() ? exact_case.sensitivity(model, yardstick.allowance())
-                                                               : exact_case.sensitivity_as(model, as);
+  const Sensitivity sensitivity = as == exact_case.approach()
+                                      ? exact_case.sensitivity(model, yardstick.allowance())
+                                      : exact_case.sensitivity_as(model, as, yardstick.allowance());
   for (const double sum : sensitivity) {
     if (!yardstick.allowed(sum)) {
       Accuracy undecided;

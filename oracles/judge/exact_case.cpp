@@ -25,6 +25,36 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
 }
 
 /// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
+/// τ_k of `sensitivity`; zero where it is beyond the range of numbers.
+Sensitivity second_order_scale(const Collision& c) {
+  double speed = 0;
+  double lambda = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    speed +=
+        body->velocity.lpNorm<1>() + body->angular_velocity.lpNorm<1>() * lever_arm<double>(*body, c.point).lpNorm<1>();
+    lambda += body->immovable ? 0 : 1 / body->mass;
+  }
+  const double impulse = lambda > 0 ? 2 * speed / lambda : 0;
+  const auto of_velocity = [&](const Body& body) {
+    return body.velocity.lpNorm<1>() + (body.immovable ? 0 : impulse / body.mass);
+  };
+  const auto of_spin = [&](const Body& body) {
+    return body.angular_velocity.lpNorm<1>() +
+           (body.immovable
+                ? 0
+                : impulse * lever_arm<double>(body, c.point).lpNorm<1>() / body.principal_inertia.minCoeff());
+  };
+  Sensitivity scale{};
+  scale[OutcomeVector::velocity_of_a] = of_velocity(c.a);
+  scale[OutcomeVector::angular_velocity_of_a] = of_spin(c.a);
+  scale[OutcomeVector::velocity_of_b] = of_velocity(c.b);
+  scale[OutcomeVector::angular_velocity_of_b] = of_spin(c.b);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    scale[k] = std::isfinite(scale[k]) ? scale[k] : 0;
+  }
+  return scale;
+}
+
 double normal_velocity_sensitivity(const Collision& c) {
   // A number that is zero cannot be perturbed relatively, though its derivative be infinite.
   const auto weighted = [](const Vector3<double>& derivative, const Vector3<double>& x) {
@@ -115,16 +145,31 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
   return *unchanged_sensitivity_;
 }
 
-const Sensitivity& ExactCase::sensitivity(Model model, double allowance) const {
+Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
   const bool may_collide = approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once(model));
-  return sensitivity_as(model, may_collide ? Approach::colliding : approach());
+  return sensitivity_as(model, may_collide ? Approach::colliding : approach(), allowance);
+}
+
+Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance) const {
+  Sensitivity sum = first_order(model, as);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    sum[k] += allowance * second_order()[k];
+  }
+  return sum;
+}
+
+const Sensitivity& ExactCase::second_order() const {
+  if (!second_order_) {
+    second_order_ = second_order_scale(collision());
+  }
+  return *second_order_;
 }
 
 bool ExactCase::has_two_answers(Model model, double allowance) const {
   return acts_at_once(model) && is_grazing(allowance);
 }
 
-const Sensitivity& ExactCase::sensitivity_as(Model model, Approach as) const {
+const Sensitivity& ExactCase::first_order(Model model, Approach as) const {
   if (as != Approach::colliding) {
     return unchanged_sensitivity();
   }

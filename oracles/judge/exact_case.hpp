@@ -37,12 +37,15 @@ class ExactCase {
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model, Approach as) const;
 
-  /// The sensitivity of the law's answer. Inside the grazing band it is that of the colliding answer, since inputs
-  /// within the allowance collide; but not of a law that acts at once, whose two answers are judged apart.
-  [[nodiscard]] const Sensitivity& sensitivity(Model model, double allowance) const;
+  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_j ‖∂y_k/∂x_j‖ |x_j|, a the
+  /// allowance, and τ_k what an impulse of 2 (‖V⁻‖ at most) / λ can change of vector k. Where the structure of a
+  /// contact makes the first order vanish (a central one that grazes), products of two roundings are all that is left.
+  /// Inside the grazing band it is that of the colliding answer, since inputs within the allowance collide; but not of
+  /// a law that acts at once, whose two answers are judged apart.
+  [[nodiscard]] Sensitivity sensitivity(Model model, double allowance) const;
 
   /// The same as if the contact had this approach, away from the band.
-  [[nodiscard]] const Sensitivity& sensitivity_as(Model model, Approach as) const;
+  [[nodiscard]] Sensitivity sensitivity_as(Model model, Approach as, double allowance) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers that are far from each other: those of a law
   /// that acts at once, in the grazing band.
@@ -94,6 +97,8 @@ class ExactCase {
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
+  [[nodiscard]] const Sensitivity& first_order(Model model, Approach as) const;
+  [[nodiscard]] const Sensitivity& second_order() const;
 
   BoundedCase bounds_;
   bool filtered_;
@@ -104,6 +109,7 @@ class ExactCase {
   mutable std::optional<Truth<Rational>> unchanged_;
   mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;
+  mutable std::optional<Sensitivity> second_order_;
   mutable std::optional<Matrix3<Rational>> collision_matrix_;
   mutable std::optional<double> collision_matrix_sensitivity_;
   mutable std::optional<bool> is_definite_;

@@ -23,6 +23,9 @@ Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
     return {Status::skipped, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
   }
+  if (!judgement.not_held.empty()) {
+    return {Status::skipped, "beyond the subject's precision: " + std::string(judgement.not_held), 0, 0, {}, {}};
+  }
   if (judgement.verdicts.empty()) {
     return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};
   }
@@ -57,6 +60,14 @@ Verdict Examination::verdict_on(const Case& one) {
   };
   const JudgedCase judged_case(one, claim_.yardstick.filtered);
   try {
+    if (const auto* about = std::get_if<properties::AboutSession>(&statement_->invariant->about)) {
+      answer_ = session_(std::span(&one.collision, 1)).at(0);
+      Collision invalid = one.collision;
+      invalid.a = Body{};
+      invalid.a.mass = -1;
+      static_cast<void>(session_(std::span(&invalid, 1)));
+      return about->check(answer_, session_(std::span(&one.collision, 1)).at(0));
+    }
     return single_verdict(properties::try_case(judged_case, claim_, solve,
                                                properties::shown_collision_matrix(*statement_->subject, judged_case)));
   } catch (const SessionFailure& failure) {

@@ -4,6 +4,7 @@
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/polyhedron.hpp>
+#include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
 namespace {
@@ -141,6 +142,12 @@ void make_immovable(Body& body) {
 }
 
 Case general_bodies(Stream& stream) { return {two_bodies(stream, general_body), false}; }
+
+Case sprinkled_bodies(Stream& stream) {
+  Case bodies = general_bodies(stream);
+  sprinkle(stream, bodies.collision);
+  return bodies;
+}
 
 Case convex_bodies(Stream& stream) { return {two_bodies(stream, convex_body), true}; }
 

@@ -21,6 +21,9 @@ void make_immovable(Body& body);
 /// Two bodies of general inertia, the contact within about one body's size of both, approaching.
 [[nodiscard]] Case general_bodies(Stream& stream);
 
+/// The same, one in four with a few special values and relations (features/compose.hpp).
+[[nodiscard]] Case sprinkled_bodies(Stream& stream);
+
 /// Two convex bodies of uniform density, ellipsoids and polyhedra, the contact in or on both, approaching.
 [[nodiscard]] Case convex_bodies(Stream& stream);
 

@@ -4,6 +4,7 @@
 
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/invalid.hpp>
+#include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
 namespace {
@@ -15,7 +16,7 @@ double speed_of(const Collision& c) {
 }
 
 Case generic(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   if (stream.chance(8)) {
     result.collision.normal = -result.collision.normal;
   }
@@ -24,7 +25,7 @@ Case generic(Stream& stream) {
 
 /// V = −s N, exactly where the bodies do not spin, up to rounding where they do.
 Case head_on(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   if (stream.chance(2)) {
     c.a.angular_velocity.setZero();
@@ -38,7 +39,7 @@ Case head_on(Stream& stream) {
 }
 
 Case near_head_on(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double speed = stream.power_of_two(-3, 3);
   const double ratio = stream.power_of_ten(-18, -1);
@@ -89,7 +90,7 @@ Case near_collinear(Stream& stream) {
 
 /// |N·V| = 10^−k ‖V‖ on either side of zero.
 Case grazing(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double magnitude = stream.power_of_ten(-18, -1);
   const double ratio = stream.chance(4) ? magnitude : -magnitude;
@@ -99,7 +100,7 @@ Case grazing(Stream& stream) {
 
 /// N·V⁻ = 0 exactly: sliding without spin, or no relative velocity at all.
 Case resting(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   c.a.angular_velocity.setZero();
   c.b.angular_velocity.setZero();
@@ -110,13 +111,13 @@ Case resting(Stream& stream) {
 }
 
 Case separating(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   result.collision.normal = -result.collision.normal;
   return result;
 }
 
 Case with_restitution(Stream& stream, double restitution) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   result.collision.restitution = restitution;
   return result;
 }
@@ -126,7 +127,7 @@ Case inelastic(Stream& stream) { return with_restitution(stream, 0); }
 Case elastic(Stream& stream) { return with_restitution(stream, 1); }
 
 Case mass_ratio(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double ratio = stream.power_of_ten(1, 9);
   Body& heavy = stream.chance(2) ? c.a : c.b;
@@ -137,7 +138,7 @@ Case mass_ratio(Stream& stream) {
 
 /// Both masses in another unit, so to speak: what a determinant or an absolute threshold does not survive.
 Case mass_scale(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, 12);
   for (Body* body : {&result.collision.a, &result.collision.b}) {
     body->mass *= scale;
@@ -147,7 +148,7 @@ Case mass_scale(Stream& stream) {
 }
 
 Case with_immovable(Stream& stream, bool a, bool b) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   if (a) {
     make_immovable(c.a);
@@ -188,7 +189,7 @@ Case both_immovable(Stream& stream) {
 
 /// The contact at the centre of mass of one body or of both.
 Case zero_lever(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const int which = stream.integer(0, 2);
   if (which != 1) {
@@ -202,7 +203,7 @@ Case zero_lever(Stream& stream) {
 }
 
 Case far_from_origin(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double distance = stream.power_of_ten(1, 12);
   const Vector3<double> offset = stream.vector() * distance;
@@ -214,7 +215,7 @@ Case far_from_origin(Stream& stream) {
 }
 
 Case common_velocity(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double speed = stream.power_of_ten(1, 12);
   const Vector3<double> common = stream.vector() * speed;
@@ -226,7 +227,7 @@ Case common_velocity(Stream& stream) {
 
 /// Spins that dwarf the velocities, so that the approach comes of w × r.
 Case fast_spin(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
   const double scale = stream.power_of_ten(1, 6);
   c.a.angular_velocity *= scale;
@@ -237,7 +238,7 @@ Case fast_spin(Stream& stream) {
 
 /// Speeds below every threshold that an engine may have.
 Case slow(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, -1);
   for (Body* body : {&result.collision.a, &result.collision.b}) {
     body->velocity *= scale;
@@ -247,19 +248,22 @@ Case slow(Stream& stream) {
 }
 
 Case long_normal(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   result.collision.normal *= stream.power_of_ten(-30, 30);
   return result;
 }
 
 Case long_quaternion(Stream& stream) {
-  Case result = general_bodies(stream);
+  Case result = sprinkled_bodies(stream);
   result.collision.a.orientation *= stream.power_of_ten(-30, 30);
   result.collision.b.orientation *= stream.power_of_ten(-30, 30);
   return result;
 }
 
+Case structured(Stream& stream) { return {structured_collision(stream), false}; }
+
 constexpr std::array families{
+    Family{"structured", "special values, relations and magnitudes, combined: what scenes are made of", structured, 20},
     Family{"generic", "two general bodies, seven in eight approaching", generic},
     Family{"physical", "convex bodies of uniform density, moments 1 : 128 at most, the contact in or on both",
            convex_bodies},

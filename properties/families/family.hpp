@@ -21,6 +21,7 @@ struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
+  int weight = 1;  // the gate draws so many times as many cases of it
 };
 
 /// Every family, in the order of the design.

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <carom/properties/gate/gate_result.hpp>
 
 namespace carom::properties {
+
+namespace {
+
+/// What speaks of the outcomes of colliding contacts.
+constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum", "angular_momentum",
+                                             "restitution",    "non_penetration", "push"};
+
+}  // namespace
+
+std::uint64_t cases_of(const GateOptions& options, const Family& family) { return options.cases * family.weight; }
 
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
@@ -37,6 +48,14 @@ std::uint64_t SubjectResult::skipped() const {
   return sum;
 }
 
+std::uint64_t SubjectResult::not_held() const {
+  std::uint64_t sum = 0;
+  for (const FamilyResult& family : families) {
+    sum += family.not_held;
+  }
+  return sum;
+}
+
 Count SubjectResult::count(const std::string& invariant) const {
   Count sum;
   for (const FamilyResult& family : families) {
@@ -60,13 +79,39 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
   return names;
 }
 
-bool SubjectResult::is_sound() const {
+std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
+                           const std::vector<Coverage>& coverage) {
+  std::uint64_t valid = 0;
+  std::uint64_t skipped_of_valid = 0;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const FamilyResult& family = result.families[f];
+    const std::uint64_t held = family.cases - family.not_held;
+    const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
+    if (is_of_valid && held > 0 && family.skipped >= held) {
+      return "every case of the family " + std::string(families[f]->name) + " was skipped";
+    }
+    valid += is_of_valid ? held : 0;
+    skipped_of_valid += is_of_valid ? family.skipped : 0;
+  }
+  constexpr std::uint64_t one_in = 10;  // cases may be skipped
+  if (skipped_of_valid * one_in > valid) {
+    return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) + " cases were skipped, more than a tenth";
+  }
+  // Of the laws that any model has, each holds of an outcome alone, and none of an untouched one is among these.
+  const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
+  const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
+  const bool is_of_collisions =
+      std::any_of(coverage.begin(), coverage.end(), [](const Coverage& of_family) { return of_family.colliding > 0; });
+  if (is_of_collisions && !was_answered) {
+    return "no law of the outcome of a colliding contact was exercised";
+  }
   const auto holds_anywhere = [](const FamilyResult& family) {
     return std::any_of(family.counts.begin(), family.counts.end(), [](const auto& x) { return x.second.holds > 0; });
   };
-  return error.empty() && std::any_of(families.begin(), families.end(), holds_anywhere) &&
-         violated_invariants().empty();
+  return std::any_of(result.families.begin(), result.families.end(), holds_anywhere) ? "" : "nothing was exercised";
 }
+
+bool SubjectResult::is_sound() const { return error.empty() && not_judged.empty() && violated_invariants().empty(); }
 
 std::optional<double> SubjectResult::digits_at_least(double share) const {
   if (digits.size() == 0) {

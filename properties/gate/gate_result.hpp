@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/scales.hpp>
 #include <carom/properties/trial/trial.hpp>
 
@@ -17,7 +18,7 @@ namespace carom::properties {
 
 struct GateOptions {
   std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;           // of each family
+  std::uint64_t cases = 1000;           // of each family, times its weight
   std::vector<const Family*> families;  // in the order to report
   oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
   unsigned jobs = 1;                    // threads
@@ -29,6 +30,9 @@ struct GateOptions {
   /// Called now and then with the cases done and those there are, from any thread, one call at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
+
+/// So many cases are drawn of the family.
+[[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
 
 /// What a family turned out to hold.
 struct Coverage {
@@ -64,6 +68,7 @@ struct WorstViolation {
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
+  std::uint64_t not_held = 0;                   // cases that the subject's precision cannot hold
   std::uint64_t violated = 0;                   // cases that violated any invariant
   double worst_backward_error = 0;              // ulps
   std::map<std::string, Count> counts;          // by invariant
@@ -89,12 +94,14 @@ struct SubjectResult {
   Histogram<DigitsScale> digits;       // of the colliding cases that were answered
   double nanoseconds_per_solve = 0;    // median over the batches, as seen by the gate: its own overhead included
   std::vector<Witness> witnesses;      // one for each invariant violated
+  std::string not_judged;              // why too little was exercised to call it sound; empty where enough was
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;
+  [[nodiscard]] std::uint64_t not_held() const;
   [[nodiscard]] Count count(const std::string& invariant) const;
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
-  /// Judged to the end, something held, and nothing was violated.
+  /// Judged to the end, enough was exercised, and nothing was violated.
   [[nodiscard]] bool is_sound() const;
   /// The digits that `share` of the cases have at least; 0.5, 0.99, 1. To within the bins of DigitsScale, of all cases
   /// exactly.
@@ -106,9 +113,17 @@ struct SubjectResult {
   [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
 };
 
+/// What SubjectResult::not_judged is to say:
+///   - in each family of valid collisions some case is to be answered, of those that the subject's precision can hold;
+///   - of all such cases at most a tenth may be skipped;
+///   - a law of the outcomes of colliding contacts is to hold somewhere.
+[[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
+                                         const std::vector<Coverage>& coverage);
+
 struct GateReport {
   GateOptions options;
   std::vector<Coverage> coverage;      // of each family
+  FeatureCoverage features;            // of the colliding cases of all families
   std::vector<SubjectResult> results;  // of each subject
   bool interrupted = false;            // by options.stop
 };

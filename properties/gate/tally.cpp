@@ -54,6 +54,7 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
   FamilyResult& result = families[family];
   ++result.cases;
   result.skipped += judgement.skipped ? 1 : 0;
+  result.not_held += judgement.not_held.empty() ? 0 : 1;
   if (judgement.accuracy && judgement.accuracy->is_decided) {
     result.worst_backward_error =
         std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
@@ -61,26 +62,31 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
       digits.add(judgement.accuracy->digits());
     }
   }
-  counts.resize(families.size());
-  std::vector<Count>& counts_of_family = counts[family];
-  counts_of_family.resize(all_invariants().size());
   bool any_violated = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     any_violated = any_violated || named.verdict.status == Status::violated;
-    Count& count = counts_of_family[static_cast<std::size_t>(named.invariant - all_invariants().data())];
-    switch (named.verdict.status) {
-      case Status::holds:
-        ++count.holds;
-        break;
-      case Status::skipped:
-        ++count.skipped;
-        break;
-      case Status::violated:
-        ++count.violated;
-        keep_worst(result, std::string(named.invariant->name), {index, judged_case.generated(), named.verdict, answer});
-    }
+    add(family, index, judged_case.generated(), answer, named);
   }
   result.violated += any_violated ? 1 : 0;
+}
+
+void Tally::add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer,
+                const NamedVerdict& named) {
+  counts.resize(families.size());
+  std::vector<Count>& counts_of_family = counts[family];
+  counts_of_family.resize(all_invariants().size());
+  Count& count = counts_of_family[static_cast<std::size_t>(named.invariant - all_invariants().data())];
+  switch (named.verdict.status) {
+    case Status::holds:
+      ++count.holds;
+      break;
+    case Status::skipped:
+      ++count.skipped;
+      break;
+    case Status::violated:
+      ++count.violated;
+      keep_worst(families[family], std::string(named.invariant->name), {index, one, named.verdict, answer});
+  }
 }
 
 void Tally::name_counts() {
@@ -107,6 +113,7 @@ Tally& Tally::operator+=(const Tally& other) {
     const FamilyResult& from = other.families[f];
     into.cases += from.cases;
     into.skipped += from.skipped;
+    into.not_held += from.not_held;
     into.violated += from.violated;
     into.worst_backward_error = std::max(into.worst_backward_error, from.worst_backward_error);
     for (const auto& [name, count] : from.counts) {

@@ -23,6 +23,9 @@ struct Tally {
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
            const Judgement& judgement, const Claim& claim);
 
+  /// Adds one verdict that came apart from the others of its case.
+  void add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer, const NamedVerdict& named);
+
   /// Adds the counts to those of the families, by name. To be called before the families' counts are read.
   void name_counts();
 

@@ -13,6 +13,7 @@ namespace carom::properties {
 [[nodiscard]] std::vector<Invariant> matrix_invariants();
 [[nodiscard]] std::vector<Invariant> collinear_spin_invariants();
 [[nodiscard]] std::vector<Invariant> relation_invariants();
+[[nodiscard]] std::vector<Invariant> memory_invariants();
 
 /// What an invariant may be claimed for.
 [[nodiscard]] inline std::vector<Model> every_model() { return {all_models.begin(), all_models.end()}; }

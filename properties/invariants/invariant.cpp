@@ -21,8 +21,8 @@ bool Invariant::claimed_for(Model model) const {
 std::span<const Invariant> all_invariants() {
   static const std::vector<Invariant> all = [] {
     std::vector<Invariant> joined;
-    for (const auto group :
-         {answer_invariants, outcome_invariants, matrix_invariants, collinear_spin_invariants, relation_invariants}) {
+    for (const auto group : {answer_invariants, outcome_invariants, matrix_invariants, collinear_spin_invariants,
+                             relation_invariants, memory_invariants}) {
       std::ranges::move(group(), std::back_inserter(joined));
     }
     return joined;

@@ -83,6 +83,11 @@ struct AboutRelation {
   Verdict (*check)(const Evidence&, std::span<const Related>);
 };
 
+/// One about sessions: the answers to one collision, asked first and asked again.
+struct AboutSession {
+  Verdict (*check)(const Answer& first, const Answer& again);
+};
+
 /// A named statement about a collision and its outcome.
 struct Invariant {
   std::string_view name;
@@ -91,7 +96,7 @@ struct Invariant {
   std::string_view source;
   std::string_view domain;    // the collisions that it speaks of
   std::vector<Model> models;  // that it is claimed for
-  std::variant<AboutAnswer, AboutOutcome, AboutRelation> about;
+  std::variant<AboutAnswer, AboutOutcome, AboutRelation, AboutSession> about;
 
   /// Whether it puts further collisions to the subject.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }

@@ -12,6 +12,9 @@ using oracles::Approximation;
 using oracles::less_multiple_of_identity;
 using oracles::Rational;
 
+/// Of the exact C they are theorems, which say nothing of the subject.
+constexpr const char* no_matrix = "the subject shows no collision matrix";
+
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
   Verdict verdict{Status::violated, what, 0, 0, {}, {}};
   for (int row = 0; row < 3; ++row) {
@@ -29,7 +32,7 @@ Rational eigenvalue_rounding(const Evidence& e) {
 }
 
 bool may_be_filtered(const Evidence& e) {
-  const bool is_reported = e.collision_matrix == nullptr || e.collision_matrix->reported() != nullptr;
+  const bool is_reported = e.collision_matrix->reported() != nullptr;
   return is_reported && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
@@ -41,9 +44,6 @@ Matrix3<T> shown_matrix(const Evidence& e) {
 /// Whether bounds show that λI ⪯ C for the computed C, but for less rounding than is allowed. The exact C needs no
 /// check (`ExactCase::is_definite`).
 bool is_surely_definite(const Evidence& e) {
-  if (e.collision_matrix == nullptr) {
-    return true;
-  }
   const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
     return is_positive_semidefinite(less_multiple_of_identity<T>(shown_matrix<T>(e), lambda - T(rounding)))
@@ -67,8 +67,7 @@ bool is_surely_well_conditioned(const Evidence& e) {
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
     return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-matrix, -bound)).value_or(false);
   };
-  if (is_below(e.exact_case.bounds().collision_matrix()) &&
-      (e.collision_matrix == nullptr || is_below(shown_matrix<Approximation>(e)))) {
+  if (is_below(e.exact_case.bounds().collision_matrix()) && is_below(shown_matrix<Approximation>(e))) {
     count(oracles::Stage::approximation);
     return true;
   }
@@ -78,6 +77,9 @@ bool is_surely_well_conditioned(const Evidence& e) {
 Verdict check_definite(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("both bodies are immovable");
+  }
+  if (e.collision_matrix == nullptr) {
+    return outside_domain(no_matrix);
   }
   if (may_be_filtered(e) && is_surely_definite(e)) {
     return {};
@@ -90,8 +92,7 @@ Verdict check_definite(const Evidence& e) {
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
-  if (e.collision_matrix != nullptr &&
-      !oracles::is_at_least(e.collision_matrix->exact(), lambda - eigenvalue_rounding(e))) {
+  if (!oracles::is_at_least(e.collision_matrix->exact(), lambda - eigenvalue_rounding(e))) {
     return bound_missed("the computed C and λI", e.collision_matrix->exact(), lambda);
   }
   return {};
@@ -100,6 +101,9 @@ Verdict check_definite(const Evidence& e) {
 Verdict check_well_conditioned(const Evidence& e) {
   if (!e.convex_uniform || e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("the bodies are not known to be convex and uniform");
+  }
+  if (e.collision_matrix == nullptr) {
+    return outside_domain(no_matrix);
   }
   if (may_be_filtered(e) && is_surely_well_conditioned(e)) {
     return {};
@@ -114,7 +118,7 @@ Verdict check_well_conditioned(const Evidence& e) {
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
-  if (e.collision_matrix != nullptr && !oracles::is_at_most(e.collision_matrix->exact(), bound + rounding)) {
+  if (!oracles::is_at_most(e.collision_matrix->exact(), bound + rounding)) {
     return bound_missed("the computed C and 16 λI", e.collision_matrix->exact(), bound);
   }
   return {};
@@ -125,13 +129,14 @@ Verdict check_well_conditioned(const Evidence& e) {
 std::vector<Invariant> matrix_invariants() {
   return {Invariant{"definite", "The collision matrix is positive definite, with the margin λ.",
                     R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
-                    "note eq. 27, with QᵀJ⁻¹Q positive semidefinite; the exact C, and the one that a subject shows",
-                    "a movable body", every_model(), AboutOutcome{check_definite}},
+                    "note eq. 27, with QᵀJ⁻¹Q positive semidefinite", "a movable body, and a subject that shows its C",
+                    every_model(), AboutOutcome{check_definite}},
           Invariant{"well_conditioned",
                     "For convex uniform bodies touched inside, the condition number of C is at most 16.",
                     R"(C \preceq 16\, \lambda I)",
                     "R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. Geom. 13 (1995), Thm 4.1, with n = 3",
-                    "bodies known to be convex and uniform", every_model(), AboutOutcome{check_well_conditioned}}};
+                    "bodies known to be convex and uniform, and a subject that shows its C", every_model(),
+                    AboutOutcome{check_well_conditioned}}};
 }
 
 }  // namespace carom::properties

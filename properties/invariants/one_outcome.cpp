@@ -147,7 +147,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (are_surely_untouched(e, all_outcome_vectors)) {
     return {};
   }
-  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));

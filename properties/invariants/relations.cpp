@@ -106,7 +106,7 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       return {};
     }
   }
-  const oracles::Sensitivity& sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
@@ -432,13 +432,31 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
   return {with_velocities(collision, outcome)};
 }
 
+/// What N·V⁺ may be off by, over the allowance: each vector of the outcome by its sensitivity.
+double slack_of_separation(const Evidence& e) {
+  const Collision& c = e.exact_case.collision();
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const auto moment = [&](const Body& body) {
+    return Vector3<double>(oracles::lever_arm<double>(body, c.point)).cross(c.normal).lpNorm<1>();
+  };
+  const double normal = c.normal.lpNorm<1>();
+  return normal * (sensitivity[OutcomeVector::velocity_of_a] + sensitivity[OutcomeVector::velocity_of_b]) +
+         moment(c.a) * sensitivity[OutcomeVector::angular_velocity_of_a] +
+         moment(c.b) * sensitivity[OutcomeVector::angular_velocity_of_b];
+}
+
 Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   if (e.exact_case.approach() != oracles::Approach::colliding || e.exact_case.collision().restitution == 0) {
     return outside_domain("the contact is not colliding, or ε = 0");
   }
+  const Collision& c = e.exact_case.collision();
+  const double approach = std::abs(c.normal.dot(relative_velocity(c)));
+  if (c.restitution * approach <= 2 * e.allowance() * slack_of_separation(e)) {
+    return outside_domain("the outcome separates by no more than rounding");
+  }
   const Related& second = related[0];
-  // The outcome was rounded to binary64 to be posed: by u relatively, which the band has to include.
-  if (second.exact_case.is_grazing(e.allowance() + unit_roundoff(Precision::binary64))) {
+  // The outcome may be off by the allowance, and was rounded to binary64 to be posed: the band has to include both.
+  if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome is within rounding of a colliding contact");
   }
   const auto answer = outcome_of(second);

@@ -5,6 +5,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
+#include <carom/properties/trial/held.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
@@ -153,6 +154,12 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     judgement.skipped = *skipped;
     return judgement;
   }
+  if (judged_case_->is_valid()) {
+    judgement.not_held = why_not_held(judged_case_->generated().collision, claim_->yardstick.unit_roundoff);
+    if (!judgement.not_held.empty()) {
+      return judgement;
+    }
+  }
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   const bool is_of_valid = outcome != nullptr && judged_case_->is_valid();
   if (is_of_valid && determines_outcome(claim_->model)) {
@@ -185,15 +192,24 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
       continue;
     }
-    if (!with_relations_) {
+    if (!with_relations_ || std::holds_alternative<AboutSession>(invariant.about)) {
       continue;
     }
     if (questions_[i].empty()) {
       judgement.verdicts.push_back({&invariant, outside_domain("the related collision is out of range")});
       continue;
     }
+    const bool is_held =
+        std::all_of(questions_[i].begin(), questions_[i].end(), [&](const oracles::ExactCase& question) {
+          return why_not_held(question.collision(), claim_->yardstick.unit_roundoff).empty();
+        });
     const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
     next_question += questions_[i].size();
+    if (!is_held) {
+      judgement.verdicts.push_back(
+          {&invariant, outside_domain("the subject's precision cannot hold the related collision")});
+      continue;
+    }
     related.clear();
     for (std::size_t question = 0; question < answers.size(); ++question) {
       related.push_back({questions_[i][question], answers[question]});

@@ -58,6 +58,7 @@ struct Judgement {
   std::vector<NamedVerdict> verdicts;
   std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
   std::optional<Skipped> skipped;             // the subject could not be posed the case
+  std::string_view not_held;                  // why its precision cannot hold the case; else empty
 };
 
 /// A trial in two steps, so that many can be put to a subject at once.

@@ -116,6 +116,16 @@ template <class S>
   return velocity_a - velocity_b;
 }
 
+/// N·V. Of the spins' part w·(r × N) nothing is left where r lies along N; N·(w × r) would leave the rounding of w × r,
+/// which no inputs account for.
+template <class S>
+[[nodiscard]] S normal_velocity(const Contact<S>& contact) {
+  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
+  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, contact.normal);
+  return dot(contact.normal, contact.a.velocity - contact.b.velocity) +
+         (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
+}
+
 /// λ = 1/m_A + 1/m_B, the least eigenvalue that K can have.
 template <class S>
 [[nodiscard]] S inverse_mass(const Contact<S>& contact) {

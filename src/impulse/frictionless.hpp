@@ -10,25 +10,26 @@ namespace carom::impulse {
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).
 ///
-/// Precondition: the contact was made from a valid collision.
+/// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class S>
-[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact) {
+[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
-  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, n);
-  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, n);
-  const S normal_velocity =
-      dot(n, contact.a.velocity - contact.b.velocity) +
-      (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
-  const auto colliding = is_colliding(contact, normal_velocity);
+  const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
     return {colliding, n};
   }
+  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, n);
+  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, n);
   const Vector3<S> spin_a = times(contact.a.inverse_inertia, torque_arm_a);
   const Vector3<S> spin_b = times(contact.b.inverse_inertia, torque_arm_b);
   const S inverse_effective_mass =
       inverse_mass(contact) * dot(n, n) + (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
-  const S f = -(S(1) + contact.restitution) * normal_velocity / inverse_effective_mass;
+  const S f = -(S(1) + contact.restitution) * approach / inverse_effective_mass;
   return {colliding, n * f};
+}
+template <class S>
+[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact) {
+  return frictionless_impulse<S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.

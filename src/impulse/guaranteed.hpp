@@ -112,16 +112,45 @@ struct Adjustable {
   return outcome;
 }
 
-/// `law` (Contact<double> → Outcome<double>) without penetration: where the exact N·V⁻ is not negative the velocities
-/// are kept, elsewhere the law's outcome is rounded so that the exact N·V⁺ is not negative. Precondition: the collision
-/// is valid, and the contact was made from it.
+namespace detail {
+
+/// The contact with these velocities, and without restitution.
+[[nodiscard]] inline Contact<double> at_velocities(Contact<double> contact, const Outcome<double>& motion) {
+  contact.a.velocity = motion.a.velocity;
+  contact.a.angular_velocity = motion.a.angular_velocity;
+  contact.b.velocity = motion.b.velocity;
+  contact.b.angular_velocity = motion.b.angular_velocity;
+  contact.restitution = 0;
+  return contact;
+}
+
+}  // namespace detail
+
+/// `law` (Contact<double>, N·V⁻ → ContactImpulse<double>) without penetration: where the exact N·V⁻ is not negative the
+/// velocities are kept, elsewhere the law's outcome is rounded so that the exact N·V⁺ is not negative. `along_normal`
+/// is the same of an impulse that changes V along N alone (impulse::along_normal). Precondition: the collision is
+/// valid, and the contact was made from it.
 template <class Law>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact, const Law& law) {
   const Outcome<double> before = unchanged(collision);
   if (normal_velocity_sign(collision, before) >= 0) {
     return before;
   }
-  return without_approach(collision, law(contact));
+  // A length of the contact's normal in units of the collision's.
+  const double unit = contact.normal.cwiseAbs().maxCoeff() / collision.normal.cwiseAbs().maxCoeff();
+  // N·V as it is, and not as rounded, so that there is little to mend.
+  const auto known_approach = [&](const Outcome<double>& motion) {
+    return known_normal_velocity(collision, motion).value * unit;
+  };
+  const auto is_usable = [](double approach) { return std::isfinite(approach) && approach < 0; };
+  const double approach = known_approach(before);
+  Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? law(contact, approach) : law(contact));
+  // What the rounding of a great impulse left of the approach is taken by another one, which keeps the momenta.
+  if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0; is_usable(left)) {
+    const Contact<double> again = detail::at_velocities(contact, outcome);
+    outcome = apply_impulse(again, law(again, left));
+  }
+  return without_approach(collision, outcome);
 }
 
 }  // namespace carom::impulse

@@ -11,19 +11,20 @@
 /// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
 namespace carom::impulse {
 
-/// Calls use(law), law being what takes a contact in any scalar type to its ContactImpulse; not where the model is not
+/// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known
+/// better than from the contact, to its ContactImpulse; not where the model is not
 /// one of `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {
     case Model::frictionless:
-      use([](const auto& contact) { return frictionless_impulse(contact); });
+      use([](const auto& contact, const auto&... approach) { return frictionless_impulse(contact, approach...); });
       return;
     case Model::reflection:
-      use([](const auto& contact) { return reflection_impulse<Ldlt>(contact); });
+      use([](const auto& contact, const auto&... approach) { return reflection_impulse<Ldlt>(contact, approach...); });
       return;
     case Model::sticking:
-      use([](const auto& contact) { return sticking_impulse<Ldlt>(contact); });
+      use([](const auto& contact, const auto&... approach) { return sticking_impulse<Ldlt>(contact, approach...); });
       return;
     case Model::any:
       return;

@@ -105,9 +105,9 @@ inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::e
 /// The most that an operation of DoubleDouble is off by relatively, short of division: its product's 7 u².
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
-/// A double-double sum counts as known where it is so many times its bound: n / 16 of 2⁻⁴⁰ and the rounding to double
-/// are then at most 2⁻⁴⁰ of it.
-inline constexpr double known_multiple_of_bound = 0x1p+40;
+/// A double-double sum counts as known where it is so many times its bound: n / 16 of 2⁻⁵⁰ and the rounding to double
+/// are then at most 2⁻⁵⁰ of it.
+inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail
 
@@ -122,7 +122,7 @@ inline constexpr double known_multiple_of_bound = 0x1p+40;
 /// What is asked of the exact N·V.
 struct NormalVelocity {
   int sign;      // −1, 0 or 1
-  double value;  // within a relative 2⁻⁴⁰; 0 or infinite where it leaves the range of double
+  double value;  // within a relative 2⁻⁵⁰; 0 or infinite where it leaves the range of double
 };
 
 /// By double-double arithmetic where its error bound decides, else by the exact sum. Precondition: all numbers are

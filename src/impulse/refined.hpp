@@ -44,14 +44,14 @@ template <class S>
 template <class Low, class S>
 [[nodiscard]] Outcome<S> frictionless_refined(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
-  const S normal_velocity = dot(n, relative_velocity(contact));
-  if (!is_colliding(contact, normal_velocity)) {
+  const S approach = normal_velocity(contact);
+  if (!is_colliding(contact, approach)) {
     return unchanged(contact);
   }
   const Contact<Low> low = rounded<Low>(contact);
   const Low inverse_effective_mass = dot(low.normal, response(low, low.normal));
   const auto solve = [&](const S& change) { return static_cast<S>(static_cast<Low>(change) / inverse_effective_mass); };
-  const S change = -(S(1) + contact.restitution) * normal_velocity;
+  const S change = -(S(1) + contact.restitution) * approach;
   const S f = solve(change);
   const S residual = change - f * dot(n, response(contact, n));
   return apply_impulse<S>(contact, n * (f + solve(residual)));
@@ -62,8 +62,8 @@ template <class Low, class S>
 template <class Low, class Solve, class S>
 [[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact) {
   const Vector3<S>& n = contact.normal;
-  const S normal_velocity = dot(n, relative_velocity(contact));
-  if (!is_colliding(contact, normal_velocity)) {
+  const S approach = normal_velocity(contact);
+  if (!is_colliding(contact, approach)) {
     return unchanged(contact);
   }
   const Contact<Low> low = rounded<Low>(contact);
@@ -71,7 +71,7 @@ template <class Low, class Solve, class S>
   const auto solve = [&](const Vector3<S>& change) -> Vector3<S> {
     return Solve::template solve<Low>(k, change.template cast<Low>(), inverse_mass(low)).template cast<S>();
   };
-  const Vector3<S> change = n * (-(S(1) + contact.restitution) * normal_velocity / dot(n, n));
+  const Vector3<S> change = n * (-(S(1) + contact.restitution) * approach / dot(n, n));
   const Vector3<S> impulse = solve(change);
   const Vector3<S> residual = change - response(contact, impulse);
   return apply_impulse<S>(contact, impulse + solve(residual));

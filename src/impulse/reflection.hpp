@@ -10,18 +10,21 @@ namespace carom::impulse {
 /// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
 /// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
 ///
-/// Precondition: the contact was made from a valid collision.
+/// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve, class S>
-[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact) {
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
-  const S normal_velocity = dot(n, relative_velocity(contact));
-  const auto colliding = is_colliding(contact, normal_velocity);
+  const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
     return {colliding, n};
   }
-  const S factor = -(S(1) + contact.restitution) * normal_velocity / dot(n, n);
+  const S factor = -(S(1) + contact.restitution) * approach / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
   return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
+}
+template <class Solve, class S>
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact) {
+  return reflection_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.

@@ -57,12 +57,12 @@ template <class S>
 /// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25.
 template <class S>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis) {
-  const S normal_velocity = basis.col(0).dot(relative_velocity(contact));
-  if (!is_colliding(contact, normal_velocity)) {
+  const S approach = normal_velocity(contact) / std::sqrt(contact.normal.dot(contact.normal));
+  if (!is_colliding(contact, approach)) {
     return unchanged(contact);
   }
   const Matrix3<S> c = printed_collision_matrix(contact, basis);
-  const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * normal_velocity, S(0), S(0)};
+  const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * approach, S(0), S(0)};
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 

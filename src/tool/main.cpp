@@ -125,6 +125,11 @@ int run_command(int argc, char** argv) {
   add_format(*families_command, families_format, {"text", "json"});
   families_command->callback([&] { run = [&] { return carom::tool::list_families(families_format, families_seed); }; });
 
+  std::string features_format = "text";
+  CLI::App* features_command = app.add_subcommand("features", "List the features that cases are composed of");
+  add_format(*features_command, features_format, {"text", "markdown", "json"});
+  features_command->callback([&] { run = [&] { return carom::tool::list_features(features_format); }; });
+
   carom::tool::ChartArguments chart;
   CLI::App* chart_command =
       app.add_subcommand("chart", "Measure speed and accuracy of the built-in methods and draw one against the other");

@@ -14,11 +14,12 @@ namespace {
 
 /// Everything that a page of ours is made of: no element here loads or runs anything.
 const std::set<std::string> elements{
-    "html",    "head",   "meta", "title", "style",  "body",   "header",  "main",  "footer", "nav",        "section",
-    "article", "h1",     "h2",   "h3",    "h4",     "p",      "a",       "ul",    "li",     "dl",         "dt",
-    "dd",      "div",    "span", "small", "pre",    "table",  "caption", "thead", "tbody",  "tr",         "th",
-    "td",      "figure", "svg",  "desc",  "path",   "circle", "ellipse", "text",  "math",   "figcaption", "mrow",
-    "mi",      "mn",     "mo",   "mtext", "mspace", "mfrac",  "mover",   "msub",  "msup",   "msubsup"};
+    "html",    "head",    "meta",       "title",   "style",   "body",   "header", "main",  "footer",  "nav",
+    "section", "article", "h1",         "h2",      "h3",      "h4",     "p",      "a",     "ul",      "li",
+    "dl",      "dt",      "dd",         "div",     "span",    "small",  "pre",    "table", "caption", "thead",
+    "tbody",   "tr",      "th",         "td",      "figure",  "svg",    "desc",   "path",  "circle",  "ellipse",
+    "text",    "math",    "figcaption", "mrow",    "mi",      "mn",     "mo",     "mtext", "mspace",  "mfrac",
+    "mover",   "msub",    "msup",       "msubsup", "details", "summary"};
 
 struct Page {
   TemporaryDirectory directory;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <utility>
+
 #include <carom/impulse/guaranteed.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/subjects/methods/groups.hpp>
@@ -21,11 +23,7 @@ Method guaranteed_method(Model model) {
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
-        [law](const Posed& posed) {
-          return impulse::guaranteed(posed.collision, posed.contact, [&](const impulse::Contact<double>& contact) {
-            return impulse::apply_impulse(contact, law(contact));
-          });
-        });
+        [law](const Posed& posed) { return impulse::guaranteed(posed.collision, posed.contact, law); });
   });
   return method;
 }
@@ -35,7 +33,12 @@ Method guaranteed_method(Model model) {
 std::vector<Method> guaranteed_methods() {
   std::vector<Method> methods;
   for (const Model model : models_with_truth) {
-    methods.push_back(guaranteed_method(model));
+    Method method = guaranteed_method(model);
+    methods.push_back(model == Model::sticking
+                          ? expected_to_fail(std::move(method),
+                                             "the last ulp of approach is taken at the cost of small momenta, in about "
+                                             "one of 10⁴ cases of `structured`")
+                          : std::move(method));
   }
   return methods;
 }

@@ -64,5 +64,6 @@ struct ChartArguments {
 [[nodiscard]] int list_subjects(const std::string& format);
 [[nodiscard]] int list_invariants(const std::string& format);
 [[nodiscard]] int list_families(const std::string& format, std::uint64_t seed);
+[[nodiscard]] int list_features(const std::string& format);
 
 }  // namespace carom::tool

@@ -3,6 +3,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/families/family.hpp>
+#include <carom/properties/features/feature.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
@@ -122,6 +123,41 @@ int list_families(const std::string& format, std::uint64_t seed) {
   }
   if (format == "json") {
     print_json(list);
+  }
+  return exit_all_hold;
+}
+
+int list_features(const std::string& format) {
+  const std::span<const properties::Feature> all = properties::all_features();
+  if (format == "json") {
+    json list = json::array();
+    for (const properties::Feature& feature : all) {
+      list.push_back({{"name", feature.name},
+                      {"kind", name_of(feature.kind)},
+                      {"statement", feature.statement},
+                      {"why", feature.why}});
+    }
+    print_json(list);
+    return exit_all_hold;
+  }
+  if (format == "markdown") {
+    fmt::print(
+        "# The features\n\n"
+        "Printed by `carom features --format markdown`; a test fails where this page differs.\n\n"
+        "What scenes are made of and random numbers are not: special values, relations between fields, sizes. Each is "
+        "a "
+        "predicate of a valid collision, decided in binary64 as a solver's guard would decide it. A feature that "
+        "begins "
+        "with `a.` or `b.` is of that body. The family `structured` is made of them, and a gate's report counts them "
+        "and "
+        "their pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- | --- | --- |\n");
+  }
+  for (const properties::Feature& feature : all) {
+    if (format == "markdown") {
+      fmt::print("| `{}` | {} | {} | {} |\n", feature.name, name_of(feature.kind), feature.statement, feature.why);
+    } else {
+      fmt::print("{:36} {:14} {}\n    {}\n", feature.name, name_of(feature.kind), feature.statement, feature.why);
+    }
   }
   return exit_all_hold;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -38,6 +39,14 @@ const char* name_of(Approach approach) {
       break;
   }
   return "both bodies immovable";
+}
+
+std::string joined(const std::vector<const properties::Feature*>& features) {
+  std::string text;
+  for (const properties::Feature* feature : features) {
+    text += (text.empty() ? "" : ", ") + feature->name;
+  }
+  return text;
 }
 
 /// The steps that all models share.
@@ -207,6 +216,11 @@ int replay(const ReplayArguments& arguments) {
     std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
     if (judged_case.is_valid()) {
       record["approach"] = name_of(judged_case.exact().approach());
+      record["features"] = json::array();
+      for (const properties::Feature* feature : properties::features_of(collision)) {
+        record["features"].push_back(feature->name);
+      }
+      text += "  features: " + joined(properties::features_of(collision)) + '\n';
       text += contact_steps(judged_case.exact());
       for (const Model model : models_with_truth) {
         record["truth"][std::string(carom::name_of(model))] = truth_record(judged_case.exact(), model);

@@ -82,11 +82,12 @@ struct Part {
   const char* anchor;
   const char* heading;
 };
-constexpr std::array<Part, 7> parts{{{"summary", "Summary"},
+constexpr std::array<Part, 8> parts{{{"summary", "Summary"},
                                      {"subjects", "Subjects"},
                                      {"invariants", "Invariants"},
                                      {"families", "Families"},
                                      {"generated", "What was generated"},
+                                     {"features", "Features"},
                                      {"witnesses", "Witnesses"},
                                      {"environment", "Environment"}}};
 
@@ -176,6 +177,7 @@ std::string html_report(const GateRun& run, const std::filesystem::path& out_dir
   add_invariants(add_part(main, "invariants"), run);
   add_families(add_part(main, "families"), run);
   add_coverage(add_part(main, "generated"), run);
+  add_features(add_part(main, "features"), run);
   add_witnesses(add_part(main, "witnesses"), run, out_directory);
   add_environment(add_part(main, "environment"), run);
   add(add(body, "footer"), "p", {},

@@ -297,4 +297,29 @@ void add_coverage(pugi::xml_node section, const GateRun& run) {
   }
 }
 
+void add_features(pugi::xml_node section, const GateRun& run) {
+  const properties::FeatureCoverage& coverage = run.report.features;
+  const auto missing = coverage.missing_pairs();
+  const std::uint64_t feasible = coverage.feasible_pairs();
+  std::string text =
+      fmt::format("{} of the {} pairs of features that a collision can have came up together in colliding cases",
+                  feasible - missing.size(), feasible);
+  constexpr std::size_t most_named = 20;
+  for (std::size_t i = 0; i < std::min(missing.size(), most_named); ++i) {
+    text += fmt::format("{} {} with {}", i == 0 ? "; missing:" : ",", missing[i].x->name, missing[i].y->name);
+  }
+  add(section, "p", {}, text + (missing.size() > most_named ? ", …" : "."));
+  const pugi::xml_node details = add(section, "details");
+  add(details, "summary", {}, "In how many colliding cases each feature was");
+  const pugi::xml_node table = add_table(details, "Colliding cases of all families by their features", "coverage");
+  add_column_headers(table, {"feature", "what holds", "cases"});
+  const pugi::xml_node body = add(table, "tbody");
+  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
+    const properties::Feature& feature = properties::all_features()[i];
+    const pugi::xml_node row = add_subject_row(body, feature.name);
+    add_cell(row, feature.statement, "word");
+    add_cell(row, std::to_string(coverage.count(i)), coverage.count(i) == 0 ? "number zero" : "number");
+  }
+}
+
 }  // namespace carom::tool

@@ -32,6 +32,9 @@ void add_invariants(pugi::xml_node section, const GateRun& run);
 /// Subject × family, the worst backward error in each.
 void add_families(pugi::xml_node section, const GateRun& run);
 
+/// What features the cases had, and which pairs of features none had.
+void add_features(pugi::xml_node section, const GateRun& run);
+
 /// What was generated.
 void add_coverage(pugi::xml_node section, const GateRun& run);
 

@@ -52,6 +52,18 @@ json coverage_record(const properties::Coverage& coverage) {
           {"elastic", coverage.elastic}};
 }
 
+json features_record(const properties::FeatureCoverage& coverage) {
+  json record{
+      {"feasible_pairs", coverage.feasible_pairs()}, {"missing_pairs", json::array()}, {"cases", json::object()}};
+  for (const auto& [x, y] : coverage.missing_pairs()) {
+    record["missing_pairs"].push_back({x->name, y->name});
+  }
+  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
+    record["cases"][properties::all_features()[i].name] = coverage.count(i);
+  }
+  return record;
+}
+
 json count_record(const properties::Count& count) {
   return {{"holds", count.holds}, {"violated", count.violated}, {"skipped", count.skipped}};
 }
@@ -101,9 +113,10 @@ json subject_record(const properties::SubjectResult& result, const properties::G
   json record = subject_facts(result.subject);
   record["counts"] = counts;
   record["status"] = status_of(result);
-  record["error"] = result.error;
+  record["error"] = result.error.empty() ? result.not_judged : result.error;
   record["cases"] = result.cases();
   record["skipped"] = result.skipped();
+  record["not_held"] = result.not_held();
   const auto worst = result.worst_backward_error(options);
   record["worst_backward_error"] = {{"ulps", number_to_json(worst.backward_error)}, {"family", worst.family}};
   record["digits"] = {{"p50", optional_number(result.digits_at_least(0.5))},
@@ -120,6 +133,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
     record["families"].push_back({{"family", options.families[f]->name},
                                   {"cases", family.cases},
                                   {"skipped", family.skipped},
+                                  {"not_held", family.not_held},
                                   {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});
@@ -248,6 +262,7 @@ json report_record(const GateRun& run) {
                                   {"summary", options.families[f]->summary},
                                   {"coverage", coverage_record(run.report.coverage[f])}});
   }
+  record["features"] = features_record(run.report.features);
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
     record["subjects"].push_back(subject_record(run.report.results[s], options, run.counts[s]));
   }

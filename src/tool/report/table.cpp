@@ -29,6 +29,18 @@ std::string coverage_table(const GateReport& report) {
   return text;
 }
 
+std::string features_line(const properties::FeatureCoverage& features) {
+  const auto missing = features.missing_pairs();
+  const std::uint64_t feasible = features.feasible_pairs();
+  std::string line =
+      fmt::format("\n{} of {} pairs of features in colliding cases", feasible - missing.size(), feasible);
+  constexpr std::size_t most_named = 5;
+  for (std::size_t i = 0; i < std::min(missing.size(), most_named); ++i) {
+    line += fmt::format("{} {} with {}", i == 0 ? "; missing" : ",", missing[i].x->name, missing[i].y->name);
+  }
+  return line + (missing.size() > most_named ? ", …\n" : "\n");
+}
+
 std::string digits_text(const SubjectResult& result) {
   const auto p50 = result.digits_at_least(0.5);
   if (!p50) {
@@ -79,8 +91,14 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }
+  if (result.not_held() > 0) {
+    line += fmt::format("    {} cases that {} cannot hold, not judged\n", result.not_held(),
+                        name_of(result.subject.precision));
+  }
   if (!result.error.empty()) {
     line += indented("    error: " + result.error, "      ") + '\n';
+  } else if (!result.not_judged.empty()) {
+    line += "    not judged: " + result.not_judged + '\n';
   }
   if (!result.subject.deviates.empty()) {
     line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
@@ -131,6 +149,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
     text += "INTERRUPTED: what follows is what was judged until then\n\n";
   }
   text += coverage_table(report);
+  text += features_line(report.features);
   const std::string heading = fmt::format("\n{:40} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
                                           "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");
   text += heading + subject_table(run, true);

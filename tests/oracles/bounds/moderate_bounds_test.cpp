@@ -59,8 +59,9 @@ struct Largest {
 
 /// (2), (4): by the code that computes scales.
 TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
-  const Magnitude size = Magnitude(oracles::largest_moderate);  // ‖ŷ_k‖ < M
-  const Magnitude before = sqrt(size * size + size * size + size * size);
+  const auto length_of = [](const Magnitude& size) { return sqrt(size * size + size * size + size * size); };
+  const Magnitude after = length_of(Magnitude(oracles::largest_moderate_outcome));
+  const Magnitude before = length_of(Magnitude(oracles::largest_moderate));
   Largest largest;
   for (const Corner& corner : corners()) {
     const Collision c = collision_at(corner);
@@ -70,7 +71,7 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
       Magnitude scale = oracles::part_by_inputs(equation, inputs, largest_outcome());
       for (const Magnitude& slope :
            oracles::output_slopes<Magnitude, oracles::outcome_inputs>(equation, c, largest_outcome())) {
-        scale += slope * (size + before);
+        scale += slope * (after + before);
       }
       largest.note_way();
       largest.scale = std::max(largest.scale, scale.above());
@@ -93,16 +94,16 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
 /// (1), (3), (4). Masses and moments are in denominators alone, and so the smallest.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
-  const double log_of_least_mass = std::log2(oracles::smallest_moderate);
+  const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
   for (const Corner& corner : corners()) {
-    if (corner.inertia != oracles::smallest_moderate) {
+    if (!corner.is_light) {
       continue;
     }
     const auto inputs = differentiated(collision_at(corner));
     for (const Model model : models_with_truth) {
       Magnitude::forget();
       // (1): N·K N ≥ N·N / M, where one component of N has this size.
-      const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_least_mass);
+      const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
       const oracles::Truth<MagnitudeDual> truth = oracles::colliding_truth(inputs.collision, model);
       const Matrix3<MagnitudeDual> k = oracles::response_matrix(inputs.collision);
       largest.note_way();
@@ -127,14 +128,14 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
 /// (4): Cramer's rule as binary64 computes it, det K ≥ λ³.
 TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   for (const Corner& corner : corners()) {
-    if (corner.inertia != oracles::smallest_moderate) {
+    if (!corner.is_light) {
       continue;
     }
     const auto inputs = differentiated(collision_at(corner));
     const BasicCollision<Magnitude> c =
         map_numbers<Magnitude>(inputs.collision, [](const MagnitudeDual& x) { return x.value; });
     Magnitude::forget();
-    const Magnitude::DivisorsAtLeast theorem(3 * std::log2(oracles::smallest_moderate));
+    const Magnitude::DivisorsAtLeast theorem(-3 * std::log2(oracles::largest_moderate_mass));
     EXPECT_GT(oracles::cramer<Magnitude>(oracles::response_matrix(c), oracles::wanted_change(c, Model::reflection))[0]
                   .above(),
               0);
@@ -146,7 +147,7 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;
-  Collision c = collision_at({oracles::smallest_moderate, tiny, tiny, tiny, false, false});
+  Collision c = collision_at({true, tiny, tiny, tiny, false, false});
   for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
     place->setConstant(oracles::smallest_moderate);
   }
@@ -173,7 +174,7 @@ TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
     }
   });
   EXPECT_TRUE(covers(-std::log2(oracles::least_slope_of_moderate), -least, 1.01));
-  EXPECT_GE(oracles::smallest_moderate / 2, oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
+  EXPECT_GE(oracles::smallest_moderate_moment / 2, oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
 }
 
 }  // namespace

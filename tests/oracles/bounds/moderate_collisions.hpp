@@ -19,7 +19,7 @@ namespace carom::bounds {
 /// A corner: the size of what stands in numerators is the largest; masses, moments, and directions, whose lengths are
 /// divided by, have either.
 struct Corner {
-  double inertia;  // of masses and moments
+  bool is_light;  // masses and moments are the smallest, else the largest
   double orientation_a;
   double orientation_b;
   double normal;
@@ -28,17 +28,15 @@ struct Corner {
 };
 
 [[nodiscard]] inline std::vector<Corner> corners() {
-  using oracles::largest_moderate;
   using oracles::largest_moderate_direction;
-  using oracles::smallest_moderate;
   using oracles::smallest_moderate_direction;
   std::vector<Corner> all;
-  for (const double inertia : {smallest_moderate, largest_moderate}) {
+  for (const bool is_light : {true, false}) {
     for (const double a : {smallest_moderate_direction, largest_moderate_direction}) {
       for (const double b : {smallest_moderate_direction, largest_moderate_direction}) {
         for (const double n : {smallest_moderate_direction, largest_moderate_direction}) {
           for (const int immovable : {0, 1, 2}) {
-            all.push_back({inertia, a, b, n, immovable == 1, immovable == 2});
+            all.push_back({is_light, a, b, n, immovable == 1, immovable == 2});
           }
         }
       }
@@ -52,8 +50,9 @@ struct Corner {
   const Vector3<double> largest{most, most, most};
   Collision c;
   for (Body* body : {&c.a, &c.b}) {
-    body->mass = corner.inertia;
-    body->principal_inertia.setConstant(corner.inertia);
+    body->mass = corner.is_light ? oracles::smallest_moderate : oracles::largest_moderate_mass;
+    body->principal_inertia.setConstant(corner.is_light ? oracles::smallest_moderate_moment
+                                                        : oracles::largest_moderate_moment);
     body->position = largest;
     body->velocity = largest;
     body->angular_velocity = largest;
@@ -87,9 +86,9 @@ void leave_one_component(Direction& direction) {
   return inputs;
 }
 
-/// Every number M/2: as large as a moderate outcome's.
+/// Every number as large as a moderate outcome's.
 [[nodiscard]] inline Outcome<double> largest_outcome() {
-  return map_outcome<double>(Outcome<double>{}, [](double) { return oracles::largest_moderate / 2; });
+  return map_outcome<double>(Outcome<double>{}, [](double) { return oracles::largest_moderate_outcome; });
 }
 
 /// A vector's length.
@@ -109,7 +108,7 @@ inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>
   const auto vector = [&](const auto& component) {
     return Vector3<Magnitude>{component(b[0]), component(b[1]), component(b[2])};
   };
-  const Magnitude inverse_lambda = Magnitude::of_exponent(std::log2(largest_moderate));
+  const Magnitude inverse_lambda = Magnitude::of_exponent(std::log2(largest_moderate_mass));
   const Magnitude x = length(vector([](const MagnitudeDual& of) { return of.value; })) * inverse_lambda;
   MagnitudeDual component(x);
   for (std::size_t j = 0; j < collision_inputs; ++j) {

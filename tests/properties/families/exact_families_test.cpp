@@ -36,7 +36,8 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_GE(count("separating", Approach::separating), 198);
   for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
                              "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
-    EXPECT_GE(count(family, Approach::colliding), 198) << family;
+    // One in four is sprinkled with features, and a few of these bring both bodies to rest.
+    EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }
   // Seven in eight: 175, five standard deviations of √(200·7/64) = 4.7 either way.
   EXPECT_NEAR(count("generic", Approach::colliding), 175, 24);

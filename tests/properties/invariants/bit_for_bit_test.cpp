@@ -151,14 +151,14 @@ Question bit_for_bit(
 }
 
 bool differs_somewhere(const Examinee& examinee, const Question& question) {
-  const auto found = find_violation(examinee, question, {.cases = 20, .shrinks = false});
+  const auto found = find_violation(examinee, question, {.cases = 20, .shrinks = false, .structured = false});
   return found && found->find(bits_differ) != std::string::npos;
 }
 
 class BitForBit : public testing::TestWithParam<Examinee> {
  protected:
   static void holds(const Question& question) {
-    const auto found = find_violation(GetParam(), question, {.cases = 20});
+    const auto found = find_violation(GetParam(), question, {.cases = 20, .structured = false});
     EXPECT_FALSE(found) << *found;
     // The same test of a subject that returns its input unchanged has to fail.
     EXPECT_TRUE(find_violation(idle(GetParam()), question, {.cases = 5, .shrinks = false}));
@@ -201,7 +201,10 @@ INSTANTIATE_TEST_SUITE_P(Of, BitForBit, testing::ValuesIn(built_in_examinees()),
 
 std::vector<Examinee> frictionless_examinees() {
   std::vector<Examinee> examinees = built_in_examinees();
-  std::erase_if(examinees, [](const Examinee& examinee) { return examinee.model != Model::frictionless; });
+  // The guaranteed one takes N·V from a sum in double-double, whose order a turn changes.
+  std::erase_if(examinees, [](const Examinee& examinee) {
+    return examinee.model != Model::frictionless || examinee.name.find("guaranteed") != std::string::npos;
+  });
   return examinees;
 }
 
@@ -220,8 +223,8 @@ class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);
-  const auto against_x = find_violation(GetParam(), about_x, {.cases = 20, .shrinks = false});
-  const auto against_z = find_violation(GetParam(), about_z, {.cases = 20, .shrinks = false});
+  const auto against_x = find_violation(GetParam(), about_x, {.cases = 20, .shrinks = false, .structured = false});
+  const auto against_z = find_violation(GetParam(), about_z, {.cases = 20, .shrinks = false, .structured = false});
   EXPECT_TRUE(!against_x || !against_z) << *against_x << *against_z;
   EXPECT_TRUE(find_violation(idle(GetParam()), about_x, {.cases = 5, .shrinks = false}));
   EXPECT_TRUE(find_violation(idle(GetParam()), about_z, {.cases = 5, .shrinks = false}));

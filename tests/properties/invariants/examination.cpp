@@ -71,6 +71,9 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
   }
   const rc::detail::TestParams parameters = rapidcheck_parameters(examination.cases, examination.shrinks);
   for (const Family& family : all_families()) {
+    if (family.name == "structured" && !examination.structured) {
+      continue;
+    }
     const auto found = counterexample(parameters, [&] {
       const Verdict verdict = put(*cases_of(family));
       if (verdict.status == Status::violated) {

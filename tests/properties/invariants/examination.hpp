@@ -18,6 +18,9 @@ using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
 struct Examination {
   int cases = 0;        // of each family
   bool shrinks = true;  // whether RapidCheck is to shrink what it finds
+  /// Whether `structured` is among the families: its sizes underflow in binary32 on the way, where a question about
+  /// bits has nothing to ask.
+  bool structured = true;
 };
 
 /// Puts a question about cases of every family, and about one plain head-on collision, to an examinee. Returns what

@@ -40,7 +40,8 @@ void judge_to_the_end(int most) {
     const Case one = extreme_case(stream, most);
     for (const char* name : {"frictionless-float", "reflection-double", "reflection-in-basis-long-double"}) {
       const Subject subject = subjects::subject_named(name).value();
-      if (judge_one(subject, claim_of(subject, {}), one).judgement.verdicts.empty()) {
+      const Judgement judgement = judge_one(subject, claim_of(subject, {}), one).judgement;
+      if (judgement.verdicts.empty() && judgement.not_held.empty()) {
         std::exit(1);
       }
     }

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties::features {
+namespace {
+
+using V = Vector3<double>;
+
+/// V⁻ in the plane of the normal and across it: v_n and v_t times the length of the normal.
+struct Parts {
+  double normal;
+  double tangential;
+};
+
+Parts parts_of(const Collision& c) {
+  const V v = relative_velocity(c);
+  return {std::abs(c.normal.dot(v)), length(c.normal.cross(v))};
+}
+
+/// Makes the spins turn no contact point: V⁻ is then v_A − v_B, without rounding of a cross product.
+void spin_along_lever_arms(Collision& c) {
+  for (Body* b : {&c.a, &c.b}) {
+    if (!is_zero(b->angular_velocity) && !is_zero(lever_arm(c, *b))) {
+      b->angular_velocity = turned_along(b->angular_velocity, lever_arm(c, *b));
+    }
+  }
+}
+
+/// v_A = v_B + V, by the velocity of either, all of few bits.
+void set_approach(Stream& stream, Collision& c, const V& relative) {
+  spin_along_lever_arms(c);
+  if (stream.chance(2)) {
+    c.b.velocity = with_few_bits(c.b.velocity);
+    c.a.velocity = c.b.velocity + relative;
+  } else {
+    c.a.velocity = with_few_bits(c.a.velocity);
+    c.b.velocity = c.a.velocity - relative;
+  }
+}
+
+/// Puts one body to rest, so that the smaller parts of V are not lost beside its velocity.
+void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).velocity.setZero(); }
+
+/// V = −N s + (N × r) s δ by the spin of A alone: (N × r) × r = −N r² where r is across N.
+void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
+  const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
+  const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
+  set_exact_lever_arm(c, c.a, r);
+  c.a.angular_velocity = (c.normal.cross(r) + c.normal * (across * size_of(r))) * spin;
+  if (!is_zero(c.b.angular_velocity) && !is_zero(lever_arm(c, c.b))) {
+    c.b.angular_velocity = turned_along(c.b.angular_velocity, lever_arm(c, c.b));
+  }
+  if (stream.chance(2)) {
+    c.a.velocity.setZero();
+  }
+  c.b.velocity = c.a.velocity;
+}
+
+double speed(const Collision& c) { return size_of(relative_velocity(c)); }
+
+}  // namespace
+
+std::vector<Feature> of_approach() {
+  return {
+      pair_relation(
+          "head_on", "V⁻ lies along the normal", "a tangent basis from V⁻ has no direction (failure case 3)",
+          [](const Collision& c) { return are_parallel(relative_velocity(c), c.normal); },
+          [](Stream& stream, Collision& c) {
+            c.normal = with_few_bits(c.normal);
+            if (stream.chance(4)) {
+              approach_by_spin_of_a(stream, c, 0);
+              return;
+            }
+            const V approach = -c.normal * (speed(c) / size_of(c.normal));
+            if (stream.chance(2)) {
+              rest_one(stream, c);
+            }
+            set_approach(stream, c, approach);
+          }),
+      pair_relation(
+          "near_head_on", "v_t is less than 10⁻⁸ of v_n, and not zero", "a tangent basis from V⁻ is rounding noise",
+          [](const Collision& c) {
+            const Parts parts = parts_of(c);
+            return parts.tangential > 0 && parts.tangential < 1e-8 * parts.normal;
+          },
+          [](Stream& stream, Collision& c) {
+            c.normal = with_few_bits(c.normal);
+            if (stream.chance(4)) {
+              approach_by_spin_of_a(stream, c, 0x1p-32);
+              return;
+            }
+            const V along = -c.normal * (speed(c) / size_of(c.normal));
+            const V across = turned_across(stream, along, c.normal) * stream.power_of_two(-40, -28);
+            rest_one(stream, c);
+            set_approach(stream, c, along + across);
+          }),
+      pair_relation(
+          "grazing", "v_n is less than 10⁻⁸ of v_t, and not zero", "guards on the approach (failure cases 38, 39)",
+          [](const Collision& c) {
+            const Parts parts = parts_of(c);
+            return parts.normal > 0 && parts.normal < 1e-8 * parts.tangential;
+          },
+          [](Stream& stream, Collision& c) {
+            c.normal = with_few_bits(c.normal);
+            const V along = -c.normal * (speed(c) / size_of(c.normal));
+            const V across = turned_across(stream, along, c.normal);
+            const double ratio = stream.power_of_two(-40, -28);
+            rest_one(stream, c);
+            set_approach(stream, c, across + along * ratio);
+          }),
+      pair_relation(
+          "approach_along_axis", "V⁻ has one component", "terms of r × V and K V that vanish",
+          [](const Collision& c) { return nonzero_components(relative_velocity(c)) == 1; },
+          [](Stream& stream, Collision& c) {
+            V approach = V::Zero();
+            int axis = stream.integer(0, 2);
+            while (c.normal[axis] == 0) {
+              axis = (axis + 1) % 3;
+            }
+            approach[axis] = c.normal[axis] > 0 ? -speed(c) : speed(c);
+            if (stream.chance(2)) {
+              rest_one(stream, c);
+            }
+            set_approach(stream, c, approach);
+          }),
+      pair_relation(
+          "approach_by_spin", "both velocities are zero: the approach is spin alone",
+          "linear terms taken for all of it",
+          [](const Collision& c) { return is_zero(c.a.velocity) && is_zero(c.b.velocity); },
+          [](Stream&, Collision& c) {
+            c.a.velocity.setZero();
+            c.b.velocity.setZero();
+          }),
+      pair_relation(
+          "momenta_opposite", "m_A v_A = −m_B v_B, not zero", "the frame of the centre of mass: sums vanish",
+          [](const Collision& c) {
+            return !c.a.immovable && !c.b.immovable && !is_zero(c.a.velocity) &&
+                   V(c.a.mass * c.a.velocity) == V(-c.b.mass * c.b.velocity);
+          },
+          [](Stream& stream, Collision& c) {
+            make_movable(stream, c, c.a);
+            make_movable(stream, c, c.b);
+            // Of masses that are powers of two the quotient is exact.
+            for (Body* b : {&c.a, &c.b}) {
+              int exponent = 0;
+              std::frexp(b->mass, &exponent);
+              b->principal_inertia *= std::ldexp(1.0, exponent - 1) / b->mass;
+              b->mass = std::ldexp(1.0, exponent - 1);
+            }
+            Body& leads = is_zero(c.b.velocity) || (!is_zero(c.a.velocity) && stream.chance(2)) ? c.a : c.b;
+            Body& follows = &leads == &c.a ? c.b : c.a;
+            if (is_zero(leads.velocity)) {
+              leads.velocity = -c.normal / size_of(c.normal);
+            }
+            follows.velocity = -leads.velocity * (leads.mass / follows.mass);
+          }),
+  };
+}
+
+}  // namespace carom::properties::features

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties::features {
+namespace {
+
+using V = Vector3<double>;
+
+bool are_movable(const Collision& c) { return !c.a.immovable && !c.b.immovable; }
+
+void make_both_movable(Stream& stream, Collision& c) {
+  make_movable(stream, c, c.a);
+  make_movable(stream, c, c.b);
+}
+
+/// Gives B the moments of A, and a lever arm that goes with them.
+void take_moments(Collision& c) {
+  const double size = radius_of_gyration(c.b);
+  c.b.principal_inertia = c.a.principal_inertia;
+  int exponent = 0;
+  std::frexp(radius_of_gyration(c.b) / size, &exponent);
+  set_lever_arm(c, c.b, lever_arm(c, c.b) * std::ldexp(1.0, exponent - 1));
+}
+
+/// Sets one vector to the other times `sign`; where both are zero, both by `otherwise`.
+void relate(Stream& stream, V& x, V& y, double sign, const V& otherwise) {
+  V& follows = is_zero(x) || (!is_zero(y) && stream.chance(2)) ? x : y;
+  V& leads = &follows == &x ? y : x;
+  if (is_zero(leads)) {
+    leads = otherwise;
+  }
+  follows = leads * sign;
+}
+
+/// One of both lever arms, mostly the shorter, or one along the normal where that is zero.
+V one_lever_arm(Stream& stream, const Collision& c) {
+  const V of_a = lever_arm(c, c.a);
+  const V of_b = lever_arm(c, c.b);
+  const bool wanted = !stream.chance(4);
+  const V& chosen = (of_b.squaredNorm() < of_a.squaredNorm()) == wanted ? of_b : of_a;
+  if (!is_zero(chosen)) {
+    return with_few_bits(chosen);
+  }
+  const double size = std::max(size_of(of_a), size_of(of_b));
+  return with_few_bits(c.normal) * (size / 1024 / size_of(c.normal));
+}
+
+V rounded(const V& v) {
+  const auto whole = [](double x) { return std::round(x); };
+  return v.unaryExpr(whole);
+}
+
+/// Every number rounded to a whole one. A body lighter than a kilogram, or smaller than a metre, grows; where the
+/// contact is at its centre of mass it becomes heavy instead.
+void make_whole_body(Stream& stream, Collision& c, Body& b) {
+  const V r = rounded(lever_arm(c, b));
+  b.position = rounded(c.point) - r;
+  b.velocity = rounded(b.velocity);
+  b.angular_velocity = rounded(b.angular_velocity);
+  if (b.immovable) {
+    return;
+  }
+  const double size = is_zero(r) ? radius_of_gyration(b) : std::max({1.0, length(r), radius_of_gyration(b)});
+  const V shape = b.principal_inertia / (b.mass * radius_of_gyration(b) * radius_of_gyration(b));
+  b.mass = std::round(std::clamp(4 / (size * size), std::max(1.0, b.mass), largest_mass / 2));
+  b.principal_inertia = rounded(shape * (b.mass * size * size)).cwiseMax(1);
+  for (int i = 0; i < 4; ++i) {
+    b.orientation[i] = stream.integer(-2, 2);
+  }
+  if ((b.orientation.array() == 0).all()) {
+    b.orientation[0] = 1;
+  }
+}
+
+void make_whole(Stream& stream, Collision& c) {
+  make_whole_body(stream, c, c.a);
+  make_whole_body(stream, c, c.b);
+  c.point = rounded(c.point);
+  c.normal = rounded(c.normal * std::max(1.0, 8 / size_of(c.normal)));
+  if (stream.chance(4)) {
+    // A whole normal that a whole velocity hardly has a part along.
+    const int across = stream.integer(0, 2);
+    c.normal.setZero();
+    c.normal[across] = stream.power_of_two(1, 33);
+    c.normal[(across + 1) % 3] = 1;
+    c.a.velocity = -V::Unit((across + 1) % 3);
+    c.a.angular_velocity.setZero();
+    c.b.angular_velocity.setZero();
+    c.b.velocity.setZero();
+  }
+  c.restitution = std::round(c.restitution);
+  c.friction = std::round(c.friction);
+  c.tangential_restitution = std::round(c.tangential_restitution);
+}
+
+/// Everything in the plane z = 0, as a two-dimensional engine has it.
+void make_planar(Stream& stream, Collision& c) {
+  if (c.normal[0] == 0 && c.normal[1] == 0) {
+    c.normal[stream.integer(0, 1)] = size_of(c.normal);
+  }
+  c.normal[2] = 0;
+  c.point[2] = 0;
+  for (Body* b : {&c.a, &c.b}) {
+    b->position[2] = 0;
+    b->velocity[2] = 0;
+    b->angular_velocity[0] = 0;
+    b->angular_velocity[1] = 0;
+    b->orientation[1] = 0;
+    b->orientation[2] = 0;
+    if (b->orientation[0] == 0 && b->orientation[3] == 0) {
+      b->orientation[0] = 1;
+    }
+  }
+}
+
+bool is_planar(const Collision& c) {
+  const auto in_plane = [&](const Body& b) {
+    return b.position[2] == c.point[2] && b.velocity[2] == 0 && b.angular_velocity[0] == 0 &&
+           b.angular_velocity[1] == 0 && (b.immovable || (b.orientation[1] == 0 && b.orientation[2] == 0));
+  };
+  return c.normal[2] == 0 && in_plane(c.a) && in_plane(c.b);
+}
+
+bool is_whole(const Collision& c) {
+  bool whole = true;
+  Collision copy = c;
+  for_each_number([&](const FieldPath&, const double& number) { whole = whole && number == std::floor(number); }, copy);
+  return whole;
+}
+
+}  // namespace
+
+std::vector<Feature> of_both_bodies() {
+  return {
+      pair_relation(
+          "masses_equal", "both masses are equal", "m_A − m_B vanishes; velocities are exchanged",
+          [](const Collision& c) { return are_movable(c) && c.a.mass == c.b.mass; },
+          [](Stream& stream, Collision& c) {
+            make_both_movable(stream, c);
+            c.b.principal_inertia *= c.a.mass / c.b.mass;
+            c.b.mass = c.a.mass;
+          }),
+      pair_relation(
+          "moments_alike", "the moments of B are those of A", "one body's taken for the other's",
+          [](const Collision& c) { return are_movable(c) && c.a.principal_inertia == c.b.principal_inertia; },
+          [](Stream& stream, Collision& c) {
+            make_both_movable(stream, c);
+            take_moments(c);
+          }),
+      pair_relation(
+          "bodies_alike", "masses and moments of both are equal", "two of a kind, as nearly all scenes have them",
+          [](const Collision& c) {
+            return are_movable(c) && c.a.mass == c.b.mass && c.a.principal_inertia == c.b.principal_inertia;
+          },
+          [](Stream& stream, Collision& c) {
+            make_both_movable(stream, c);
+            c.b.principal_inertia *= c.a.mass / c.b.mass;
+            c.b.mass = c.a.mass;
+            take_moments(c);
+          }),
+      pair_relation(
+          "orientations_equal", "the orientations are equal", "boxes on a grid; relative rotation taken for none",
+          [](const Collision& c) { return are_movable(c) && c.a.orientation == c.b.orientation; },
+          [](Stream& stream, Collision& c) {
+            make_both_movable(stream, c);
+            (stream.chance(2) ? c.b.orientation = c.a.orientation : c.a.orientation = c.b.orientation);
+          }),
+      pair_relation(
+          "orientations_opposite", "q_B = −q_A", "the same rotation by other numbers",
+          [](const Collision& c) { return are_movable(c) && c.a.orientation == -c.b.orientation; },
+          [](Stream& stream, Collision& c) {
+            make_both_movable(stream, c);
+            c.b.orientation = -c.a.orientation;
+          }),
+      pair_relation(
+          "velocities_equal", "both velocities are equal and not zero",
+          "v_A − v_B vanishes: the approach is spin alone",
+          [](const Collision& c) { return c.a.velocity == c.b.velocity && !is_zero(c.a.velocity); },
+          [](Stream& stream, Collision& c) {
+            relate(stream, c.a.velocity, c.b.velocity, 1, V{1, -0.5, 0.25});
+          }),
+      pair_relation(
+          "velocities_opposite", "v_A = −v_B, not zero", "two alike that meet: momenta cancel",
+          [](const Collision& c) { return c.a.velocity == -c.b.velocity && !is_zero(c.a.velocity); },
+          [](Stream& stream, Collision& c) {
+            relate(stream, c.a.velocity, c.b.velocity, -1, V(-c.normal / size_of(c.normal)));
+          }),
+      pair_relation(
+          "spins_equal", "both angular velocities are equal and not zero", "w_A − w_B vanishes",
+          [](const Collision& c) {
+            return c.a.angular_velocity == c.b.angular_velocity && !is_zero(c.a.angular_velocity);
+          },
+          [](Stream& stream, Collision& c) {
+            relate(stream, c.a.angular_velocity, c.b.angular_velocity, 1, V{1, -0.5, 0.25});
+          }),
+      pair_relation(
+          "spins_opposite", "w_A = −w_B, not zero", "gears; w_A + w_B vanishes",
+          [](const Collision& c) {
+            return c.a.angular_velocity == -c.b.angular_velocity && !is_zero(c.a.angular_velocity);
+          },
+          [](Stream& stream, Collision& c) {
+            relate(stream, c.a.angular_velocity, c.b.angular_velocity, -1, V{1, -0.5, 0.25});
+          }),
+      pair_relation(
+          "lever_arms_opposite", "r_A = −r_B, not zero", "two of a kind; sums of lever arms cancel",
+          [](const Collision& c) { return !is_zero(lever_arm(c, c.a)) && lever_arm(c, c.a) == -lever_arm(c, c.b); },
+          [](Stream& stream, Collision& c) {
+            const V r = one_lever_arm(stream, c);
+            set_exact_lever_arm(c, c.a, r);
+            set_exact_lever_arm(c, c.b, -r);
+          }),
+      pair_relation(
+          "centres_coincide", "both centres of mass are at one place, the contact elsewhere",
+          "a normal from centre to centre is zero (failure case 12)",
+          [](const Collision& c) { return c.a.position == c.b.position && !is_zero(lever_arm(c, c.a)); },
+          [](Stream& stream, Collision& c) {
+            set_exact_lever_arm(c, c.a, one_lever_arm(stream, c));
+            c.b.position = c.a.position;
+          }),
+      pair_relation(
+          "central", "both lever arms lie along the normal", "spheres: no impulse turns them (mathematics, §3.5)",
+          [](const Collision& c) {
+            return are_parallel(lever_arm(c, c.a), c.normal) && are_parallel(lever_arm(c, c.b), c.normal);
+          },
+          [](Stream&, Collision& c) {
+            c.normal = with_few_bits(c.normal);
+            set_exact_lever_arm(c, c.a, turned_along(lever_arm(c, c.a), -c.normal));
+            set_exact_lever_arm(c, c.b, turned_along(lever_arm(c, c.b), c.normal));
+          }),
+      pair_relation(
+          "point_at_origin", "the contact is at the origin", "P left out",
+          [](const Collision& c) { return is_zero(c.point); },
+          [](Stream&, Collision& c) {
+            for (Body* b : {&c.a, &c.b}) {
+              b->position = -lever_arm(c, *b);
+            }
+            c.point.setZero();
+          }),
+      pair_relation("whole_numbers", "every number is a whole one",
+                    "parsers that read integers; exact arithmetic hides rounding", is_whole, make_whole),
+      pair_relation("planar", "all of it happens in one plane z = const",
+                    "two-dimensional engines, and scenes that test with them", is_planar, make_planar),
+  };
+}
+
+}  // namespace carom::properties::features

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/features/compose.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties {
+namespace {
+
+const std::vector<const Feature*>& values_and_relations() {
+  static const std::vector<const Feature*> chosen = [] {
+    std::vector<const Feature*> features;
+    for (const Feature& feature : all_features()) {
+      if (feature.kind != FeatureKind::magnitude) {
+        features.push_back(&feature);
+      }
+    }
+    return features;
+  }();
+  return chosen;
+}
+
+/// What is seldom together with others unless it is asked for.
+const std::vector<const Feature*>& ratios_and_relations() {
+  static const std::vector<const Feature*> chosen = [] {
+    std::vector<const Feature*> features;
+    for (const Feature& feature : all_features()) {
+      if (feature.kind == FeatureKind::relation || feature.quantity.ends_with("ratio") ||
+          feature.quantity == "approach") {
+        features.push_back(&feature);
+      }
+    }
+    return features;
+  }();
+  return chosen;
+}
+
+/// Two features that seldom come together unless they are asked for: beginnings of names.
+struct Seldom {
+  std::string_view first;
+  std::string_view second;
+};
+constexpr std::array seldom_together{
+    Seldom{"whole_numbers", "approach_1e-"},
+    Seldom{"whole_numbers", "normal_near_"},
+    Seldom{"whole_numbers", "a.size_1e-"},
+    Seldom{"whole_numbers", "b.size_1e-"},
+    Seldom{"whole_numbers", "near_head_on"},
+    Seldom{"whole_numbers", "a.orientation_"},
+    Seldom{"whole_numbers", "b.orientation_"},
+    Seldom{"lever_arms_opposite", "a.lever_arm_1e"},
+    Seldom{"lever_arms_opposite", "b.lever_arm_1e"},
+    Seldom{"grazing", "approach_1e"},
+    Seldom{"approach_1e", "a.speed_1e"},
+    Seldom{"approach_1e", "b.speed_1e"},
+    Seldom{"approach_1e", "a.lever_arm_1e"},
+    Seldom{"approach_1e", "b.lever_arm_1e"},
+    Seldom{"a.rolling", "velocities_"},
+    Seldom{"b.rolling", "velocities_"},
+    Seldom{"a.rolling", "momenta_"},
+    Seldom{"b.rolling", "momenta_"},
+    Seldom{"a.rolling", "approach_along_axis"},
+    Seldom{"b.rolling", "approach_along_axis"},
+    Seldom{"a.rolling", "whole_numbers"},
+    Seldom{"b.rolling", "whole_numbers"},
+    Seldom{"a.spin_equals_velocity", "head_on"},
+    Seldom{"b.spin_equals_velocity", "head_on"},
+    Seldom{"a.moments_one", "momenta_opposite"},
+    Seldom{"b.moments_one", "momenta_opposite"},
+    Seldom{"a.moments_one", "whole_numbers"},
+    Seldom{"b.moments_one", "whole_numbers"},
+    Seldom{"centres_coincide", "a.lever_arm_1e"},
+    Seldom{"centres_coincide", "b.lever_arm_1e"},
+    Seldom{"whole_numbers", "momenta_"},
+    Seldom{"whole_numbers", "central"},
+    Seldom{"a.rolling", "b.rolling"},
+    Seldom{"a.rolling", "b.at_rest"},
+    Seldom{"a.at_rest", "b.rolling"},
+    Seldom{"moments_alike", "size_ratio_1e"},
+    Seldom{"normal_unit", "approach_1e"},
+    Seldom{"central", "velocities_"},
+    Seldom{"planar", "normal_near_"},
+    Seldom{"planar", "approach_1e"},
+    Seldom{"distance_1e", "a.lever_arm_1e"},
+    Seldom{"distance_1e", "b.lever_arm_1e"},
+    Seldom{"a.moments_one", "a.mass_"},
+    Seldom{"b.moments_one", "b.mass_"},
+};
+
+const Feature& drawn_beginning(Stream& stream, std::string_view beginning) {
+  std::vector<const Feature*> features;
+  for (const Feature& feature : all_features()) {
+    if (feature.name.starts_with(beginning)) {
+      features.push_back(&feature);
+    }
+  }
+  return *features[stream.bits() % features.size()];
+}
+
+const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& features) {
+  return *features[stream.bits() % features.size()];
+}
+
+/// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis.
+void reverse_if_separating(Collision& c) {
+  if (c.normal.dot(relative_velocity(c)) <= 0) {
+    return;
+  }
+  for (Body* body : {&c.a, &c.b}) {
+    body->velocity = -body->velocity;
+    body->angular_velocity = -body->angular_velocity;
+  }
+}
+
+/// How often a quantity is set that follows from others: once in so many cases; 1 where it is free.
+int one_in(const std::string& quantity) {
+  if (quantity.ends_with("ratio")) {
+    return 6;
+  }
+  return quantity == "approach" || quantity == "restitution" || quantity == "loss" ? 2 : 1;
+}
+
+/// Puts the contact on the surface of the body, at times: 1 to 2 radii of gyration from its centre.
+void draw_surface(Stream& stream, Collision& c, Body& body) {
+  const Vector3<double> r = features::lever_arm(c, body);
+  if (!body.immovable && !features::is_zero(r) && stream.chance(4)) {
+    const double reach = features::radius_of_gyration(body) * stream.between(1, 2);
+    features::set_lever_arm(c, body, r * (reach / features::length(r)));
+  }
+}
+
+/// Each quantity in a decade of its own choice, lever arms within their bodies.
+void draw_magnitudes(Stream& stream, Collision& c) {
+  const std::span<const Feature> all = all_features();
+  std::uint64_t size = 0;  // which decade of its quantity was drawn last
+  // The features of a quantity stand together.
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
+    const auto count = static_cast<std::uint64_t>(last - first);
+    if (!first->quantity.empty() && stream.chance(one_in(first->quantity))) {
+      std::uint64_t chosen = stream.bits() % count;
+      if (first->quantity.ends_with("size")) {
+        size = chosen;
+      } else if (first->quantity.ends_with("lever_arm")) {
+        // As long as the body, or much shorter.
+        chosen = stream.chance(2) ? size : chosen % (size + 1);
+      }
+      first[static_cast<std::ptrdiff_t>(chosen)].make(stream, c);
+    }
+    first = last;
+  }
+  if (!stream.chance(2)) {
+    // No farther from the origin than the bodies are long, so that binary32 holds the lever arms too.
+    const double shortest =
+        std::min(features::size_of(features::lever_arm(c, c.a)), features::size_of(features::lever_arm(c, c.b)));
+    const Vector3<double> place = features::with_few_bits(c.point) * (shortest / features::size_of(c.point));
+    features::move_point_to_origin(c);
+    c.point += place;
+    c.a.position += place;
+    c.b.position += place;
+  }
+}
+
+/// No contact far outside of a body: K would have no bound, and no solver digits to lose for that.
+void keep_contact_on_bodies(Collision& c) {
+  for (Body* body : {&c.a, &c.b}) {
+    const double lever_arm = std::sqrt((c.point - body->position).squaredNorm());
+    const double reach = body->immovable ? lever_arm : 2 * features::radius_of_gyration(*body);
+    if (lever_arm > reach) {
+      body->principal_inertia *= (lever_arm / reach) * (lever_arm / reach);
+    }
+  }
+}
+
+}  // namespace
+
+bool make_both(Stream& stream, Collision& collision, const Feature& first, const Feature& second) {
+  constexpr int rounds = 4;
+  for (int i = 0; i < rounds; ++i) {
+    for (const Feature* feature : {&first, &second}) {
+      if (!feature->is_present(collision)) {
+        feature->make(stream, collision);
+      }
+    }
+  }
+  return first.is_present(collision) && second.is_present(collision);
+}
+
+namespace {
+
+/// Whether masses, sizes and speeds are within the domain that is promised, 10⁻⁹ to 10¹⁰ in SI units, and a little
+/// room.
+bool is_in_domain(const Collision& c) {
+  constexpr double largest = 1e11;
+  bool is_within = features::length(c.point) <= largest;
+  for (const Body* body : {&c.a, &c.b}) {
+    is_within = is_within && features::length(body->position) <= largest &&
+                features::length(body->velocity) <= largest && features::length(body->angular_velocity) <= largest &&
+                features::radius_of_gyration(*body) <= largest &&
+                (body->immovable || (body->mass >= features::least_mass && body->mass < features::largest_mass));
+  }
+  return is_within;
+}
+
+/// What is parallel is so exactly, and not for solvers of this precision alone.
+void make_parallels_exact(Collision& c) {
+  for (const Body* body : {&c.a, &c.b}) {
+    const Vector3<double> r = features::lever_arm(c, *body);
+    const bool is_parallel = features::are_parallel(r, c.normal) || features::are_parallel(r, body->angular_velocity);
+    if (is_parallel && !features::is_exact_lever_arm(c, *body)) {
+      features::move_point_to_origin(c);
+    }
+  }
+}
+
+Collision composed(Stream& stream) {
+  Collision c = general_bodies(stream).collision;
+  draw_magnitudes(stream, c);
+  draw_surface(stream, c, c.a);
+  draw_surface(stream, c, c.b);
+  const int count = stream.integer(0, 8);
+  for (int i = 0; i < count; ++i) {
+    drawn_of(stream, values_and_relations()).make(stream, c);
+  }
+  const Seldom& seldom = seldom_together[stream.bits() % seldom_together.size()];
+  const bool is_seldom = stream.chance(12);
+  const Feature& first = is_seldom ? drawn_beginning(stream, seldom.first) : drawn_of(stream, values_and_relations());
+  const Feature& second = is_seldom          ? drawn_beginning(stream, seldom.second)
+                          : stream.chance(2) ? drawn_of(stream, values_and_relations())
+                                             : drawn_of(stream, ratios_and_relations());
+  constexpr int attempts = 3;
+  for (int i = 0; i < attempts; ++i) {
+    Collision tried = c;
+    if (make_both(stream, tried, first, second) || i + 1 == attempts) {
+      c = tried;
+      break;
+    }
+  }
+  keep_contact_on_bodies(c);
+  make_parallels_exact(c);
+  reverse_if_separating(c);
+  return c;
+}
+
+}  // namespace
+
+Collision structured_collision(Stream& stream) {
+  constexpr int attempts = 8;
+  for (int i = 0; i < attempts; ++i) {
+    const Collision collision = composed(stream);
+    if (is_in_domain(collision)) {
+      return collision;
+    }
+  }
+  return general_bodies(stream).collision;
+}
+
+void sprinkle(Stream& stream, Collision& collision) {
+  if (!stream.chance(4)) {
+    return;
+  }
+  const int count = stream.integer(1, 4);
+  for (int i = 0; i < count; ++i) {
+    const Feature& feature = drawn_of(stream, values_and_relations());
+    // Whether a body can move is for the family to say.
+    if (!feature.name.ends_with(".immovable")) {
+      feature.make(stream, collision);
+    }
+  }
+  keep_contact_on_bodies(collision);
+  make_parallels_exact(collision);
+  reverse_if_separating(collision);
+}
+
+}  // namespace carom::properties

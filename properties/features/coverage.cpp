@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <functional>
+
+#include <carom/properties/features/coverage.hpp>
+#include <carom/properties/features/infeasible.hpp>
+
+namespace carom::properties {
+namespace {
+
+std::size_t place(std::size_t x, std::size_t y) { return std::min(x, y) * all_features().size() + std::max(x, y); }
+
+/// Calls visit(x, y) for every feasible pair of places, x < y.
+template <class Visit>
+void for_each_feasible_pair(const Visit& visit) {
+  const std::size_t count = all_features().size();
+  for (std::size_t x = 0; x < count; ++x) {
+    for (std::size_t y = x + 1; y < count; ++y) {
+      if (is_feasible(x, y)) {
+        visit(x, y);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FeatureCoverage::FeatureCoverage()
+    : singles_(all_features().size()), pairs_(all_features().size() * all_features().size()) {}
+
+void FeatureCoverage::add(const Collision& collision) {
+  std::vector<std::size_t> present;
+  for (std::size_t i = 0; i < singles_.size(); ++i) {
+    if (all_features()[i].is_present(collision)) {
+      ++singles_[i];
+      for (const std::size_t other : present) {
+        ++pairs_[place(other, i)];
+      }
+      present.push_back(i);
+    }
+  }
+}
+
+FeatureCoverage& FeatureCoverage::operator+=(const FeatureCoverage& other) {
+  std::transform(singles_.begin(), singles_.end(), other.singles_.begin(), singles_.begin(), std::plus<>());
+  std::transform(pairs_.begin(), pairs_.end(), other.pairs_.begin(), pairs_.begin(), std::plus<>());
+  return *this;
+}
+
+std::uint64_t FeatureCoverage::count(std::size_t x, std::size_t y) const { return pairs_[place(x, y)]; }
+
+std::uint64_t FeatureCoverage::feasible_pairs() const {
+  std::uint64_t sum = 0;
+  for_each_feasible_pair([&](std::size_t, std::size_t) { ++sum; });
+  return sum;
+}
+
+std::uint64_t FeatureCoverage::met_pairs() const { return feasible_pairs() - missing_pairs().size(); }
+
+std::vector<FeatureCoverage::Pair> FeatureCoverage::missing_pairs() const {
+  std::vector<Pair> missing;
+  for_each_feasible_pair([&](std::size_t x, std::size_t y) {
+    if (count(x, y) == 0) {
+      missing.push_back({&all_features()[x], &all_features()[y]});
+    }
+  });
+  return missing;
+}
+
+std::vector<const Feature*> features_of(const Collision& collision) {
+  std::vector<const Feature*> present;
+  for (const Feature& feature : all_features()) {
+    if (feature.is_present(collision)) {
+      present.push_back(&feature);
+    }
+  }
+  return present;
+}
+
+bool is_feasible(std::size_t x, std::size_t y) {
+  static const std::vector<bool> feasible = [] {
+    const std::span<const Feature> all = all_features();
+    std::vector<bool> table(all.size() * all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        table[place(i, j)] = why_infeasible(all[i], all[j]).empty();
+      }
+    }
+    return table;
+  }();
+  return feasible[place(x, y)];
+}
+
+}  // namespace carom::properties

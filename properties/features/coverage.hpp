@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <carom/properties/features/feature.hpp>
+
+namespace carom::properties {
+
+/// Which features, and which pairs of them, collisions had. Where nothing collides no law acts, so those are left out.
+/// Its size does not depend on how many were added.
+class FeatureCoverage {
+ public:
+  FeatureCoverage();
+
+  /// Precondition: the collision is valid, and colliding.
+  void add(const Collision& collision);
+
+  FeatureCoverage& operator+=(const FeatureCoverage& other);
+
+  /// Collisions that had this feature, by its place in all_features().
+  [[nodiscard]] std::uint64_t count(std::size_t feature) const { return singles_[feature]; }
+  [[nodiscard]] std::uint64_t count(std::size_t x, std::size_t y) const;
+
+  /// Pairs that can be, and those of them that were.
+  [[nodiscard]] std::uint64_t feasible_pairs() const;
+  [[nodiscard]] std::uint64_t met_pairs() const;
+
+  struct Pair {
+    const Feature* x;
+    const Feature* y;
+  };
+  /// The feasible pairs that no collision had, in the order of the list.
+  [[nodiscard]] std::vector<Pair> missing_pairs() const;
+
+ private:
+  std::vector<std::uint64_t> singles_;
+  std::vector<std::uint64_t> pairs_;  // of x < y at x · features + y
+};
+
+/// The features that a valid collision has, in the order of the list.
+[[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);
+
+/// Whether a collision can have both, by their places in all_features(): `why_infeasible`, remembered.
+[[nodiscard]] bool is_feasible(std::size_t x, std::size_t y);
+
+}  // namespace carom::properties

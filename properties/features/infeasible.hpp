@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include <carom/properties/features/feature.hpp>
+
+namespace carom::properties {
+
+/// Why no colliding contact of real bodies has both features; empty where one can have them.
+[[nodiscard]] std::string_view why_infeasible(const Feature& x, const Feature& y);
+
+}  // namespace carom::properties

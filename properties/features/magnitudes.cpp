@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties::features {
+namespace {
+
+using V = Vector3<double>;
+
+/// Something of which a collision has one positive number, or none (0): listed by decades.
+struct Quantity {
+  std::string name;
+  std::string statement;  // "the mass of A [kg]"
+  std::string why;
+  int first;  // decade
+  int last;
+  std::function<double(const Collision&)> measure;
+  std::function<void(Stream&, Collision&, double)> set;
+};
+
+/// 10^k, |k| ≤ 15: one division at most, so that it is the same on every machine.
+double power_of_ten(int k) {
+  double power = 1;
+  for (int i = 0; i < std::abs(k); ++i) {
+    power *= 10;
+  }
+  return k < 0 ? 1 / power : power;
+}
+
+/// Of two bodies with the same moments: such masses that their sizes have this ratio. False where these would leave
+/// their domain.
+bool set_size_ratio_by_masses(Collision& c, double ratio) {
+  const double lighter = least_mass * 1.5;
+  if (c.a.principal_inertia != c.b.principal_inertia || lighter * ratio * ratio >= largest_mass) {
+    return false;
+  }
+  for (Body* b : {&c.a, &c.b}) {
+    const double size = radius_of_gyration(*b);
+    b->mass = b == &c.a ? lighter * ratio * ratio : lighter;
+    set_lever_arm(c, *b, lever_arm(c, *b) * (radius_of_gyration(*b) / size));
+  }
+  return true;
+}
+
+/// Scales the body, and its lever arm with it.
+void set_size(Collision& c, Body& b, double size) {
+  const double ratio = size / radius_of_gyration(b);
+  b.principal_inertia *= ratio * ratio;
+  set_lever_arm(c, b, lever_arm(c, b) * ratio);
+}
+
+void set_length(V& v, double value) {
+  if (is_zero(v)) {
+    v = V{0.5, -0.75, 0.25};
+  }
+  v *= value / length(v);
+}
+
+double ratio_of(double x, double y) { return x == 0 || y == 0 ? 0 : std::max(x, y) / std::min(x, y); }
+
+std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) {
+  return {
+      {letter + ".mass", "the mass of " + letter + " [kg]", "guards against masses of zero, caps, units other than SI",
+       -9, 9, [=](const Collision& c) { return (c.*body).immovable ? 0 : (c.*body).mass; },
+       [=](Stream& stream, Collision& c, double value) {
+         make_movable(stream, c, c.*body);
+         (c.*body).principal_inertia *= value / (c.*body).mass;
+         (c.*body).mass = value;
+       }},
+      {letter + ".size", "the radius of gyration of " + letter + " [m]",
+       "tiny moments taken for none (failure case 64), thresholds in metres", -9, 9,
+       [=](const Collision& c) { return radius_of_gyration(c.*body); },
+       [=](Stream& stream, Collision& c, double value) {
+         make_movable(stream, c, c.*body);
+         set_size(c, c.*body, value);
+       }},
+      {letter + ".lever_arm", "the length of the lever arm of " + letter + " [m]", "a lever arm taken for zero", -9, 9,
+       [=](const Collision& c) { return length(lever_arm(c, c.*body)); },
+       [=](Stream&, Collision& c, double value) {
+         Body& b = c.*body;
+         V r = is_zero(lever_arm(c, b)) ? V{0.5, -0.75, 0.25} : lever_arm(c, b);
+         set_length(r, value);
+         set_lever_arm(c, b, r);
+         if (!b.immovable && value > 2 * radius_of_gyration(b)) {
+           const double ratio = value / radius_of_gyration(b);
+           b.principal_inertia *= ratio * ratio;
+         }
+       }},
+      {letter + ".speed", "the speed of " + letter + " [m/s]", "bodies put to sleep, speeds capped", -9, 9,
+       [=](const Collision& c) { return length((c.*body).velocity); },
+       [=](Stream&, Collision& c, double value) { set_length((c.*body).velocity, value); }},
+      {letter + ".spin", "the angular speed of " + letter + " [rad/s]", "small spins dropped, great ones capped", -9, 9,
+       [=](const Collision& c) { return length((c.*body).angular_velocity); },
+       [=](Stream&, Collision& c, double value) { set_length((c.*body).angular_velocity, value); }},
+  };
+}
+
+std::vector<Quantity> quantities() {
+  std::vector<Quantity> all = of_body("a", &Collision::a);
+  for (Quantity& quantity : of_body("b", &Collision::b)) {
+    all.push_back(std::move(quantity));
+  }
+  all.push_back({"mass_ratio", "the larger mass over the smaller", "mass ratios beyond 100 (failure case 32)", 0, 9,
+                 [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : ratio_of(c.a.mass, c.b.mass); },
+                 [](Stream& stream, Collision& c, double value) {
+                   make_movable(stream, c, c.a);
+                   make_movable(stream, c, c.b);
+                   Body& changed = stream.chance(2) ? c.a : c.b;
+                   const Body& other = &changed == &c.a ? c.b : c.a;
+                   const double mass = other.mass > 1 ? other.mass / value : other.mass * value;
+                   changed.principal_inertia *= mass / changed.mass;
+                   changed.mass = mass;
+                 }});
+  all.push_back({"size_ratio", "the larger radius of gyration over the smaller", "a marble on the earth", 0, 9,
+                 [](const Collision& c) { return ratio_of(radius_of_gyration(c.a), radius_of_gyration(c.b)); },
+                 [](Stream& stream, Collision& c, double value) {
+                   make_movable(stream, c, c.a);
+                   make_movable(stream, c, c.b);
+                   if (stream.chance(2) && set_size_ratio_by_masses(c, value)) {
+                     return;
+                   }
+                   Body& changed = stream.chance(2) ? c.a : c.b;
+                   const double other = radius_of_gyration(&changed == &c.a ? c.b : c.a);
+                   set_size(c, changed, other > 1 ? other / value : other * value);
+                 }});
+  all.push_back({"distance", "the distance of the contact from the origin [m]",
+                 "lever arms lost in the places that they are differences of (failure case 40)", -3, 9,
+                 [](const Collision& c) { return length(c.point); },
+                 [](Stream& stream, Collision& c, double value) {
+                   V of_a = lever_arm(c, c.a);
+                   V of_b = lever_arm(c, c.b);
+                   const bool along_axis = stream.chance(3);  // lever arms across it keep all their digits
+                   const int axis = stream.integer(0, 2);
+                   if (along_axis) {
+                     c.point = V::Unit(axis);
+                     of_a[axis] = 0;
+                     of_b[axis] = 0;
+                   }
+                   set_length(c.point, value);
+                   c.point = with_few_bits(c.point);
+                   c.a.position = c.point - of_a;
+                   c.b.position = c.point - of_b;
+                 }});
+  all.push_back({"approach", "the speed of approach [m/s]",
+                 "thresholds below which nothing bounces (failure cases 38, 39, 50, 51)", -9, 9,
+                 [](const Collision& c) { return std::abs(c.normal.dot(relative_velocity(c))) / length(c.normal); },
+                 [](Stream& stream, Collision& c, double value) {
+                   c.normal = with_few_bits(c.normal);
+                   if (stream.chance(4)) {
+                     c.normal = V::Unit(stream.integer(0, 2)) * size_of(c.normal);
+                   }
+                   for (Body* b : {&c.a, &c.b}) {
+                     if (!is_zero(b->angular_velocity) && !is_zero(lever_arm(c, *b))) {
+                       b->angular_velocity = turned_along(b->angular_velocity, lever_arm(c, *b));
+                     }
+                     if (!is_zero(b->velocity)) {
+                       b->velocity = turned_across(stream, b->velocity, c.normal);
+                     }
+                   }
+                   (stream.chance(2) ? c.a : c.b).velocity += c.normal * (value / length(c.normal));
+                 }});
+  all.push_back({"restitution", "ε", "ε below a threshold taken for 0", -9, -1,
+                 [](const Collision& c) { return c.restitution < 1 ? c.restitution : 0; },
+                 [](Stream&, Collision& c, double value) { c.restitution = std::min(value, 0.9375); }});
+  all.push_back({"loss", "1 − ε", "ε near 1 taken for 1", -9, -1,
+                 [](const Collision& c) { return c.restitution > 0 ? 1 - c.restitution : 0; },
+                 [](Stream&, Collision& c, double value) { c.restitution = 1 - std::min(value, 0.9375); }});
+  return all;
+}
+
+Feature decade_of(const Quantity& quantity, int k) {
+  // Well inside the decade, so that no rounding leads out of it.
+  const double low = power_of_ten(k);
+  const double high = power_of_ten(k + 1);
+  return {fmt::format("{}_1e{}", quantity.name, k),
+          FeatureKind::magnitude,
+          fmt::format("{}: 10^{} to 10^{}", quantity.statement, k, k + 1),
+          quantity.why,
+          quantity.name,
+          k,
+          [measure = quantity.measure, low, high](const Collision& c) {
+            const double value = measure(c);
+            return value >= low && value < high;
+          },
+          [set = quantity.set, low](Stream& stream, Collision& c) { set(stream, c, low * stream.between(1.25, 9)); }};
+}
+
+}  // namespace
+
+std::vector<Feature> magnitudes() {
+  std::vector<Feature> features;
+  for (const Quantity& quantity : quantities()) {
+    for (int k = quantity.first; k <= quantity.last; ++k) {
+      features.push_back(decade_of(quantity, k));
+    }
+  }
+  return features;
+}
+
+}  // namespace carom::properties::features

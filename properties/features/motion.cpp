@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties::features {
+namespace {
+
+using V = Vector3<double>;
+
+V along_axis(Stream& stream, const V& v) {
+  V result = V::Zero();
+  const int axis = stream.integer(0, 2);
+  result[axis] = stream.chance(2) ? size_of(v) : -size_of(v);
+  return result;
+}
+
+bool has_minus_zero(const V& v) {
+  for (int i = 0; i < 3; ++i) {
+    if (v[i] == 0 && std::signbit(v[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<BodyFeature> of_velocity() {
+  constexpr auto special = FeatureKind::special_value;
+  constexpr auto relation = FeatureKind::relation;
+  return {
+      {"velocity_zero", special, "the velocity is zero", "one body at rest, or spinning in its place", false,
+       [](const Collision&, const Body& b) { return is_zero(b.velocity); },
+       [](Stream&, Collision&, Body& b) { b.velocity.setZero(); }},
+      {"velocity_along_axis", special, "the velocity has one component", "the scene that a programmer tries first",
+       false, [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 1; },
+       [](Stream& stream, Collision&, Body& b) { b.velocity = along_axis(stream, b.velocity); }},
+      {"velocity_in_plane", special, "the velocity has two components", "scenes in a plane", false,
+       [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 2; },
+       [](Stream& stream, Collision&, Body& b) {
+         const int zero = stream.integer(0, 2);
+         for (int i = 0; i < 3; ++i) {
+           b.velocity[i] = i == zero ? 0 : (b.velocity[i] == 0 ? size_of(b.velocity) : b.velocity[i]);
+         }
+       }},
+      {"velocity_ties", special, "two components of the velocity are equal but for the sign",
+       "the largest component of two", false, [](const Collision&, const Body& b) { return has_ties(b.velocity); },
+       [](Stream& stream, Collision&, Body& b) {
+         const int from = stream.integer(0, 2);
+         if (b.velocity[from] == 0) {
+           b.velocity[from] = size_of(b.velocity);
+         }
+         b.velocity[(from + 1) % 3] = stream.chance(2) ? b.velocity[from] : -b.velocity[from];
+       }},
+      {"velocity_along_normal", relation, "the velocity lies along the normal", "the drop test", false,
+       [](const Collision& c, const Body& b) { return are_parallel(b.velocity, c.normal); },
+       [](Stream&, Collision& c, Body& b) {
+         b.velocity = turned_along(b.velocity, &b == &c.a ? V(-c.normal) : c.normal);
+       }},
+      {"velocity_across_normal", relation, "the velocity is orthogonal to the normal",
+       "sliding, or struck by the other alone", false,
+       [](const Collision& c, const Body& b) { return are_orthogonal(b.velocity, c.normal); },
+       [](Stream& stream, Collision& c, Body& b) {
+         c.normal = with_few_bits(c.normal);
+         b.velocity = turned_across(stream, b.velocity, c.normal);
+       }},
+      {"minus_zero", special, "a component of the velocity or of the spin is −0",
+       "copysign, 1/x, and signs taken from bits", false,
+       [](const Collision&, const Body& b) { return has_minus_zero(b.velocity) || has_minus_zero(b.angular_velocity); },
+       [](Stream& stream, Collision&, Body& b) {
+         const int component = stream.integer(0, 2);
+         V& v = stream.chance(2) ? b.velocity : b.angular_velocity;
+         v[component] = -0.0;
+       }},
+  };
+}
+
+std::vector<BodyFeature> of_spin() {
+  constexpr auto special = FeatureKind::special_value;
+  constexpr auto relation = FeatureKind::relation;
+  return {
+      {"spin_zero", special, "the body does not spin", "a point mass, so to speak", false,
+       [](const Collision&, const Body& b) { return is_zero(b.angular_velocity); },
+       [](Stream&, Collision&, Body& b) { b.angular_velocity.setZero(); }},
+      {"spin_along_axis", special, "the angular velocity has one component", "scenes in a plane", false,
+       [](const Collision&, const Body& b) { return nonzero_components(b.angular_velocity) == 1; },
+       [](Stream& stream, Collision&, Body& b) { b.angular_velocity = along_axis(stream, b.angular_velocity); }},
+      {"spin_along_normal", relation, "the body spins about the normal", "spin counted into the slip (failure case 56)",
+       false, [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, c.normal); },
+       [](Stream& stream, Collision& c, Body& b) {
+         b.angular_velocity = turned_along(b.angular_velocity, stream.chance(2) ? c.normal : V(-c.normal));
+       }},
+      {"spin_across_normal", relation, "the spin is orthogonal to the normal", "a rolling body", false,
+       [](const Collision& c, const Body& b) { return are_orthogonal(b.angular_velocity, c.normal); },
+       [](Stream& stream, Collision& c, Body& b) {
+         c.normal = with_few_bits(c.normal);
+         b.angular_velocity = turned_across(stream, b.angular_velocity, c.normal);
+       }},
+      {"spin_along_lever_arm", relation, "the spin lies along the lever arm", "w × r = 0 though neither is", false,
+       [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, lever_arm(c, b)); },
+       [](Stream& stream, Collision& c, Body& b) {
+         if (is_zero(lever_arm(c, b))) {
+           set_exact_lever_arm(c, b, along_axis(stream, V(1, 0, 0)));
+         }
+         b.angular_velocity = turned_along(b.angular_velocity, lever_arm(c, b));
+       }},
+      {"spin_along_velocity", relation, "the spin lies along the velocity", "a bullet", false,
+       [](const Collision&, const Body& b) { return are_parallel(b.angular_velocity, b.velocity); },
+       [](Stream& stream, Collision&, Body& b) {
+         if (is_zero(b.velocity)) {
+           b.velocity = along_axis(stream, b.velocity);
+         }
+         b.angular_velocity = turned_along(b.angular_velocity, b.velocity);
+       }},
+      {"spin_equals_velocity", relation, "the angular velocity is, as numbers, the velocity", "one taken for the other",
+       false, [](const Collision&, const Body& b) { return !is_zero(b.velocity) && b.velocity == b.angular_velocity; },
+       [](Stream& stream, Collision&, Body& b) {
+         if (is_zero(b.velocity)) {
+           b.velocity = along_axis(stream, b.velocity);
+         }
+         b.angular_velocity = b.velocity;
+       }},
+      {"rolling", relation, "the body moves, and its point at the contact does not", "rolling on what it touches",
+       false,
+       [](const Collision& c, const Body& b) {
+         return !is_zero(b.velocity) && b.velocity == V(lever_arm(c, b).cross(b.angular_velocity));
+       },
+       [](Stream& stream, Collision& c, Body& b) {
+         if (is_zero(b.angular_velocity)) {
+           b.angular_velocity = V{0.5, -1, 0.75};
+         }
+         if (stream.chance(4)) {
+           // r × (N × r) = N r² where r is across N: rolling along the normal.
+           c.normal = with_few_bits(c.normal);
+           const V r = with_few_bits(turned_across(stream, lever_arm(c, b), c.normal));
+           set_exact_lever_arm(c, b, r);
+           b.angular_velocity = c.normal.cross(r) * (size_of(b.angular_velocity) / size_of(r) / size_of(c.normal));
+         }
+         b.velocity = lever_arm(c, b).cross(b.angular_velocity);
+       }},
+  };
+}
+
+}  // namespace
+
+std::vector<Feature> of_motion() {
+  std::vector<BodyFeature> features = of_velocity();
+  for (const BodyFeature& feature : of_spin()) {
+    features.push_back(feature);
+  }
+  features.push_back(
+      {"at_rest", FeatureKind::special_value, "the body neither moves nor spins", "a target, a floor, a sleeping body",
+       false, [](const Collision&, const Body& b) { return is_zero(b.velocity) && is_zero(b.angular_velocity); },
+       [](Stream&, Collision&, Body& b) {
+         b.velocity.setZero();
+         b.angular_velocity.setZero();
+       }});
+  return for_both(features);
+}
+
+}  // namespace carom::properties::features

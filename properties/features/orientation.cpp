@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/places.hpp>
+
+namespace carom::properties::features {
+namespace {
+
+using Q = Quaternion<double>;
+
+Vector3<double> axis_of(const Body& body) { return body.orientation.tail<3>(); }
+
+/// A turn about one coordinate axis: w, and the one other component.
+void turn_about_axis(Stream& stream, Body& body, double w, double other) {
+  Q q = Q::Zero();
+  q[0] = w;
+  q[stream.integer(1, 3)] = stream.chance(2) ? other : -other;
+  body.orientation = q;
+}
+
+bool is_about_axis(const Body& body) { return nonzero_components(axis_of(body)) == 1; }
+
+}  // namespace
+
+std::vector<Feature> of_orientation() {
+  constexpr auto special = FeatureKind::special_value;
+  return for_both({
+      {"orientation_identity", special, "the orientation is exactly 1, 0, 0, 0",
+       "the commonest orientation of all, and a fast path that leaves R out", true,
+       [](const Collision&, const Body& b) { return b.orientation == Q(1, 0, 0, 0); },
+       [](Stream&, Collision&, Body& b) { b.orientation = Q(1, 0, 0, 0); }},
+      {"orientation_long_identity", special, "the orientation is w, 0, 0, 0 with w > 0 other than 1",
+       "a quaternion taken for a unit one shows where nothing else turns (failure case 9)", true,
+       [](const Collision&, const Body& b) {
+         return is_zero(axis_of(b)) && b.orientation[0] > 0 && b.orientation[0] != 1;
+       },
+       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? 2 : 0.75, 0, 0, 0); }},
+      {"orientation_negated_identity", special, "the orientation is w, 0, 0, 0 with w < 0",
+       "q and −q are one rotation; a guard that looks for w = 1 alone", true,
+       [](const Collision&, const Body& b) { return is_zero(axis_of(b)) && b.orientation[0] < 0; },
+       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? -1 : -1.5, 0, 0, 0); }},
+      {"orientation_half_turn_about_axis", special, "half a turn about a coordinate axis",
+       "R is diagonal, so two sign errors cancel, and w = 0 divides by zero", true,
+       [](const Collision&, const Body& b) { return b.orientation[0] == 0 && is_about_axis(b); },
+       [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, 0, 1); }},
+      {"orientation_half_turn", special, "half a turn about an axis of two or three components",
+       "w = 0: conversions to angle and axis, or by way of tan, divide by it", true,
+       [](const Collision&, const Body& b) { return b.orientation[0] == 0 && nonzero_components(axis_of(b)) > 1; },
+       [](Stream& stream, Collision&, Body& b) {
+         const double y = stream.unit();
+         b.orientation << 0, 1, y, stream.chance(2) ? 0.5 : -0.5;
+       }},
+      {
+          "orientation_quarter_turn",
+          special,
+          "a quarter turn about a coordinate axis",
+          "boxes that stand on another side: R is a permutation, J is diagonal with moments exchanged",
+          true,
+          [](const Collision&, const Body& b) {
+            return is_about_axis(b) && std::abs(b.orientation[0]) == axis_of(b).cwiseAbs().maxCoeff();
+          },
+          [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, stream.chance(2) ? 1 : -0.5, 1); },
+      },
+      {"orientation_about_axis", special, "turned about a coordinate axis, by neither a half nor a quarter turn",
+       "scenes in a plane: J has one pair of entries off the diagonal", true,
+       [](const Collision&, const Body& b) {
+         return is_about_axis(b) && b.orientation[0] != 0 &&
+                std::abs(b.orientation[0]) != axis_of(b).cwiseAbs().maxCoeff();
+       },
+       [](Stream& stream, Collision&, Body& b) {
+         const double angle = stream.between(0.125, 0.875);
+         turn_about_axis(stream, b, stream.chance(2) ? 1 : -1, angle);
+       }},
+      {"orientation_negative", special, "w < 0", "q and −q are one rotation: a guard on w, or a shortest way", true,
+       [](const Collision&, const Body& b) { return b.orientation[0] < 0; },
+       [](Stream&, Collision&, Body& b) {
+         if (b.orientation[0] == 0) {
+           b.orientation[0] = -0.5;
+         } else if (b.orientation[0] > 0) {
+           b.orientation = -b.orientation;
+         }
+       }},
+      {"orientation_unit", special, "the quaternion has length 1 but for rounding, and is no identity",
+       "what engines keep: the others hide whatever is wrong for unit quaternions alone", true,
+       [](const Collision&, const Body& b) {
+         return std::abs(b.orientation.squaredNorm() - 1) <= 0x1p-50 && !is_zero(axis_of(b));
+       },
+       [](Stream& stream, Collision&, Body& b) {
+         if (is_zero(axis_of(b))) {
+           b.orientation = stream.quaternion();
+           b.orientation[1] = 0.5;
+         }
+         b.orientation /= std::sqrt(b.orientation.squaredNorm());
+       }},
+  });
+}
+
+}  // namespace carom::properties::features

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/collision/precision.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/trial/held.hpp>
+
+namespace carom::properties {
+namespace {
+
+double largest(const Vector3<double>& v) { return v.cwiseAbs().maxCoeff(); }
+
+/// The sizes that a contact is made of, multiplied by 2^k, 2^−k.
+class Range {
+ public:
+  explicit Range(double unit_roundoff)
+      : exponent_(unit_roundoff < carom::unit_roundoff(Precision::binary32) ? 0 : 120) {}
+
+  /// Zero, or within the range.
+  void require(double size) {
+    if (exponent_ == 0) {
+      return;
+    }
+    int exponent = 0;
+    std::frexp(size, &exponent);
+    holds_ = holds_ && std::isfinite(size) && (size == 0 || std::abs(exponent) <= exponent_);
+  }
+  [[nodiscard]] bool holds() const { return holds_; }
+
+ private:
+  int exponent_;  // 0: no end is near
+  bool holds_ = true;
+};
+
+/// Σ |N_i w_j r_k| over the terms of N·(w × r), and Σ_j |∂(N·V)/∂x_j| |x_j|, of both bodies.
+struct Roundings {
+  double of_products = 0;
+  double of_inputs = 0;
+};
+
+Roundings roundings_of_approach(const Collision& c) {
+  Roundings roundings;
+  Vector3<double> relative = Vector3<double>::Zero();
+  for (const Body* body : {&c.a, &c.b}) {
+    const Vector3<double> r = oracles::lever_arm<double>(*body, c.point);
+    const Vector3<double> w = body->angular_velocity;
+    const Vector3<double> v = oracles::point_velocity<double>({body->velocity, w}, r);
+    relative += body == &c.a ? v : Vector3<double>(-v);
+    const Vector3<double> moments = r.cross(c.normal);
+    const Vector3<double> of_places = c.normal.cross(w);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      roundings.of_products += std::abs(c.normal[i]) * (std::abs(w[j] * r[k]) + std::abs(w[k] * r[j]));
+      roundings.of_inputs += std::abs(c.normal[i] * body->velocity[i]) + std::abs(moments[i] * w[i]) +
+                             std::abs(of_places[i]) * (std::abs(c.point[i]) + std::abs(body->position[i]));
+    }
+  }
+  roundings.of_inputs += c.normal.cwiseAbs().dot(relative.cwiseAbs());
+  return roundings;
+}
+
+}  // namespace
+
+std::string_view why_not_held(const Collision& collision, double unit_roundoff) {
+  Range range(unit_roundoff);
+  double lightest = 0;  // the smaller mass, by which the impulse is bounded
+  double longest = 0;
+  double fastest = 0;
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const Vector3<double> r = oracles::lever_arm<double>(*body, collision.point);
+    const double length = largest(r);
+    if (length > 0 && 1024 * unit_roundoff * std::max(largest(collision.point), largest(body->position)) > length) {
+      return "the lever arm is lost in the places that it is the difference of";
+    }
+    const double spin = largest(body->angular_velocity);
+    fastest = std::max({fastest, largest(body->velocity), spin * length});
+    range.require(largest(body->velocity));
+    range.require(spin);
+    if (body->immovable) {
+      continue;
+    }
+    lightest = lightest == 0 ? body->mass : std::min(lightest, body->mass);
+    longest = std::max(longest, length);
+    range.require(body->mass);
+    for (int i = 0; i < 3; ++i) {
+      range.require(body->principal_inertia[i]);
+      range.require(length / body->principal_inertia[i]);
+      range.require(length / body->principal_inertia[i] * length);
+    }
+  }
+  if (const Roundings approach = roundings_of_approach(collision); approach.of_products > 32 * approach.of_inputs) {
+    return "the rounding of w × r is more than inputs account for";
+  }
+  const double impulse = lightest * fastest;
+  range.require(fastest);
+  range.require(impulse);
+  range.require(impulse * longest);
+  return range.holds() ? std::string_view() : "masses, moments, impulse or torque leave the range of numbers";
+}
+
+}  // namespace carom::properties

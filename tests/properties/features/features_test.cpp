@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/features/compose.hpp>
+#include <carom/properties/features/coverage.hpp>
+#include <carom/properties/features/infeasible.hpp>
+#include <carom/properties/gate/gate_result.hpp>
+
+namespace carom::properties {
+namespace {
+
+bool is_colliding(const Collision& collision) {
+  return validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding;
+}
+
+TEST(Features, HaveNamesOfTheirOwnAndReasons) {
+  std::set<std::string> names;
+  for (const Feature& feature : all_features()) {
+    EXPECT_TRUE(names.insert(feature.name).second) << feature.name;
+    EXPECT_EQ(feature_named(feature.name), &feature);
+    EXPECT_FALSE(feature.statement.empty()) << feature.name;
+    EXPECT_FALSE(feature.why.empty()) << feature.name;
+    EXPECT_EQ(feature.quantity.empty(), feature.kind != FeatureKind::magnitude) << feature.name;
+  }
+  EXPECT_GE(names.size(), 80U);
+  EXPECT_EQ(feature_named("no_such_feature"), nullptr);
+}
+
+/// Each maker makes what it is there for, of most collisions, and leaves them valid.
+TEST(Features, AreMade) {
+  constexpr int tries = 40;
+  for (const Feature& feature : all_features()) {
+    int made = 0;
+    for (std::uint64_t i = 0; i < tries; ++i) {
+      Stream stream = case_stream(3, feature.name, i);
+      Collision collision = general_bodies(stream).collision;
+      feature.make(stream, collision);
+      EXPECT_EQ(describe(validate(collision)), "") << feature.name;
+      made += feature.is_present(collision) ? 1 : 0;
+    }
+    EXPECT_GE(2 * made, tries) << feature.name;
+  }
+}
+
+/// A predicate that is always true, or that its opposite would satisfy as well, tells nothing.
+TEST(Features, AreNotInEveryCollision) {
+  constexpr int drawn = 200;
+  std::map<std::string, int> present;
+  for (std::uint64_t i = 0; i < drawn; ++i) {
+    Stream stream = case_stream(4, "structured", i);
+    for (const Feature* feature : features_of(structured_collision(stream))) {
+      ++present[feature->name];
+    }
+  }
+  for (const auto& [name, count] : present) {
+    EXPECT_LT(count, drawn) << name;
+  }
+}
+
+/// What is said to be infeasible is tried, by its makers; but for what is kept out of the domain by choice, and for the
+/// decades of one quantity.
+TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
+  const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
+                                             "the contact would lie outside of the body, where K has no bound",
+                                             "a quantity is in one decade"};
+  const std::span<const Feature> all = all_features();
+  std::set<std::string_view> reasons;
+  for (std::size_t x = 0; x < all.size(); ++x) {
+    for (std::size_t y = x + 1; y < all.size(); ++y) {
+      const std::string_view why = why_infeasible(all[x], all[y]);
+      reasons.insert(why);
+      for (std::uint64_t i = 0; i < 4 && !why.empty() && !by_choice.contains(why); ++i) {
+        Stream stream = case_stream(5, all[x].name, i);
+        Collision collision = i % 2 == 0 ? general_bodies(stream).collision : structured_collision(stream);
+        const bool is_made =
+            i < 2 ? make_both(stream, collision, all[x], all[y]) : make_both(stream, collision, all[y], all[x]);
+        EXPECT_FALSE(is_made && is_colliding(collision)) << all[x].name << " with " << all[y].name << ": " << why;
+      }
+    }
+  }
+  for (const std::string_view reason : by_choice) {
+    EXPECT_TRUE(reasons.contains(reason)) << reason;
+  }
+}
+
+/// The same over everything that the gate draws; and every pair that can be is there, at the default seed.
+TEST(Features, AreAllThereInPairs) {
+  const GateOptions defaults;
+  FeatureCoverage coverage;
+  for (const Family& family : all_families()) {
+    for (std::uint64_t i = 0; i < cases_of(defaults, family); ++i) {
+      Stream stream = case_stream(defaults.seed, family.name, i);
+      const Collision collision = family.generate(stream).collision;
+      if (is_colliding(collision)) {
+        coverage.add(collision);
+      }
+    }
+  }
+  for (const auto& [x, y] : coverage.missing_pairs()) {
+    ADD_FAILURE() << x->name << " with " << y->name << " is in no case";
+  }
+  EXPECT_EQ(coverage.met_pairs(), coverage.feasible_pairs());
+  const std::span<const Feature> all = all_features();
+  for (std::size_t x = 0; x < all.size(); ++x) {
+    for (std::size_t y = x + 1; y < all.size(); ++y) {
+      EXPECT_TRUE(is_feasible(x, y) || coverage.count(x, y) == 0)
+          << all[x].name << " with " << all[y].name << ", said to be infeasible: " << why_infeasible(all[x], all[y]);
+    }
+  }
+}
+
+TEST(Features, AreMissedWhereNothingHasThem) {
+  FeatureCoverage coverage;
+  EXPECT_EQ(coverage.met_pairs(), 0U);
+  Collision collision;
+  collision.b.immovable = true;
+  collision.a.velocity = {0, -1, 0};
+  coverage.add(collision);
+  const auto place_of = [](std::string_view name) {
+    return static_cast<std::size_t>(feature_named(name) - all_features().data());
+  };
+  EXPECT_EQ(coverage.count(place_of("a.orientation_identity")), 1U);
+  EXPECT_EQ(coverage.count(place_of("normal_plus_y"), place_of("b.immovable")), 1U);
+  EXPECT_EQ(coverage.count(place_of("b.immovable"), place_of("b.mass_one")), 0U);
+  EXPECT_GT(coverage.missing_pairs().size(), 70000U);
+  FeatureCoverage twice = coverage;
+  twice += coverage;
+  EXPECT_EQ(twice.count(place_of("normal_plus_y"), place_of("b.immovable")), 2U);
+  EXPECT_EQ(twice.met_pairs(), coverage.met_pairs());
+}
+
+}  // namespace
+}  // namespace carom::properties

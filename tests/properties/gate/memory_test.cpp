@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+/// Sessions that remember, each right on a collision that is asked alone.
+namespace carom::properties {
+namespace {
+
+enum class Remembers { nothing, a_refusal, the_call, the_last_outcome };
+
+/// frictionless-double, with a session that keeps something from one call to the next.
+Subject remembering(Remembers what) {
+  const Subject right = subjects::subject_named("frictionless-double").value();
+  Subject subject = right;
+  subject.name = "remembering";
+  subject.open = [right, what] {
+    struct State {
+      Session session;
+      bool refused = false;
+      std::uint64_t calls = 0;
+      std::optional<Answer> last;
+    };
+    auto state = std::make_shared<State>(State{right.open(), false, 0, {}});
+    return Session([state, what](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = state->session(collisions);
+      for (Answer& answer : answers) {
+        ++state->calls;
+        auto* outcome = std::get_if<ReportedOutcome>(&answer);
+        if (outcome == nullptr) {
+          state->refused = true;
+          continue;
+        }
+        const bool is_off = (what == Remembers::a_refusal && state->refused) ||
+                            (what == Remembers::the_call && state->calls % 7 == 0) ||
+                            (what == Remembers::the_last_outcome && state->last);
+        state->refused = false;
+        if (is_off) {
+          // An ulp: what no law but this one sees.
+          long double& component = outcome->a.velocity[0];
+          component = std::nextafter(static_cast<double>(component), 1e300);
+        }
+        state->last = answer;
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+SubjectResult judged(Remembers what) {
+  GateOptions options;
+  options.cases = 100;
+  options.families = {family_named("generic")};
+  return run_gate({remembering(what)}, options).results.at(0);
+}
+
+TEST(Memoryless, IsViolatedByWhatASessionKeeps) {
+  for (const Remembers what : {Remembers::a_refusal, Remembers::the_call, Remembers::the_last_outcome}) {
+    EXPECT_GT(judged(what).count("memoryless").violated, 0U) << static_cast<int>(what);
+  }
+}
+
+TEST(Memoryless, HoldsOfASessionThatKeepsNothing) {
+  const SubjectResult result = judged(Remembers::nothing);
+  EXPECT_TRUE(result.is_sound()) << result.not_judged;
+  EXPECT_GT(result.count("memoryless").holds, 10U);
+}
+
+/// Sound is what was shown.
+TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
+  const Subject right = subjects::subject_named("frictionless-double").value();
+  GateOptions options;
+  options.cases = 50;
+  options.families = {family_named("generic"), family_named("separating")};
+  const auto result_of = [&](const Subject& subject) { return run_gate({subject}, options).results.at(0); };
+
+  Subject skipping = right;
+  skipping.open = [right] {
+    return Session([session = std::make_shared<Session>(right.open())](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = (*session)(collisions);
+      for (std::size_t i = 0; i < answers.size(); i += 2) {
+        answers[i] = Skipped{"every other one"};
+      }
+      return answers;
+    });
+  };
+  skipping.deviates = {"memoryless"};
+  EXPECT_NE(result_of(skipping).not_judged, "");
+  EXPECT_FALSE(result_of(skipping).is_sound());
+
+  Subject claims_nothing = right;
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.name != "definite") {
+      claims_nothing.deviates.emplace_back(invariant.name);
+    }
+  }
+  EXPECT_EQ(result_of(claims_nothing).not_judged, "no law of the outcome of a colliding contact was exercised");
+
+  Subject unknown = right;
+  unknown.deviates = {"no_such_invariant"};
+  EXPECT_NE(result_of(unknown).error.find("no_such_invariant"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace carom::properties
