@@ -24,7 +24,6 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
 /// τ_k of `sensitivity`; zero where it is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
   double speed = 0;
@@ -55,6 +54,7 @@ Sensitivity second_order_scale(const Collision& c) {
   return scale;
 }
 
+/// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
 double normal_velocity_sensitivity(const Collision& c) {
   // A number that is zero cannot be perturbed relatively, though its derivative be infinite.
   const auto weighted = [](const Vector3<double>& derivative, const Vector3<double>& x) {

@@ -16,6 +16,12 @@ struct Parts {
   double tangential;
 };
 
+/// Small beside the other part, and not zero: below √u, so that its square is lost in the other's.
+bool is_slight(double part, double other) {
+  constexpr double slight = 1e-8;
+  return part > 0 && part < slight * other;
+}
+
 Parts parts_of(const Collision& c) {
   const V v = relative_velocity(c);
   return {std::abs(c.normal.dot(v)), length(c.normal.cross(v))};
@@ -85,7 +91,7 @@ std::vector<Feature> of_approach() {
           "near_head_on", "v_t is less than 10⁻⁸ of v_n, and not zero", "a tangent basis from V⁻ is rounding noise",
           [](const Collision& c) {
             const Parts parts = parts_of(c);
-            return parts.tangential > 0 && parts.tangential < 1e-8 * parts.normal;
+            return is_slight(parts.tangential, parts.normal);
           },
           [](Stream& stream, Collision& c) {
             c.normal = with_few_bits(c.normal);
@@ -102,7 +108,7 @@ std::vector<Feature> of_approach() {
           "grazing", "v_n is less than 10⁻⁸ of v_t, and not zero", "guards on the approach (failure cases 38, 39)",
           [](const Collision& c) {
             const Parts parts = parts_of(c);
-            return parts.normal > 0 && parts.normal < 1e-8 * parts.tangential;
+            return is_slight(parts.normal, parts.tangential);
           },
           [](Stream& stream, Collision& c) {
             c.normal = with_few_bits(c.normal);

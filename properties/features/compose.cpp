@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include <carom/properties/families/bodies.hpp>
@@ -168,7 +167,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
 /// No contact far outside of a body: K would have no bound, and no solver digits to lose for that.
 void keep_contact_on_bodies(Collision& c) {
   for (Body* body : {&c.a, &c.b}) {
-    const double lever_arm = std::sqrt((c.point - body->position).squaredNorm());
+    const double lever_arm = features::length(features::lever_arm(c, *body));
     const double reach = body->immovable ? lever_arm : 2 * features::radius_of_gyration(*body);
     if (lever_arm > reach) {
       body->principal_inertia *= (lever_arm / reach) * (lever_arm / reach);

@@ -11,7 +11,7 @@ namespace {
 
 double largest(const Vector3<double>& v) { return v.cwiseAbs().maxCoeff(); }
 
-/// The sizes that a contact is made of, multiplied by 2^k, 2^−k.
+/// Whether sizes stay away from the ends of binary32, where a subject computes in it.
 class Range {
  public:
   explicit Range(double unit_roundoff)

@@ -11,9 +11,8 @@
 /// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
 namespace carom::impulse {
 
-/// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known
-/// better than from the contact, to its ContactImpulse; not where the model is not
-/// one of `models_with_truth`.
+/// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known better than from
+/// the contact, to its ContactImpulse; not where the model is not one of `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/collision/precision.hpp>
+#include <carom/properties/trial/held.hpp>
+
+namespace carom::properties {
+namespace {
+
+bool is_held(const Collision& collision, Precision precision) {
+  return why_not_held(collision, unit_roundoff(precision)).empty();
+}
+
+Collision ball_on_floor() {
+  Collision c;
+  c.a.position = {0.5, 1, 0.25};
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  return c;
+}
+
+TEST(Held, IsWhatABallOnAFloorIs) {
+  EXPECT_TRUE(is_held(ball_on_floor(), Precision::binary32));
+  EXPECT_TRUE(is_held(ball_on_floor(), Precision::binary64));
+}
+
+/// 10⁶ m from the origin 1024 u are 61 m in binary32, and 10⁻⁷ m in binary64.
+TEST(Held, IsNoLeverArmThatItsPlacesLose) {
+  Collision c = ball_on_floor();
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    (*place)[0] += 1e6;
+  }
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+  c.a.position = c.point;
+  EXPECT_TRUE(is_held(c, Precision::binary32));
+}
+
+TEST(Held, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
+  Collision c = ball_on_floor();
+  c.normal = {1, 2, 3};
+  c.a.position = {1, 2, 3};
+  c.a.velocity = {-1, -2, -3};
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+  c.a.angular_velocity = {1e6, 2e6, 3e6};
+  EXPECT_FALSE(is_held(c, Precision::binary64));
+  c.a.angular_velocity = {3e6, 2e6, 1e6};  // inputs account for the rounding of what does not vanish
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+}
+
+TEST(Held, IsNothingAtTheEndsOfBinary32InBinary32) {
+  Collision c = ball_on_floor();
+  c.a.principal_inertia.setConstant(1e37);
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+}
+
+}  // namespace
+}  // namespace carom::properties
