@@ -17,13 +17,12 @@ Vector3<double> velocity_at_contact(const ContactBody<double>& body) {
 
 carom::BodyVelocity<double> pushed(const ContactBody<double>& body, const Vector3<double>& impulse) {
   return {body.velocity + body.inverse_mass * impulse,
-          body.angular_velocity + body.inverse_inertia * body.lever_arm.cross(impulse)};
+          body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse)};
 }
 
 /// NᵀKN of one body, N of length 1.
 double inverse_effective_mass(const ContactBody<double>& body, const Vector3<double>& normal) {
-  const Vector3<double> torque = body.lever_arm.cross(normal);
-  return body.inverse_mass + torque.dot(body.inverse_inertia * torque);
+  return body.inverse_mass + angular_part_along(body.inertia, body.lever_arm, normal);
 }
 
 /// The solver under test: put yours in its place.

@@ -265,8 +265,10 @@ Case structured(Stream& stream) { return {structured_collision(stream), false}; 
 constexpr std::array families{
     Family{"structured", "special values, relations and magnitudes, combined: what scenes are made of", structured, 20},
     Family{"generic", "two general bodies, seven in eight approaching", generic},
-    Family{"physical", "convex bodies of uniform density, moments 1 : 128 at most, the contact in or on both",
-           convex_bodies},
+    Family{
+        "physical",
+        "convex bodies of uniform density, plates and rods of moments to 1 : 10⁸ among them, the contact in or on both",
+        convex_bodies},
     Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on},
     Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on},
     Family{"collinear_spheres", "touching spheres, or one and a wall, centres and contact exactly on one line along N",

@@ -6,21 +6,11 @@
 namespace carom::impulse {
 
 /// What one body adds to the collision matrix: I/m + [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
-template <class S>
-[[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S>& body) {
-  const Vector3<S>& r = body.lever_arm;
-  Matrix3<S> half;  // J⁻¹ [r]: xᵀ [r] = (x × r)ᵀ, and the rows of J⁻¹ are its columns
-  for (int row = 0; row < 3; ++row) {
-    half.row(row) = cross<S>(body.inverse_inertia.col(row), r);
-  }
-  Matrix3<S> matrix;
-  for (int column = 0; column < 3; ++column) {
-    const Vector3<S> entries = cross<S>(half.col(column), r);  // [r]ᵀ x = x × r
-    for (int row = column; row < 3; ++row) {
-      matrix(row, column) = entries[row];
-      matrix(column, row) = entries[row];
-    }
-    matrix(column, column) += body.inverse_mass;
+template <class S, class Inertia>
+[[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S, Inertia>& body) {
+  Matrix3<S> matrix = angular_part_of_collision_matrix(body.inertia, body.lever_arm);
+  for (int i = 0; i < 3; ++i) {
+    matrix(i, i) += body.inverse_mass;
   }
   return matrix;
 }
@@ -28,8 +18,8 @@ template <class S>
 /// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per impulse at
 /// the contact (note eq. 24), 1/kg, world axes. It is the note's C (eq. 25 to 27, with λ counted once) before the
 /// change of basis.
-template <class S>
-[[nodiscard]] Matrix3<S> collision_matrix(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);
 }
 

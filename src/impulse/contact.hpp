@@ -7,25 +7,26 @@
 #include <Eigen/Geometry>
 
 #include <carom/collision/outcome.hpp>
+#include <carom/impulse/principal_inertia.hpp>
 #include <carom/impulse/products.hpp>
 
 namespace carom::impulse {
 
-/// What a solver reads of one body. World coordinates.
-template <class S>
+/// What a solver reads of one body. World coordinates. Inertia is how it has J⁻¹: `PrincipalInertia` or `WorldInertia`.
+template <class S, class Inertia = PrincipalInertia<S>>
 struct ContactBody {
   S inverse_mass;               // 0 where immovable [1/kg]
-  Matrix3<S> inverse_inertia;   // about the centre of mass, 0 where immovable [1/(kg m²)]
+  Inertia inertia;              // about the centre of mass
   Vector3<S> lever_arm;         // r, from the centre of mass to the contact point [m]
   Vector3<S> velocity;          // of the centre of mass, before the impulse [m/s]
   Vector3<S> angular_velocity;  // before the impulse [rad/s]
 };
 
 /// What a solver reads, in its own scalar type.
-template <class S>
+template <class S, class Inertia = PrincipalInertia<S>>
 struct Contact {
-  ContactBody<S> a;
-  ContactBody<S> b;
+  ContactBody<S, Inertia> a;
+  ContactBody<S, Inertia> b;
   Vector3<S> normal;  // N, on body B, pointing from B to A; any nonzero length
   S restitution;      // ε in [0, 1]
 };
@@ -50,67 +51,33 @@ template <class S, class Vector>
   return scaled;
 }
 
-/// The rotation matrix of a quaternion of any nonzero length, body axes to world axes:
-/// R = ((q₀² − q·q) I + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
-template <class S>
-[[nodiscard]] Matrix3<S> rotation_matrix(const Quaternion<S>& quaternion) {
-  const S& w = quaternion[0];
-  const S& x = quaternion[1];
-  const S& y = quaternion[2];
-  const S& z = quaternion[3];
-  const S squared_length = (w * w + x * x) + (y * y + z * z);
-  Matrix3<S> rotation;
-  rotation << (w * w + x * x) - (y * y + z * z), S(2) * (x * y - w * z), S(2) * (x * z + w * y),  //
-      S(2) * (x * y + w * z), (w * w + y * y) - (x * x + z * z), S(2) * (y * z - w * x),          //
-      S(2) * (x * z - w * y), S(2) * (y * z + w * x), (w * w + z * z) - (x * x + y * y);
-  return rotation / squared_length;
-}
-
-/// J⁻¹ = R diag(1/I) Rᵀ, exactly symmetric.
-template <class S>
-[[nodiscard]] Matrix3<S> world_inverse_inertia(const Vector3<S>& principal_inertia, const Quaternion<S>& orientation) {
-  const Matrix3<S> rotation = rotation_matrix(orientation);
-  Matrix3<S> inverse_inertia;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      S sum(0);
-      for (int axis = 0; axis < 3; ++axis) {
-        sum += rotation(row, axis) * rotation(column, axis) / principal_inertia[axis];
-      }
-      inverse_inertia(row, column) = sum;
-      inverse_inertia(column, row) = sum;
-    }
-  }
-  return inverse_inertia;
-}
-
 /// What a solver in S reads of a body. Precondition: the collision that it belongs to is valid.
-template <class S, class T>
-[[nodiscard]] ContactBody<S> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
+template <class S, class Inertia = PrincipalInertia<S>, class T>
+[[nodiscard]] ContactBody<S, Inertia> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
   const auto in_s = [](const Vector3<T>& vector) {
     return Vector3<S>{static_cast<S>(vector[0]), static_cast<S>(vector[1]), static_cast<S>(vector[2])};
   };
-  ContactBody<S> result{S(0), Matrix3<S>::Constant(S(0)), in_s(point) - in_s(body.position), in_s(body.velocity),
-                        in_s(body.angular_velocity)};
+  ContactBody<S, Inertia> result{S(0), Inertia::immovable(), in_s(point) - in_s(body.position), in_s(body.velocity),
+                                 in_s(body.angular_velocity)};
   if (!body.immovable) {
     result.inverse_mass = S(1) / static_cast<S>(body.mass);
-    result.inverse_inertia =
-        world_inverse_inertia<S>(in_s(body.principal_inertia), without_extreme_length<S>(body.orientation));
+    result.inertia = Inertia::of(in_s(body.principal_inertia), without_extreme_length<S>(body.orientation));
   }
   return result;
 }
 
 /// The contact of a collision: every number is first rounded to S, as an engine in S would have it stored.
 /// Precondition: the collision is valid.
-template <class S, class T>
-[[nodiscard]] Contact<S> make_contact(const BasicCollision<T>& collision) {
-  return {make_contact_body<S>(collision.a, collision.point), make_contact_body<S>(collision.b, collision.point),
-          without_extreme_length<S>(collision.normal), static_cast<S>(collision.restitution)};
+template <class S, class Inertia = PrincipalInertia<S>, class T>
+[[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
+  return {make_contact_body<S, Inertia>(collision.a, collision.point),
+          make_contact_body<S, Inertia>(collision.b, collision.point), without_extreme_length<S>(collision.normal),
+          static_cast<S>(collision.restitution)};
 }
 
 /// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).
-template <class S>
-[[nodiscard]] Vector3<S> relative_velocity(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> relative_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> velocity_a = contact.a.velocity + cross(contact.a.angular_velocity, contact.a.lever_arm);
   const Vector3<S> velocity_b = contact.b.velocity + cross(contact.b.angular_velocity, contact.b.lever_arm);
   return velocity_a - velocity_b;
@@ -118,8 +85,8 @@ template <class S>
 
 /// N·V. Of the spins' part w·(r × N) nothing is left where r lies along N; N·(w × r) would leave the rounding of w × r,
 /// which no inputs account for.
-template <class S>
-[[nodiscard]] S normal_velocity(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] S normal_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
   const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, contact.normal);
   return dot(contact.normal, contact.a.velocity - contact.b.velocity) +
@@ -127,39 +94,39 @@ template <class S>
 }
 
 /// λ = 1/m_A + 1/m_B, the least eigenvalue that K can have.
-template <class S>
-[[nodiscard]] S inverse_mass(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] S inverse_mass(const Contact<S, Inertia>& contact) {
   return contact.a.inverse_mass + contact.b.inverse_mass;
 }
 
 /// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move. A bool, or a mask
 /// where S is a pack.
-template <class S>
-[[nodiscard]] auto is_colliding(const Contact<S>& contact, const S& normal_velocity) {
+template <class S, class Inertia>
+[[nodiscard]] auto is_colliding(const Contact<S, Inertia>& contact, const S& normal_velocity) {
   return normal_velocity < S(0) && inverse_mass(contact) > S(0);
 }
 
 /// The velocities as they are: the outcome of a contact that is not colliding.
-template <class S>
-[[nodiscard]] BodyVelocity<S> unchanged(const ContactBody<S>& body) {
+template <class S, class Inertia>
+[[nodiscard]] BodyVelocity<S> unchanged(const ContactBody<S, Inertia>& body) {
   return {body.velocity, body.angular_velocity};
 }
-template <class S>
-[[nodiscard]] Outcome<S> unchanged(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] Outcome<S> unchanged(const Contact<S, Inertia>& contact) {
   return {unchanged(contact.a), unchanged(contact.b)};
 }
 
 /// The velocities of a body after an impulse on it at the contact (note eq. 23). In N s.
-template <class S>
-[[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S>& body, const Vector3<S>& impulse) {
+template <class S, class Inertia>
+[[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse) {
   return {body.velocity + impulse * body.inverse_mass,
-          body.angular_velocity + times(body.inverse_inertia, cross(body.lever_arm, impulse))};
+          body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse)};
 }
 
 /// The outcome of the impulse F on A and −F on B. F in N s.
-template <class S>
-[[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const Vector3<S>& impulse) {
-  return {apply_impulse(contact.a, impulse), apply_impulse<S>(contact.b, -impulse)};
+template <class S, class Inertia>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
+  return {apply_impulse(contact.a, impulse), apply_impulse<S, Inertia>(contact.b, -impulse)};
 }
 
 }  // namespace carom::impulse

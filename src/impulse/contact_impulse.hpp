@@ -16,15 +16,15 @@ struct ContactImpulse {
 };
 
 /// The velocities of one body after it, with F for A and −F for B in `on_body`.
-template <class Condition, class S>
-[[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S>& body,
+template <class Condition, class S, class Inertia>
+[[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S, Inertia>& body,
                                             const Vector3<S>& on_body) {
   return select_called(
       colliding, [&] { return apply_impulse(body, on_body); }, [&] { return unchanged(body); });
 }
 
-template <class S>
-[[nodiscard]] Outcome<S> apply_impulse(const Contact<S>& contact, const ContactImpulse<S>& impulse) {
+template <class S, class Inertia>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const ContactImpulse<S>& impulse) {
   return {apply_impulse(impulse.colliding, contact.a, impulse.on_a),
           apply_impulse<decltype(impulse.colliding), S>(impulse.colliding, contact.b, -impulse.on_a)};
 }

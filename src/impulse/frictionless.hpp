@@ -11,30 +11,27 @@ namespace carom::impulse {
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class S>
-[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact, const S& approach) {
+template <class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
     return {colliding, n};
   }
-  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, n);
-  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, n);
-  const Vector3<S> spin_a = times(contact.a.inverse_inertia, torque_arm_a);
-  const Vector3<S> spin_b = times(contact.b.inverse_inertia, torque_arm_b);
-  const S inverse_effective_mass =
-      inverse_mass(contact) * dot(n, n) + (dot(torque_arm_a, spin_a) + dot(torque_arm_b, spin_b));
+  const S by_turning_a = angular_part_along(contact.a.inertia, contact.a.lever_arm, n);
+  const S by_turning_b = angular_part_along(contact.b.inertia, contact.b.lever_arm, n);
+  const S inverse_effective_mass = inverse_mass(contact) * dot(n, n) + (by_turning_a + by_turning_b);
   const S f = -(S(1) + contact.restitution) * approach / inverse_effective_mass;
   return {colliding, n * f};
 }
-template <class S>
-[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact) {
   return frictionless_impulse<S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class S>
-[[nodiscard]] Outcome<S> frictionless(const Contact<S>& contact) {
+template <class S, class Inertia = PrincipalInertia<S>>
+[[nodiscard]] Outcome<S> frictionless(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, frictionless_impulse(contact));
 }
 

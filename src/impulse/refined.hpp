@@ -14,15 +14,16 @@ namespace detail {
 
 template <class T, class S>
 [[nodiscard]] ContactBody<T> rounded(const ContactBody<S>& body) {
-  return {static_cast<T>(body.inverse_mass), body.inverse_inertia.template cast<T>(), body.lever_arm.template cast<T>(),
+  const PrincipalInertia<T> inertia{body.inertia.axes.template cast<T>(),
+                                    body.inertia.inverse_moments.template cast<T>()};
+  return {static_cast<T>(body.inverse_mass), inertia, body.lever_arm.template cast<T>(),
           body.velocity.template cast<T>(), body.angular_velocity.template cast<T>()};
 }
 
 /// What one body adds to K F.
 template <class S>
 [[nodiscard]] Vector3<S> response(const ContactBody<S>& body, const Vector3<S>& impulse) {
-  return impulse * body.inverse_mass +
-         cross(times(body.inverse_inertia, cross(body.lever_arm, impulse)), body.lever_arm);
+  return impulse * body.inverse_mass + cross(angular_response(body.inertia, body.lever_arm, impulse), body.lever_arm);
 }
 
 }  // namespace detail

@@ -11,8 +11,8 @@ namespace carom::impulse {
 /// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve, class S>
-[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact, const S& approach) {
+template <class Solve, class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
@@ -22,14 +22,14 @@ template <class Solve, class S>
   const Vector3<S> velocity_change = n * factor;
   return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
 }
-template <class Solve, class S>
-[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S>& contact) {
+template <class Solve, class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact) {
   return reflection_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class Solve, class S>
-[[nodiscard]] Outcome<S> reflection(const Contact<S>& contact) {
+template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+[[nodiscard]] Outcome<S> reflection(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, reflection_impulse<Solve>(contact));
 }
 

@@ -44,11 +44,8 @@ template <class S>
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
-    Matrix3<S> q;
-    for (int i = 0; i < 3; ++i) {
-      q.col(i) = body.lever_arm.cross(basis.col(i));
-    }
-    return q.transpose() * body.inverse_inertia * q;
+    const Matrix3<S> q = torque_in_body_frame(body.inertia, body.lever_arm) * basis;
+    return q.transpose() * body.inertia.inverse_moments.asDiagonal() * q;
   };
   // A and B enter alike, so that calling them the other way round changes no bit.
   return Matrix3<S>::Identity() * inverse_mass(contact) + (of_body(contact.a) + of_body(contact.b));

@@ -8,8 +8,8 @@
 namespace carom::impulse {
 
 /// V, the component along N of what the spins add to it taken from r × N as that of `normal_velocity` is.
-template <class S>
-[[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S>& contact) {
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
   const Vector3<S> by_spins =
       cross(contact.a.angular_velocity, contact.a.lever_arm) - cross(contact.b.angular_velocity, contact.b.lever_arm);
@@ -23,8 +23,8 @@ template <class S>
 /// K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve, class S>
-[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S>& contact, const S& approach) {
+template <class Solve, class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
@@ -35,14 +35,14 @@ template <class Solve, class S>
   const Vector3<S> velocity_change = -(velocity + n * factor);
   return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
 }
-template <class Solve, class S>
-[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S>& contact) {
+template <class Solve, class S, class Inertia>
+[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact) {
   return sticking_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class Solve, class S>
-[[nodiscard]] Outcome<S> sticking(const Contact<S>& contact) {
+template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+[[nodiscard]] Outcome<S> sticking(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, sticking_impulse<Solve>(contact));
 }
 

@@ -196,8 +196,11 @@ Operations operations_of(Model model) {
   const auto contact = colliding_batch<double>(1).at(0);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
   const auto body = [&](const impulse::ContactBody<double>& b) {
-    return impulse::ContactBody<Counted>{b.inverse_mass, counted(b.inverse_inertia), counted(b.lever_arm),
-                                         counted(b.velocity), counted(b.angular_velocity)};
+    return impulse::ContactBody<Counted>{b.inverse_mass,
+                                         {counted(b.inertia.axes), counted(b.inertia.inverse_moments)},
+                                         counted(b.lever_arm),
+                                         counted(b.velocity),
+                                         counted(b.angular_velocity)};
   };
   const impulse::Contact<Counted> posed{body(contact.a), body(contact.b), counted(contact.normal), contact.restitution};
   Counted::operations = {};

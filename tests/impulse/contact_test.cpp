@@ -72,7 +72,8 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   const Contact<double> contact = make_contact<double>(c);
   const ContactBody<double>& body = c.a.immovable ? contact.a : contact.b;
   EXPECT_EQ(body.inverse_mass, 0);
-  EXPECT_EQ(body.inverse_inertia, Matrix3<double>(Matrix3<double>::Zero()));
+  EXPECT_EQ(body.inertia.inverse_moments, Vector3<double>(Vector3<double>::Zero()));
+  EXPECT_TRUE(body.inertia.axes.allFinite());
   const Outcome<double> outcome = reflection<Ldlt>(contact);
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }

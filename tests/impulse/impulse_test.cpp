@@ -5,6 +5,7 @@
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/impulse/sticking.hpp>
+#include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/families/bodies.hpp>
 
@@ -55,6 +56,20 @@ TEST(WorldInverseInertia, IsSymmetricAndInvertsTheInertiaOfTheOracle) {
       const ExactVector unit_vector = ExactMatrix::Identity().col(axis);
       EXPECT_TRUE(same(inverse * oracles::apply_inertia<Rational>(body, unit_vector), unit_vector)) << i;
     }
+  }
+}
+
+/// Without rounding it is of no account how inertia is kept.
+TEST(PrincipalInertia, IsTheSameAsInWorldCoordinates) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    const auto body = oracles::lift(unit::case_of("generic", i).collision).a;
+    const auto principal = PrincipalInertia<Rational>::of(body.principal_inertia, body.orientation);
+    const auto world = WorldInertia<Rational>::of(body.principal_inertia, body.orientation);
+    const ExactVector& r = body.velocity;
+    const ExactVector& impulse = body.angular_velocity;
+    EXPECT_TRUE(same(angular_response(principal, r, impulse), angular_response(world, r, impulse))) << i;
+    EXPECT_EQ(angular_part_along(principal, r, impulse), angular_part_along(world, r, impulse)) << i;
+    EXPECT_TRUE(same(angular_part_of_collision_matrix(principal, r), angular_part_of_collision_matrix(world, r))) << i;
   }
 }
 

@@ -20,12 +20,6 @@ using Matrix = Matrix3<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Contact = impulse::Contact<double>;
 
-Matrix cross_matrix(const Vector& r) {
-  Matrix cross;
-  cross << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
-  return cross;
-}
-
 /// Orthogonal to the vector, of about its length.
 Vector beside(const Vector& vector) {
   return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1])
@@ -80,19 +74,19 @@ class Solver {
       if (has(Defect::immovable_as_heavy)) {
         constexpr double heavy = 1e10;
         result.inverse_mass = 1 / heavy;
-        result.inverse_inertia = Matrix::Identity() / heavy;
+        result.inertia = {Matrix::Identity(), Vector::Constant(1 / heavy)};
       }
       return result;
     }
     const Quaternion<double> q = impulse::without_extreme_length<double>(body.orientation);
     if (has(Defect::inertia_in_body_frame)) {
-      result.inverse_inertia = body.principal_inertia.cwiseInverse().asDiagonal();
+      result.inertia.axes = Matrix::Identity();
     }
     if (has(Defect::quaternion_unnormalised)) {
-      result.inverse_inertia *= q.squaredNorm() * q.squaredNorm();
+      result.inertia.axes *= q.squaredNorm();
     }
     if (has(Defect::quaternion_order)) {
-      result.inverse_inertia = impulse::world_inverse_inertia<double>(body.principal_inertia, {q[3], q[0], q[1], q[2]});
+      result.inertia.axes = impulse::rotation_matrix<double>({q[3], q[0], q[1], q[2]});
     }
     if (has(Defect::spin_in_body_frame)) {
       result.angular_velocity = impulse::rotation_matrix(q) * body.angular_velocity;
@@ -184,8 +178,7 @@ class Solver {
   [[nodiscard]] double normal_response(const Contact& contact) const {
     const Vector& n = contact.normal;
     const auto angular_term = [&](const ContactBody& body) {
-      const Vector torque_arm = body.lever_arm.cross(n);
-      return torque_arm.dot(body.inverse_inertia * torque_arm);
+      return impulse::angular_part_along(body.inertia, body.lever_arm, n);
     };
     const double angular = angular_term(contact.a) + angular_term(second_body(contact));
     const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
@@ -198,8 +191,7 @@ class Solver {
 
   [[nodiscard]] Matrix collision_matrix(const Contact& contact) const {
     const auto angular_term = [](const ContactBody& body) -> Matrix {
-      const Matrix cross = cross_matrix(body.lever_arm);
-      return cross.transpose() * body.inverse_inertia * cross;
+      return impulse::angular_part_of_collision_matrix(body.inertia, body.lever_arm);
     };
     const Matrix angular = angular_term(contact.a) + angular_term(second_body(contact));
     Matrix matrix = Matrix::Identity() * lambda(contact) + angular * angular_weight();
@@ -309,7 +301,7 @@ class Solver {
     if (has(Defect::wrong_mass_in_reaction) && !is_a) {
       inverse_mass = other.inverse_mass;
     }
-    Vector spin = body.inverse_inertia * body.lever_arm.cross(impulse);
+    Vector spin = impulse::angular_response(body.inertia, body.lever_arm, impulse);
     if (has(Defect::spin_of_b_reversed) && !is_a) {
       spin = -spin;
     }
@@ -324,7 +316,10 @@ class Solver {
     if (has(Defect::gyroscopic_torque) && body.inverse_mass > 0) {
       constexpr double step = 1.0 / 60;  // [s]
       const Vector& w = body.angular_velocity;
-      after.angular_velocity -= body.inverse_inertia * w.cross(body.inverse_inertia.inverse() * w) * step;
+      const auto [axes, inverse_moments] = body.inertia;
+      const Vector angular_momentum = axes * (axes.transpose() * w).cwiseQuotient(inverse_moments);
+      const Vector torque = axes.transpose() * w.cross(angular_momentum);
+      after.angular_velocity -= axes * torque.cwiseProduct(inverse_moments) * step;
     }
     return after;
   }
@@ -356,7 +351,7 @@ class Solver {
       const auto alone = [&](const Contact& of_both, ContactBody Contact::*other) -> Vector {
         Contact one = of_both;
         (one.*other).inverse_mass = 0;
-        (one.*other).inverse_inertia.setZero();
+        (one.*other).inertia = impulse::PrincipalInertia<double>::immovable();
         const bool is_wall = one.a.inverse_mass + one.b.inverse_mass == 0;
         return is_wall ? Vector(Vector::Zero()) : impulse_of(one, normal_velocity);
       };

@@ -18,7 +18,8 @@ using VectorArrays = std::array<std::span<T>, 3>;
 template <class T>
 struct ContactBodyArrays {
   std::span<T> inverse_mass;
-  std::array<std::span<T>, 6> inverse_inertia;  // the lower triangle by rows: xx, yx, yy, zx, zy, zz
+  std::array<VectorArrays<T>, 3> axes;  // PrincipalInertia<S>: the first body axis, the second, the third
+  VectorArrays<T> inverse_moments;
   VectorArrays<T> lever_arm;
   VectorArrays<T> velocity;
   VectorArrays<T> angular_velocity;
@@ -51,7 +52,7 @@ struct OutcomeArrays {
 };
 
 /// How many numbers, and so arrays, a contact and an outcome have.
-inline constexpr std::size_t contact_number_count = 36;
+inline constexpr std::size_t contact_number_count = 48;
 inline constexpr std::size_t outcome_number_count = 12;
 
 namespace detail {
@@ -66,7 +67,10 @@ void for_each_of(Arrays& arrays, F& f) {
 template <class Arrays, class F>
 void for_each_of_body(Arrays& body, F& f) {
   f(body.inverse_mass);
-  for_each_of(body.inverse_inertia, f);
+  for (auto& axis : body.axes) {
+    for_each_of(axis, f);
+  }
+  for_each_of(body.inverse_moments, f);
   for_each_of(body.lever_arm, f);
   for_each_of(body.velocity, f);
   for_each_of(body.angular_velocity, f);

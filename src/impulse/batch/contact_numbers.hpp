@@ -13,7 +13,7 @@ namespace detail {
 
 /// The first numbers of the bodies of a contact, and of their velocities in an outcome.
 inline constexpr std::size_t first_number_of_a = 0;
-inline constexpr std::size_t first_number_of_b = 16;
+inline constexpr std::size_t first_number_of_b = 22;
 inline constexpr std::size_t first_outcome_of_a = 0;
 inline constexpr std::size_t first_outcome_of_b = 6;
 
@@ -25,16 +25,13 @@ template <class S, class Read>
   };
   ContactBody<S> body;
   body.inverse_mass = read(first);
-  Matrix3<S>& j = body.inverse_inertia;
-  j(0, 0) = read(first + 1);
-  j(1, 0) = j(0, 1) = read(first + 2);
-  j(1, 1) = read(first + 3);
-  j(2, 0) = j(0, 2) = read(first + 4);
-  j(2, 1) = j(1, 2) = read(first + 5);
-  j(2, 2) = read(first + 6);
-  body.lever_arm = vector(7);
-  body.velocity = vector(10);
-  body.angular_velocity = vector(13);
+  for (int axis = 0; axis < 3; ++axis) {
+    body.inertia.axes.col(axis) = vector(1 + 3 * static_cast<std::size_t>(axis));
+  }
+  body.inertia.inverse_moments = vector(10);
+  body.lever_arm = vector(13);
+  body.velocity = vector(16);
+  body.angular_velocity = vector(19);
   return body;
 }
 
@@ -47,17 +44,14 @@ void write_vector(const Write& write, std::size_t first, const Vector3<S>& vecto
 
 template <class S, class Write>
 void write_contact_body(const Write& write, std::size_t first, const ContactBody<S>& body) {
-  const Matrix3<S>& j = body.inverse_inertia;
   write(first, body.inverse_mass);
-  write(first + 1, j(0, 0));
-  write(first + 2, j(1, 0));
-  write(first + 3, j(1, 1));
-  write(first + 4, j(2, 0));
-  write(first + 5, j(2, 1));
-  write(first + 6, j(2, 2));
-  write_vector(write, first + 7, body.lever_arm);
-  write_vector(write, first + 10, body.velocity);
-  write_vector(write, first + 13, body.angular_velocity);
+  for (int axis = 0; axis < 3; ++axis) {
+    write_vector<S>(write, first + 1 + 3 * static_cast<std::size_t>(axis), body.inertia.axes.col(axis));
+  }
+  write_vector(write, first + 10, body.inertia.inverse_moments);
+  write_vector(write, first + 13, body.lever_arm);
+  write_vector(write, first + 16, body.velocity);
+  write_vector(write, first + 19, body.angular_velocity);
 }
 
 template <class S, class Write>
@@ -72,17 +66,17 @@ void write_body_velocity(const BodyVelocity<S>& body, std::size_t first, const W
 template <class S, class Read>
 [[nodiscard]] Contact<S> contact_of(const Read& read) {
   return {detail::contact_body_of<S>(read, detail::first_number_of_a),
-          detail::contact_body_of<S>(read, detail::first_number_of_b), Vector3<S>{read(32), read(33), read(34)},
-          read(35)};
+          detail::contact_body_of<S>(read, detail::first_number_of_b), Vector3<S>{read(44), read(45), read(46)},
+          read(47)};
 }
 
-/// Calls write(k, number) for the numbers of a contact, the symmetric ones once.
+/// Calls write(k, number) for the numbers of a contact.
 template <class S, class Write>
 void write_contact(const Contact<S>& contact, const Write& write) {
   detail::write_contact_body(write, detail::first_number_of_a, contact.a);
   detail::write_contact_body(write, detail::first_number_of_b, contact.b);
-  detail::write_vector(write, 32, contact.normal);
-  write(35, contact.restitution);
+  detail::write_vector(write, 44, contact.normal);
+  write(47, contact.restitution);
 }
 
 /// The outcome whose numbers are read(0), read(1), ….

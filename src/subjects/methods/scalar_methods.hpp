@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/world_inertia.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
 
 /// The law of a model as laws.hpp has it.
-template <class S>
-[[nodiscard]] Method law_method(Model model) {
+template <class S, class Inertia = impulse::PrincipalInertia<S>>
+[[nodiscard]] Method law_method(Model model, const std::string& suffix = "") {
   const impulse::Description description = impulse::description_of(model);
   std::string summary(description.law);
   if (!description.solve.empty()) {
@@ -20,9 +24,9 @@ template <class S>
   }
   Method method;
   impulse::with_law(model, [&](const auto& law) {
-    method = solver_method<S>({std::string(name_of(model)), summary, model}, [law](const impulse::Contact<S>& contact) {
-      return impulse::apply_impulse(contact, law(contact));
-    });
+    method = solver_method<S, Inertia>(
+        {std::string(name_of(model)) + suffix, summary, model},
+        [law](const impulse::Contact<S, Inertia>& contact) { return impulse::apply_impulse(contact, law(contact)); });
   });
   return method;
 }
@@ -33,6 +37,17 @@ template <class S>
   std::vector<Method> methods;
   for (const Model model : models_with_truth) {
     methods.push_back(law_method<S>(model));
+  }
+  return methods;
+}
+
+/// The same with J⁻¹ in world coordinates, as engines keep it.
+template <class S>
+[[nodiscard]] std::vector<Method> world_methods() {
+  std::vector<Method> methods;
+  for (const Model model : models_with_truth) {
+    methods.push_back(expected_to_fail(law_method<S, impulse::WorldInertia<S>>(model, "-world"),
+                                       "J⁻¹ in world coordinates: loses the angular momentum of slender bodies"));
   }
   return methods;
 }
@@ -85,6 +100,7 @@ template <class S>
   methods.push_back(std::move(adjugate));
   methods.push_back(reflection_in_basis_method<S>());
   methods.push_back(reflection_in_stable_basis_method<S>());
+  std::ranges::move(world_methods<S>(), std::back_inserter(methods));
   return methods;
 }
 

@@ -37,10 +37,10 @@ template <class S>
   return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
 }
 
-/// K as the solvers in S compute it.
-template <class S>
-[[nodiscard]] Matrix3<long double> world_matrix(const Collision& collision) {
-  return impulse::collision_matrix(impulse::make_contact<S>(collision)).template cast<long double>();
+/// K as the solvers in S compute it that keep inertia so.
+template <class S, class Inertia = impulse::PrincipalInertia<S>>
+[[nodiscard]] Matrix3<long double> collision_matrix_of(const Collision& collision) {
+  return impulse::collision_matrix(impulse::make_contact<S, Inertia>(collision)).template cast<long double>();
 }
 
 /// A kernel that takes `solve` from each input to the outcome in its place.
@@ -87,7 +87,7 @@ template <class S, class LayOut, class Solve>
     return session_of(
         [lay_out, solve](const Collision& collision) -> Answer { return reported<S>(solve(lay_out(collision))); });
   };
-  subject.collision_matrix = world_matrix<S>;
+  subject.collision_matrix = collision_matrix_of<S>;
   method.prepare = [lay_out, solve](std::span<const Collision> collisions) {
     std::vector<decltype(lay_out(collisions[0]))> inputs;
     inputs.reserve(collisions.size());
@@ -99,10 +99,12 @@ template <class S, class LayOut, class Solve>
   return method;
 }
 
-/// A solver Contact<S> → Outcome<S> as a method.
-template <class S, class Solve>
+/// A solver Contact<S, Inertia> → Outcome<S> as a method.
+template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
 [[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
-  return method_of<S>(std::move(facts), impulse::make_contact<S, double>, solve);
+  Method method = method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);
+  method.subject.collision_matrix = collision_matrix_of<S, Inertia>;
+  return method;
 }
 
 /// The method, kept although it fails, for this reason.

@@ -15,8 +15,8 @@ inline carom::Outcome<double> textbook(const carom::impulse::Contact<double>& co
   if (approach >= 0 || inverse_mass == 0) {
     return after;
   }
-  const Vector turn_of_a = a.inverse_inertia * a.lever_arm.cross(normal);
-  const Vector turn_of_b = b.inverse_inertia * b.lever_arm.cross(normal);
+  const Vector turn_of_a = angular_response(a.inertia, a.lever_arm, normal);
+  const Vector turn_of_b = angular_response(b.inertia, b.lever_arm, normal);
   const Vector response = normal * inverse_mass + turn_of_a.cross(a.lever_arm) + turn_of_b.cross(b.lever_arm);
   const double j = -(1 + restitution) * approach / normal.dot(response);
   after.a.velocity += normal * (j * a.inverse_mass);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/impulse/products.hpp>
+#include <carom/impulse/rotation.hpp>
+
+namespace carom::impulse {
+
+/// J⁻¹ = R diag(1/I) Rᵀ, exactly symmetric.
+template <class S>
+[[nodiscard]] Matrix3<S> world_inverse_inertia(const Vector3<S>& moments, const Quaternion<S>& orientation) {
+  const Matrix3<S> rotation = rotation_matrix(orientation);
+  Matrix3<S> inverse_inertia;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      S sum(0);
+      for (int axis = 0; axis < 3; ++axis) {
+        sum += rotation(row, axis) * rotation(column, axis) / moments[axis];
+      }
+      inverse_inertia(row, column) = sum;
+      inverse_inertia(column, row) = sum;
+    }
+  }
+  return inverse_inertia;
+}
+
+/// J⁻¹ as engines keep it: one matrix in world coordinates. Shorter to store and to multiply by than
+/// `PrincipalInertia`. Kept because it fails: slender bodies lose the angular momentum about their long axes.
+template <class S>
+struct WorldInertia {
+  Matrix3<S> inverse;  // about the centre of mass; 0 where immovable [1/(kg m²)]
+
+  static WorldInertia of(const Vector3<S>& moments, const Quaternion<S>& orientation) {
+    return {world_inverse_inertia(moments, orientation)};
+  }
+  static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
+};
+
+/// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
+template <class S>
+[[nodiscard]] Vector3<S> angular_response(const WorldInertia<S>& inertia, const Vector3<S>& r,
+                                          const Vector3<S>& impulse) {
+  return times(inertia.inverse, cross(r, impulse));
+}
+
+/// (r × F)ᵀ J⁻¹ (r × F): N·([r]ᵀ J⁻¹ [r]) N where F is N.
+template <class S>
+[[nodiscard]] S angular_part_along(const WorldInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
+  const Vector3<S> torque = cross(r, impulse);
+  return dot(torque, times(inertia.inverse, torque));
+}
+
+/// [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
+template <class S>
+[[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const WorldInertia<S>& inertia, const Vector3<S>& r) {
+  Matrix3<S> half;  // J⁻¹ [r]: xᵀ [r] = (x × r)ᵀ, and the rows of J⁻¹ are its columns
+  for (int row = 0; row < 3; ++row) {
+    half.row(row) = cross<S>(inertia.inverse.col(row), r);
+  }
+  Matrix3<S> matrix;
+  for (int column = 0; column < 3; ++column) {
+    const Vector3<S> entries = cross<S>(half.col(column), r);  // [r]ᵀ x = x × r
+    for (int row = column; row < 3; ++row) {
+      matrix(row, column) = entries[row];
+      matrix(column, row) = entries[row];
+    }
+  }
+  return matrix;
+}
+
+}  // namespace carom::impulse
