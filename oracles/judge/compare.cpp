@@ -64,11 +64,36 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
                          outcome);
 }
 
-/// Both parts; none where the sum leaves the range of numbers.
+/// What of a law that is quadratic in the outcome its slopes do not tell, per allowance a: the outputs being known to
+/// s_k = a (‖ŷ_k‖ + ‖y_k⁻‖), the energy is known to (m s_v² + I s_w²) / 2 where its slopes vanish, as they do for a
+/// body that moves with a driven wall.
 template <class OneEquation>
-std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+double part_by_curvature(const OneEquation& /*affine*/, const ExactCase& /*exact_case*/,
+                         const LiftedOutcome& /*outcome*/, double /*allowance*/) {
+  return 0;
+}
+double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
+  const PerVector<double> norms = outcome.norms();
+  const auto squared = [&](OutcomeVector k) {
+    const double size = norms[k] + exact_case.bounds().norms_before()[k];
+    return size * size;
+  };
+  const auto of_body = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
+    return body.immovable ? 0 : (body.mass * squared(velocity) + body.principal_inertia.maxCoeff() * squared(spin)) / 2;
+  };
+  const Collision& c = exact_case.collision();
+  return allowance * (of_body(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a) +
+                      of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
+}
+
+/// All parts; none where the sum leaves the range of numbers.
+template <class OneEquation>
+std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                               double allowance) {
+  const double by_curvature = part_by_curvature(equation, exact_case, outcome, allowance);
   const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
-                       part_by_outputs(equation, exact_case, outcome);
+                       part_by_outputs(equation, exact_case, outcome) + by_curvature;
   if (is_in_range(scale)) {
     return scale;
   }
@@ -78,7 +103,8 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   const Wide wide =
       part_by_inputs(equation, inputs, outcome.rounded()) +
       part_by_outputs(output_slopes<Wide, collision_inputs>(equation, exact_case.collision(), outcome.rounded()),
-                      exact_case, outcome);
+                      exact_case, outcome) +
+      static_cast<Wide>(by_curvature);
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
@@ -123,7 +149,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
       return 0;
     }
     if (!scale) {
-      scale = scale_of(equation, exact_case, outcome);
+      scale = scale_of(equation, exact_case, outcome, allowance);
     }
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };

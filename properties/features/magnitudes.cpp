@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -55,6 +56,35 @@ void set_size(Collision& c, Body& b, double size) {
   set_lever_arm(c, b, lever_arm(c, b) * ratio);
 }
 
+/// Changes the lesser moments so that the greatest is so many times the least. What is whole, flat, or has two moments
+/// equal stays so, and no moment exceeds the sum of the others.
+void set_moment_ratio(V& moments, double ratio) {
+  const auto is_whole = [](double x) { return x == std::floor(x); };
+  const bool is_of_whole = is_whole(moments[0]) && is_whole(moments[1]) && is_whole(moments[2]);
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int i, int j) { return moments[i] < moments[j]; });
+  double& least = moments[order[0]];
+  double& middle = moments[order[1]];
+  double& greatest = moments[order[2]];
+  if (least + middle == greatest) {
+    constexpr double least_ratio_of_flat = 2.5;
+    const double wanted = std::max(ratio, least_ratio_of_flat);
+    least = is_of_whole ? 1 : middle / (wanted - 1);
+    middle = is_of_whole ? std::round(wanted) - 1 : middle;
+    greatest = least + middle;
+    return;
+  }
+  const bool has_equal = least == middle || middle == greatest;
+  if (is_of_whole) {
+    least = 1;
+    greatest = std::max(std::round(ratio), 2.0);
+    middle = greatest;
+    return;
+  }
+  least = greatest / ratio;
+  middle = has_equal ? greatest : (std::max(least, greatest - least) + greatest) / 2;
+}
+
 void set_length(V& v, double value) {
   if (is_zero(v)) {
     v = V{0.5, -0.75, 0.25};
@@ -90,6 +120,27 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          if (!b.immovable && value > 2 * radius_of_gyration(b)) {
            const double ratio = value / radius_of_gyration(b);
            b.principal_inertia *= ratio * ratio;
+         }
+       }},
+      {letter + ".moment_ratio", "the greatest moment of " + letter + " over its least",
+       "rods and needles: J⁻¹ in world coordinates loses the spin about the long axis", 0, 8,
+       [=](const Collision& c) {
+         const V& moments = (c.*body).principal_inertia;
+         return (c.*body).immovable ? 0 : moments.maxCoeff() / moments.minCoeff();
+       },
+       [=](Stream& stream, Collision& c, double value) {
+         Body& b = c.*body;
+         make_movable(stream, c, b);
+         const bool are_alike = c.a.principal_inertia == c.b.principal_inertia && !c.a.immovable && !c.b.immovable;
+         set_moment_ratio(b.principal_inertia, value);
+         if (are_alike) {
+           c.a.principal_inertia = c.b.principal_inertia = V(b.principal_inertia);
+         }
+         const double beyond = overreach(c, b);
+         if (beyond > 1) {
+           // Struck at its end, or beside its middle.
+           const V r = lever_arm(c, b);
+           set_lever_arm(c, b, stream.chance(4) ? V(r / beyond) : V(long_axis(b) * length(r)));
          }
        }},
       {letter + ".speed", "the speed of " + letter + " [m/s]", "bodies put to sleep, speeds capped", -9, 9,

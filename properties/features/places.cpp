@@ -76,6 +76,26 @@ double radius_of_gyration(const Body& body) {
   return body.immovable ? 0 : std::sqrt(body.principal_inertia.sum() / 2 / body.mass);
 }
 
+double overreach(const Collision& collision, const Body& body) {
+  if (body.immovable) {
+    return 0;
+  }
+  const Vector3<double> r = oracles::turned<double>(oracles::conjugate(body.orientation), lever_arm(collision, body));
+  double greatest = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double y = r[(i + 1) % 3];
+    const double z = r[(i + 2) % 3];
+    greatest = std::max(greatest, (y * y + z * z) * body.mass / (4 * body.principal_inertia[i]));
+  }
+  return std::sqrt(greatest);
+}
+
+Vector3<double> long_axis(const Body& body) {
+  int least = 0;
+  body.principal_inertia.minCoeff(&least);
+  return oracles::turned<double>(body.orientation, Vector3<double>::Unit(least));
+}
+
 void set_lever_arm(Collision& collision, Body& body, const Vector3<double>& r) { body.position = collision.point - r; }
 
 bool is_exact_lever_arm(const Collision& collision, const Body& body) {

@@ -50,6 +50,13 @@ inline constexpr double largest_mass = 1e10;
 /// √((I₁ + I₂ + I₃) / 2m), how far from the centre of mass the mass is; 0 of an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
+/// By how many times the contact lies farther from a body axis e than twice the radius of gyration about it: the
+/// greatest |e × r| / 2√(I/m); 0 of an immovable body. Far beyond 1 K has no bound.
+[[nodiscard]] double overreach(const Collision& collision, const Body& body);
+
+/// The body axis about which the moment is least, in world coordinates: along a rod. Precondition: the body is movable.
+[[nodiscard]] Vector3<double> long_axis(const Body& body);
+
 /// Moves the centre of mass so that P − X is r, up to rounding of its place.
 void set_lever_arm(Collision& collision, Body& body, const Vector3<double>& r);
 

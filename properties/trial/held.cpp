@@ -66,13 +66,20 @@ Roundings roundings_of_approach(const Collision& c) {
 std::string_view why_not_held(const Collision& collision, double unit_roundoff) {
   Range range(unit_roundoff);
   double lightest = 0;  // the smaller mass, by which the impulse is bounded
+  double most_easily_turned = 0;
+  double hardest_to_turn = 0;
   double longest = 0;
   double fastest = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
     const Vector3<double> r = oracles::lever_arm<double>(*body, collision.point);
     const double length = largest(r);
-    if (length > 0 && 1024 * unit_roundoff * std::max(largest(collision.point), largest(body->position)) > length) {
+    // A relative 2⁻¹⁰ of what the law is nonlinear in: 32 ulps of the limit, times itself, are then less than an ulp.
+    const double lost = 1024 * unit_roundoff * std::max(largest(collision.point), largest(body->position));
+    if (length > 0 && lost > length) {
       return "the lever arm is lost in the places that it is the difference of";
+    }
+    if (!body->immovable && length > 0 && lost > std::sqrt(body->principal_inertia.minCoeff() / body->mass)) {
+      return "a slender body is thinner than what its place and that of the contact are rounded by";
     }
     const double spin = largest(body->angular_velocity);
     fastest = std::max({fastest, largest(body->velocity), spin * length});
@@ -85,7 +92,10 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
     longest = std::max(longest, length);
     range.require(body->mass);
     for (int i = 0; i < 3; ++i) {
-      range.require(body->principal_inertia[i]);
+      const double moment = body->principal_inertia[i];
+      most_easily_turned = most_easily_turned == 0 ? moment : std::min(most_easily_turned, moment);
+      hardest_to_turn = std::max(hardest_to_turn, moment);
+      range.require(moment);
       range.require(length / body->principal_inertia[i]);
       range.require(length / body->principal_inertia[i] * length);
     }
@@ -97,6 +107,10 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
   range.require(fastest);
   range.require(impulse);
   range.require(impulse * longest);
+  if (most_easily_turned > 0) {
+    range.require(impulse * longest / most_easily_turned);
+    range.require(impulse * longest / hardest_to_turn);
+  }
   return range.holds() ? std::string_view() : "masses, moments, impulse or torque leave the range of numbers";
 }
 

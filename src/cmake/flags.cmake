@@ -11,12 +11,16 @@ target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=gg
                                              $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
 
 if(CAROM_SANITIZE STREQUAL "address")
-  set(carom_sanitizers -fsanitize=address,undefined)
+  set(carom_sanitizers -fsanitize=address -fsanitize=undefined)
 elseif(CAROM_SANITIZE STREQUAL "thread")
   set(carom_sanitizers -fsanitize=thread)
 endif()
 if(CAROM_SANITIZE)
-  target_compile_options(carom_flags INTERFACE ${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # A target says that it is not to be checked by its property CAROM_NOT_SANITIZED.
+  set(carom_is_sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:CAROM_NOT_SANITIZED>>>)
+  foreach(option IN ITEMS ${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_compile_options(carom_flags INTERFACE "$<${carom_is_sanitized}:${option}>")
+  endforeach()
   target_link_options(carom_flags INTERFACE ${carom_sanitizers})
   # gcc 12 finds std::regex uninitialised under the sanitizers (GCC bug 105562).
   target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)

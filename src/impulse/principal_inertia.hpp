@@ -3,6 +3,7 @@
 
 #include <carom/impulse/products.hpp>
 #include <carom/impulse/rotation.hpp>
+#include <carom/impulse/select.hpp>
 
 namespace carom::impulse {
 
@@ -21,10 +22,9 @@ struct PrincipalInertia {
   static PrincipalInertia immovable() { return {Matrix3<S>::Constant(S(0)), Vector3<S>::Constant(S(0))}; }
 };
 
-/// The matrix whose rows are e × r for the body axes e: times F it is Rᵀ (r × F), the torque in body coordinates. What
-/// K is made of and what an impulse does then have the same rounding errors, those of a body turned by a little.
+/// The matrix whose rows are e × r for the body axes e: times F it is Rᵀ (r × F).
 template <class S>
-[[nodiscard]] Matrix3<S> torque_in_body_frame(const PrincipalInertia<S>& inertia, const Vector3<S>& r) {
+[[nodiscard]] Matrix3<S> moments_of_unit_impulses(const PrincipalInertia<S>& inertia, const Vector3<S>& r) {
   Matrix3<S> rows;
   for (int k = 0; k < 3; ++k) {
     rows.row(k) = cross<S>(inertia.axes.col(k), r);
@@ -39,32 +39,56 @@ template <class S>
   return {x[0] * y[0], x[1] * y[1], x[2] * y[2]};
 }
 
+/// |x| + |y| + |z|.
+template <class S>
+[[nodiscard]] S sum_of_sizes(const Vector3<S>& v) {
+  const auto size = [](const S& x) { return select(x < S(0), S(-x), x); };
+  return (size(v[0]) + size(v[1])) + size(v[2]);
+}
+
 }  // namespace detail
+
+/// Rᵀ (r × F), the torque in body coordinates. About an axis e it is taken as (e × r)·F, which is what K is made of:
+/// then an impulse does what K says, however slender the body is. Where F is nearly along r it is e·(r × F), of which
+/// nothing is left where nothing should be, and which both bodies share that turn about one place.
+template <class S>
+[[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S>& inertia, const Vector3<S>& r,
+                                              const Vector3<S>& impulse) {
+  const Vector3<S> torque = cross(r, impulse);
+  const auto is_along = S(8) * detail::sum_of_sizes(torque) < detail::sum_of_sizes(r) * detail::sum_of_sizes(impulse);
+  return select_called(
+      is_along,
+      [&] {
+        return Vector3<S>{dot<S>(inertia.axes.col(0), torque), dot<S>(inertia.axes.col(1), torque),
+                          dot<S>(inertia.axes.col(2), torque)};
+      },
+      [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
+}
 
 /// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
 template <class S>
 [[nodiscard]] Vector3<S> angular_response(const PrincipalInertia<S>& inertia, const Vector3<S>& r,
                                           const Vector3<S>& impulse) {
-  const Vector3<S> torque = times(torque_in_body_frame(inertia, r), impulse);
+  const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse);
   return times(inertia.axes, detail::products_of_components(torque, inertia.inverse_moments));
 }
 
 /// (r × F)ᵀ J⁻¹ (r × F): N·([r]ᵀ J⁻¹ [r]) N where F is N.
 template <class S>
 [[nodiscard]] S angular_part_along(const PrincipalInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
-  const Vector3<S> torque = times(torque_in_body_frame(inertia, r), impulse);
+  const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse);
   return dot(detail::products_of_components(torque, inertia.inverse_moments), torque);
 }
 
 /// [r]ᵀ J⁻¹ [r] = Σ (e × r)(e × r)ᵀ / I over the body axes e, with [r] x = r × x. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const PrincipalInertia<S>& inertia, const Vector3<S>& r) {
-  const Matrix3<S> torque = torque_in_body_frame(inertia, r);
+  const Matrix3<S> moments = moments_of_unit_impulses(inertia, r);
   Matrix3<S> matrix;
   for (int column = 0; column < 3; ++column) {
-    const Vector3<S> divided = detail::products_of_components<S>(torque.col(column), inertia.inverse_moments);
+    const Vector3<S> divided = detail::products_of_components<S>(moments.col(column), inertia.inverse_moments);
     for (int row = column; row < 3; ++row) {
-      matrix(row, column) = dot<S>(torque.col(row), divided);
+      matrix(row, column) = dot<S>(moments.col(row), divided);
       matrix(column, row) = matrix(row, column);
     }
   }

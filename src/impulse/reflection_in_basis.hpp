@@ -44,7 +44,7 @@ template <class S>
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
-    const Matrix3<S> q = torque_in_body_frame(body.inertia, body.lever_arm) * basis;
+    const Matrix3<S> q = moments_of_unit_impulses(body.inertia, body.lever_arm) * basis;
     return q.transpose() * body.inertia.inverse_moments.asDiagonal() * q;
   };
   // A and B enter alike, so that calling them the other way round changes no bit.
