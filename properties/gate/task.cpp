@@ -92,7 +92,9 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
 }
 
 void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, Tally& tally) {
-  const auto& [subject, claim, session, relations_every, ends_at_first, remembered, first_violation] = examinee;
+  const Subject& subject = examinee.subject;
+  const Claim& claim = examinee.claim;
+  Session& session = examinee.session;
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());
   for (const JudgedCase& one : cases) {
@@ -106,7 +108,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
     std::vector<Trial> trials;
     for (std::size_t i = 0; i < batch.answers.size(); ++i) {
       trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
-                          with_relations && (task.first + i) % relations_every == 0);
+                          with_relations ? RelationTurn{examinee.relations_every, task.first + i} : no_relations);
     }
     return trials;
   };
@@ -131,7 +133,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
     Judgement judgement = trials[i].judge(rest.first(count), tally.families[task.family].worst_backward_error);
     rest = rest.subspan(count);
     const Asked asked{task.family, index, cases[i].generated(), batch.answers[i]};
-    if (ends_at_first && cut_after_violation(judgement)) {
+    if (examinee.ends_at_first && cut_after_violation(judgement)) {
       examinee.first_violation = {task.number, asked, std::move(judgement), true};
       return;
     }

@@ -112,7 +112,8 @@ int run_command(int argc, char** argv) {
                          "reported, shrunk and written, the same with any --jobs");
   gate_command
       ->add_option("--relations-every", gate.relations_every,
-                   "Judge the invariants that relate collisions on every Nth case (default: 1; 8 for programs)")
+                   "Judge each invariant that relates collisions on every Nth case, the next one on other cases "
+                   "(default: 1; 4 for programs)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
       ->delimiter(',');
