@@ -162,19 +162,18 @@ const std::vector<Bound>& bounds() {
   return all;
 }
 
-/// The pattern with X as one body and Y as the other.
-std::string for_body(std::string_view pattern, char letter) {
+/// Whether the pattern, with X as one body and Y as the other, is the name; "…*" is every name that begins so. So many
+/// pairs of features are held against all patterns that nothing is allocated.
+bool matches(std::string_view name, std::string_view pattern, char letter) {
   if (pattern.starts_with("X.") || pattern.starts_with("Y.")) {
     const char other = letter == 'a' ? 'b' : 'a';
-    return (pattern[0] == 'X' ? letter : other) + std::string(pattern.substr(1));
+    if (name.empty() || name[0] != (pattern[0] == 'X' ? letter : other)) {
+      return false;
+    }
+    name.remove_prefix(1);
+    pattern.remove_prefix(1);
   }
-  return std::string(pattern);
-}
-
-bool matches(std::string_view name, std::string_view pattern, char letter) {
-  const std::string wanted = for_body(pattern, letter);
-  return wanted.ends_with('*') ? name.starts_with(std::string_view(wanted).substr(0, wanted.size() - 1))
-                               : name == wanted;
+  return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
 }
 
 std::string_view why_of_magnitudes(const Feature& x, const Feature& y) {
@@ -198,7 +197,7 @@ std::string_view why_in_order(const Feature& x, const Feature& y) {
   for (const char letter : {'a', 'b'}) {
     if (y.kind == FeatureKind::magnitude) {
       for (const Bound& bound : bounds()) {
-        if (matches(x.name, bound.feature, letter) && y.quantity == for_body(bound.quantity, letter) &&
+        if (matches(x.name, bound.feature, letter) && matches(y.quantity, bound.quantity, letter) &&
             (y.decade < bound.low || y.decade > bound.high)) {
           return bound.why;
         }

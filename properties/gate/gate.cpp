@@ -6,37 +6,19 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
+#include <carom/properties/gate/task.hpp>
 #include <carom/properties/search/witness.hpp>
-#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties {
 namespace {
-
-/// Cases that are put to a subject at once.
-constexpr std::uint64_t cases_in_task = 50;
-
-/// Cases of a thread that are asked again in a session of their own.
-constexpr std::size_t most_remembered = 64;
-
-/// What a session made of a batch: fewer answers than collisions where it failed.
-struct Batch {
-  std::vector<Answer> answers;
-  std::exception_ptr failure;
-};
-
-Batch batch_of(Session& session, std::span<const Collision> collisions) {
-  try {
-    return {answers_of(session, collisions), nullptr};
-  } catch (const SessionFailure& failure) {
-    return {failure.answered(), std::current_exception()};
-  }
-}
 
 /// Throws std::invalid_argument where the subject deviates from what is no invariant: it would claim all the same.
 void require_known_deviations(const Subject& subject) {
@@ -47,165 +29,123 @@ void require_known_deviations(const Subject& subject) {
   }
 }
 
-/// A case, and what was answered to it.
-struct Asked {
-  std::size_t family;
-  std::uint64_t index;
-  Case one;
-  Answer answer;
+/// Until when cases are drawn.
+class Budget {
+ public:
+  explicit Budget(const GateOptions& options) : of_(options.budget), start_(Clock::now()) {}
+
+  [[nodiscard]] bool is_spent() const { return of_ && Clock::now() - start_ >= *of_; }
+
+  [[nodiscard]] std::uint64_t milliseconds_spent() const { return milliseconds(Clock::now() - start_); }
+
+  /// Precondition: there is a budget.
+  [[nodiscard]] std::uint64_t milliseconds_in_all() const { return milliseconds(*of_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static std::uint64_t milliseconds(std::chrono::nanoseconds time) {
+    return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
+  }
+
+  std::optional<std::chrono::nanoseconds> of_;
+  Clock::time_point start_;
 };
 
-/// What a session may not make anything of, to be asked in between.
-Collision invalid_collision() {
-  Collision invalid;
-  invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
-  return invalid;
-}
-
-/// Asks cases again, the last ones first, after an invalid one, and judges whether the answers are the same.
-void ask_again(const Claim& claim, Session& session, const std::vector<Asked>& asked, Tally& tally) {
-  std::vector<Collision> questions{invalid_collision()};
-  for (auto one = asked.rbegin(); one != asked.rend(); ++one) {
-    questions.push_back(one->one.collision);
-  }
-  const std::vector<Answer> again = answers_of(session, questions);
-  for (const Invariant* invariant : claim.invariants) {
-    if (const auto* about = std::get_if<AboutSession>(&invariant->about)) {
-      for (std::size_t i = 0; i < asked.size(); ++i) {
-        const Asked& first = asked[asked.size() - 1 - i];
-        tally.add(first.family, first.index, first.one, first.answer,
-                  {invariant, about->check(first.answer, again[i + 1])});
-      }
+/// How far a run is, told by one thread at a time.
+class Progress {
+ public:
+  Progress(const GateOptions& options, const Budget& budget) : options_(options), budget_(budget) {
+    for (const Family* family : options.families) {
+      all_ += options.budget ? 0 : cases_of(options, *family);
     }
   }
-}
 
-/// Some cases of a task, to be asked again.
-std::vector<Asked> sample_of(std::size_t family, std::uint64_t first, const std::deque<JudgedCase>& cases,
-                             const std::vector<Answer>& answers) {
-  constexpr std::size_t every = 10;
-  std::vector<Asked> sample;
-  for (std::size_t i = 0; i < cases.size(); i += every) {
-    sample.push_back({family, first + i, cases[i].generated(), answers[i]});
-  }
-  return sample;
-}
-
-/// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise. Where the
-/// session fails, what it had answered is judged, the invariants that ask further questions left out.
-void judge_task(const Subject& subject, const Claim& claim, Session& session, std::size_t family, std::uint64_t first,
-                std::uint64_t relations_every, const std::deque<JudgedCase>& cases, Tally& tally,
-                std::vector<Asked>& remembered) {
-  std::vector<Collision> collisions;
-  collisions.reserve(cases.size());
-  for (const JudgedCase& one : cases) {
-    collisions.push_back(one.generated().collision);
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const Batch batch = batch_of(session, collisions);
-  const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
-
-  const auto trials_of = [&](bool with_relations) {
-    std::vector<Trial> trials;
-    for (std::size_t i = 0; i < batch.answers.size(); ++i) {
-      trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
-                          with_relations && (first + i) % relations_every == 0);
+  void add(std::uint64_t cases) {
+    const std::lock_guard lock(mutex_);
+    done_ += cases;
+    if (!options_.progress) {
+      return;
     }
-    return trials;
-  };
-  std::vector<Trial> trials = trials_of(!batch.failure);
-  std::vector<Collision> questions;
-  for (const Trial& trial : trials) {
-    const std::vector<Collision> of_trial = trial.questions();
-    questions.insert(questions.end(), of_trial.begin(), of_trial.end());
-  }
-  const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
-  if (related.failure) {
-    trials = trials_of(false);
-  }
-  std::span<const Answer> rest;
-  if (!related.failure) {
-    rest = related.answers;
-  }
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const std::size_t count = trials[i].question_count();
-    tally.add(family, first + i, cases[i], batch.answers[i],
-              trials[i].judge(rest.first(count), tally.families[family].worst_backward_error), claim);
-    rest = rest.subspan(count);
-  }
-  for (const std::exception_ptr& failure : {batch.failure, related.failure}) {
-    if (failure) {
-      std::rethrow_exception(failure);
+    if (options_.budget) {
+      const std::uint64_t all = budget_.milliseconds_in_all();
+      options_.progress(std::min(budget_.milliseconds_spent(), all), all);
+    } else {
+      options_.progress(done_, all_);
     }
   }
-  const std::vector<Asked> sample = sample_of(family, first, cases, batch.answers);
-  ask_again(claim, session, sample, tally);
-  if (remembered.size() < most_remembered) {
-    remembered.push_back(sample.front());
-  }
-  tally.nanoseconds_per_solve.add(elapsed.count() / static_cast<double>(collisions.size()));
-}
 
-/// Cases of one family: from `first` to before `last`.
-struct Task {
-  std::size_t family;
-  std::uint64_t first;
-  std::uint64_t last;
+ private:
+  const GateOptions& options_;
+  const Budget& budget_;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0;
+  std::uint64_t all_ = 0;
 };
 
-std::vector<Task> all_tasks(const GateOptions& options) {
-  std::vector<Task> tasks;
-  for (std::size_t family = 0; family < options.families.size(); ++family) {
-    const std::uint64_t cases = cases_of(options, *options.families[family]);
-    for (std::uint64_t first = 0; first < cases; first += cases_in_task) {
-      tasks.push_back({family, first, std::min(first + cases_in_task, cases)});
+/// The first task in which each subject was found violated, where a run ends there. A task before it is still judged to
+/// its end, so that the first violation is the same however many threads there are.
+class Finds {
+ public:
+  explicit Finds(std::size_t subjects) : first_(subjects) {
+    for (std::atomic<std::uint64_t>& task : first_) {
+      task = std::numeric_limits<std::uint64_t>::max();
     }
   }
-  return tasks;
-}
+
+  void add(std::size_t subject, std::uint64_t task) {
+    std::uint64_t known = first_[subject];
+    while (task < known && !first_[subject].compare_exchange_weak(known, task)) {
+    }
+  }
+
+  [[nodiscard]] bool was_found_before(std::size_t subject, std::uint64_t task) const { return first_[subject] < task; }
+
+ private:
+  std::vector<std::atomic<std::uint64_t>> first_;
+};
+
+/// What the threads of a run share.
+struct Run {
+  const std::vector<Subject>& subjects;
+  const std::vector<Claim>& claims;
+  const GateOptions& options;
+  Schedule schedule{options};
+  Budget budget{options};
+  Progress progress{options, budget};
+  Finds finds{subjects.size()};
+};
 
 /// The work of one thread: takes tasks until there are none left.
 class Worker {
  public:
-  Worker(const std::vector<Subject>& subjects, const std::vector<Claim>& claims, const GateOptions& options)
-      : subjects_(subjects), claims_(claims), options_(options), coverage_(options.families.size()) {
-    tallies_.resize(subjects.size());
-    remembered_.resize(subjects.size());
+  explicit Worker(Run& run) : run_(&run), coverage_(run.options.families.size()), tallies_(run.subjects.size()) {
     for (Tally& tally : tallies_) {
-      tally.families.resize(options.families.size());
+      tally.families.resize(run.options.families.size());
     }
   }
 
-  template <class NextTask, class Done>
-  void run(NextTask next_task, Done done) {
+  void run() {
     open_sessions();
-    const std::vector<Task> tasks = all_tasks(options_);
-    for (std::uint64_t task = next_task(); task < tasks.size() && !options_.stop.stop_requested(); task = next_task()) {
-      const auto [family, first, last] = tasks[task];
-      std::deque<JudgedCase> cases;
-      for (std::uint64_t index = first; index < last; ++index) {
-        Stream stream = case_stream(options_.seed, options_.families[family]->name, index);
-        cases.emplace_back(options_.families[family]->generate(stream), options_.yardstick.filtered);
-        coverage_[family] += coverage_of(cases.back());
-        if (cases.back().is_valid() && cases.back().exact().approach() == oracles::Approach::colliding) {
-          features_.add(cases.back().generated().collision);
+    const GateOptions& options = run_->options;
+    while (!options.stop.stop_requested() && !run_->budget.is_spent()) {
+      const std::optional<Task> task = run_->schedule.next();
+      if (!task || is_over_for_all(task->number)) {
+        break;
+      }
+      const std::deque<JudgedCase> cases = cases_in(*task);
+      for (std::size_t s = 0; s < examinees_.size(); ++s) {
+        if (!run_->finds.was_found_before(s, task->number)) {
+          guarded(s, [&] {
+            judge_task(examinees_[s], *task, cases, tallies_[s]);
+            note_find(s);
+          });
         }
       }
-      for (std::size_t s = 0; s < subjects_.size(); ++s) {
-        guarded(s, [&] {
-          judge_task(subjects_[s], claims_[s], sessions_[s], family, first, relations_every(subjects_[s]), cases,
-                     tallies_[s], remembered_[s]);
-        });
-      }
-      done(last - first);
+      run_->progress.add(task->last - task->first);
     }
-    for (std::size_t s = 0; s < subjects_.size(); ++s) {
-      guarded(s, [&] {
-        sessions_[s].close();
-        Session fresh = subjects_[s].open();
-        ask_again(claims_[s], fresh, remembered_[s], tallies_[s]);
-        fresh.close();
-      });
+    for (std::size_t s = 0; s < examinees_.size(); ++s) {
+      finish(s);
     }
     for (Tally& tally : tallies_) {
       tally.name_counts();
@@ -216,12 +156,15 @@ class Worker {
   [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::vector<Coverage>& coverage() const { return coverage_; }
   [[nodiscard]] const FeatureCoverage& features() const { return features_; }
+  [[nodiscard]] const std::optional<FirstViolation>& first_violation(std::size_t subject) const {
+    return examinees_[subject].first_violation;
+  }
 
  private:
   [[nodiscard]] std::uint64_t relations_every(const Subject& subject) const {
-    constexpr std::uint64_t of_programs = 8;
+    constexpr std::uint64_t of_programs = 4;
     const bool is_program = !subject.specification.empty();
-    return options_.relations_every > 0 ? options_.relations_every : (is_program ? of_programs : 1);
+    return run_->options.relations_every > 0 ? run_->options.relations_every : (is_program ? of_programs : 1);
   }
 
   /// A subject that throws is judged no further; what was found of it stays.
@@ -233,31 +176,102 @@ class Worker {
     try {
       f();
     } catch (const std::exception& exception) {
-      if (!options_.stop.stop_requested()) {
+      if (!run_->options.stop.stop_requested()) {
         tallies_[subject].error = exception.what();
       }
     }
   }
 
   void open_sessions() {
-    sessions_.resize(subjects_.size());
-    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+    const std::vector<Subject>& subjects = run_->subjects;
+    sessions_.resize(subjects.size());
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+      examinees_.push_back(
+          {subjects[s], run_->claims[s], sessions_[s], relations_every(subjects[s]), run_->options.fail_fast});
       guarded(s, [&] {
-        require_known_deviations(subjects_[s]);
-        sessions_[s] = subjects_[s].open();
+        require_known_deviations(subjects[s]);
+        sessions_[s] = subjects[s].open();
       });
     }
   }
 
-  const std::vector<Subject>& subjects_;
-  const std::vector<Claim>& claims_;
-  const GateOptions& options_;
+  /// Whether more cases would tell nothing more of any subject. Without a budget, and where not the first violation
+  /// ends a run, they still tell what the families hold.
+  [[nodiscard]] bool is_over_for_all(std::uint64_t task) const {
+    bool is_over = run_->options.budget || run_->options.fail_fast;
+    for (std::size_t s = 0; s < examinees_.size(); ++s) {
+      is_over = is_over && (run_->finds.was_found_before(s, task) || !tallies_[s].error.empty());
+    }
+    return is_over;
+  }
+
+  std::deque<JudgedCase> cases_in(const Task& task) {
+    const Family& family = *run_->options.families[task.family];
+    std::deque<JudgedCase> cases;
+    for (std::uint64_t index = task.first; index < task.last; ++index) {
+      Stream stream = case_stream(run_->options.seed, family.name, index);
+      cases.emplace_back(family.generate(stream), run_->options.yardstick.filtered);
+      coverage_[task.family] += coverage_of(cases.back());
+      if (cases.back().is_valid() && cases.back().exact().approach() == oracles::Approach::colliding) {
+        features_.add(cases.back().generated().collision);
+      }
+    }
+    return cases;
+  }
+
+  void note_find(std::size_t subject) {
+    if (const auto& found = examinees_[subject].first_violation) {
+      run_->finds.add(subject, found->task);
+    }
+  }
+
+  /// Asks again in a session of its own. A subject that was found violated, where its run ends there, is asked nothing
+  /// more, and how its session ends is not judged.
+  void finish(std::size_t subject) {
+    constexpr std::uint64_t after_all_tasks = std::numeric_limits<std::uint64_t>::max() - 1;
+    Examinee& examinee = examinees_[subject];
+    if (run_->finds.was_found_before(subject, after_all_tasks)) {
+      try {
+        examinee.session.close();
+      } catch (const std::exception&) {
+        // It would have been asked no more.
+      }
+      return;
+    }
+    guarded(subject, [&] {
+      examinee.session.close();
+      Session fresh = examinee.subject.open();
+      ask_again(examinee, after_all_tasks, fresh, examinee.remembered, tallies_[subject]);
+      note_find(subject);
+      fresh.close();
+    });
+  }
+
+  Run* run_;
   std::vector<Session> sessions_;
-  std::vector<Tally> tallies_;
-  std::vector<std::vector<Asked>> remembered_;  // of each subject
+  std::vector<Examinee> examinees_;
   std::vector<Coverage> coverage_;
+  std::vector<Tally> tallies_;
   FeatureCoverage features_;
 };
+
+/// What all threads found of one subject.
+Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
+  Tally tally = workers[0].tallies()[subject];
+  for (std::size_t w = 1; w < workers.size(); ++w) {
+    tally += workers[w].tallies()[subject];
+  }
+  const FirstViolation* first = nullptr;
+  for (const Worker& worker : workers) {
+    const auto& found = worker.first_violation(subject);
+    first = found && (first == nullptr || found->task < first->task) ? &*found : first;
+  }
+  if (first != nullptr) {
+    first->add_to(tally, claim);
+    tally.name_counts();
+  }
+  return tally;
+}
 
 /// Runs work(0), …, work(count − 1) on so many threads.
 template <class Work>
@@ -284,31 +298,13 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     claims.push_back(claim_of(subject, options.yardstick));
   }
   const unsigned jobs = std::max(1U, options.jobs);
-  std::vector<Worker> workers(jobs, Worker(subjects, claims, options));
-  std::atomic<std::uint64_t> next_task = 0;
-  std::mutex progress_mutex;
-  std::uint64_t done = 0;
-  std::uint64_t all = 0;
-  for (const Family* family : options.families) {
-    all += cases_of(options, *family);
-  }
-  in_parallel(jobs, jobs, [&](std::size_t worker) {
-    workers[worker].run([&] { return next_task++; },
-                        [&](std::uint64_t count) {
-                          const std::lock_guard lock(progress_mutex);
-                          done += count;
-                          if (options.progress) {
-                            options.progress(done, all);
-                          }
-                        });
-  });
+  Run run{subjects, claims, options};
+  std::vector<Worker> workers(jobs, Worker(run));
+  in_parallel(jobs, jobs, [&](std::size_t worker) { workers[worker].run(); });
 
   GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, false};
   for (std::size_t s = 0; s < subjects.size(); ++s) {
-    Tally tally = workers[0].tallies()[s];
-    for (std::size_t w = 1; w < workers.size(); ++w) {
-      tally += workers[w].tallies()[s];
-    }
+    const Tally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
       // The median: other programs disturb single batches by far more than solvers differ.
@@ -326,7 +322,8 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     }
   }
   for (SubjectResult& result : report.results) {
-    result.not_judged = why_not_judged(result, options.families, report.coverage);
+    const bool was_cut_short = options.fail_fast && !result.violated_invariants().empty();
+    result.not_judged = was_cut_short ? "" : why_not_judged(result, options.families, report.coverage);
   }
   struct FoundWitness {
     std::size_t subject;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <carom/properties/gate/gate_result.hpp>
 
@@ -15,7 +16,10 @@ constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum"
 
 }  // namespace
 
-std::uint64_t cases_of(const GateOptions& options, const Family& family) { return options.cases * family.weight; }
+std::uint64_t cases_of(const GateOptions& options, const Family& family) {
+  return options.budget ? std::numeric_limits<std::uint64_t>::max()
+                        : options.cases * static_cast<std::uint64_t>(family.weight);
+}
 
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
@@ -85,6 +89,9 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
   std::uint64_t skipped_of_valid = 0;
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const FamilyResult& family = result.families[f];
+    if (family.cases == 0) {
+      return "no case of the family " + std::string(families[f]->name) + " was judged";
+    }
     const std::uint64_t held = family.cases - family.not_held;
     const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
     if (is_of_valid && held > 0 && family.skipped >= held) {

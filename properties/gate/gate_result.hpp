@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -22,16 +23,25 @@ struct GateOptions {
   std::vector<const Family*> families;  // in the order to report
   oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
   unsigned jobs = 1;                    // threads
-  /// The invariants that relate a collision to others are judged on every so many cases; 0: on every case of subjects
-  /// in this process, on every eighth of programs, for which each question costs a hundred times as much.
+  /// Each invariant that relates a collision to others is judged on every so many cases, the next one on other cases;
+  /// 0: on every case of subjects in this process, on every fourth of programs, for which each question costs a hundred
+  /// times as much. Of a fault in one of 100 answers that one such invariant alone sees, in one family alone, each of
+  /// 250 cases and the question on it then shows 1 %: it is missed in one run of 150 (0.99^500).
   std::uint64_t relations_every = 0;
+  /// A subject that violates an invariant is asked nothing more: of it one violation is reported, the same on any
+  /// number of threads. The run ends where this holds of every subject, or all cases were judged.
+  bool fail_fast = false;
+  /// In place of `cases`: cases are drawn, families in turn, until so much time was spent. The violations found are
+  /// then shrunk as ever.
+  std::optional<std::chrono::nanoseconds> budget = {};
   /// Where a stop is requested, what was judged until then is reported.
   std::stop_token stop;
-  /// Called now and then with the cases done and those there are, from any thread, one call at a time.
+  /// Called now and then with the cases done and those there are, with a budget with the milliseconds spent and those
+  /// there are; from any thread, one call at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
-/// So many cases are drawn of the family.
+/// So many cases are drawn of the family; with a budget there is no end to them.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
 
 /// What a family turned out to hold.

@@ -65,21 +65,21 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-             std::optional<oracles::LiftedMatrix> collision_matrix, bool with_relations)
+             std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations)
     : judged_case_(&judged_case),
       claim_(&claim),
       answer_(std::move(answer)),
       collision_matrix_(std::move(collision_matrix)),
-      with_relations_(with_relations),
+      relations_(relations),
       questions_(claim.invariants.size()) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
-  if (outcome == nullptr || !judged_case.is_valid() || !with_relations) {
+  if (outcome == nullptr || !judged_case.is_valid()) {
     return;
   }
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     const Invariant& invariant = *claim.invariants[i];
     const auto* relation = std::get_if<AboutRelation>(&invariant.about);
-    if (relation == nullptr) {
+    if (relation == nullptr || !relations.has(i)) {
       continue;
     }
     if (const auto* of_outcome = std::get_if<AboutRelation::OfOutcome>(&relation->ask)) {
@@ -192,7 +192,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
       continue;
     }
-    if (!with_relations_ || std::holds_alternative<AboutSession>(invariant.about)) {
+    if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {
       continue;
     }
     if (questions_[i].empty()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -61,13 +63,24 @@ struct Judgement {
   std::string_view not_held;                  // why its precision cannot hold the case; else empty
 };
 
+/// Which of the invariants that ask about further collisions are judged on a case: each on one in `every` cases, and
+/// one on other cases than the next, so that every case is held against some of them.
+struct RelationTurn {
+  std::uint64_t every = 1;   // 0: none of them on any case
+  std::uint64_t number = 0;  // of the case
+
+  /// By the place of the invariant in its claim.
+  [[nodiscard]] bool has(std::size_t place) const { return every > 0 && (number + place) % every == 0; }
+};
+inline constexpr RelationTurn no_relations{0, 0};
+
 /// A trial in two steps, so that many can be put to a subject at once.
 class Trial {
  public:
   /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
-  /// Without relations, the invariants that ask about further collisions are left out.
+  /// The invariants that ask about further collisions are left out where it is not their turn.
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-        std::optional<oracles::LiftedMatrix> collision_matrix, bool with_relations = true);
+        std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations = {});
 
   // It refers to questions that it holds itself.
   Trial(const Trial&) = delete;
@@ -97,7 +110,7 @@ class Trial {
   const Claim* claim_;
   ExactAnswer answer_;
   std::optional<oracles::LiftedMatrix> collision_matrix_;
-  bool with_relations_;
+  RelationTurn relations_;
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // of the invariants whose questions depend on it
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };

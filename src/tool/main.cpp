@@ -14,6 +14,7 @@
 #include <carom/oracles/judge/yardstick.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/duration.hpp"
 #include "version.hpp"
 
 namespace {
@@ -33,6 +34,10 @@ std::string is_seed(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   return error == std::errc() && end == text.data() + text.size() ? std::string()
                                                                   : "expected an integer from 0 to 2^64 - 1";
+}
+
+std::string is_duration(const std::string& text) {
+  return carom::tool::duration_from(text) ? std::string() : std::string("expected ") + carom::tool::duration_form;
 }
 
 template <class Arguments>
@@ -90,12 +95,25 @@ int run_command(int argc, char** argv) {
   gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases on every machine")
       ->check(is_seed)
       ->capture_default_str();
-  gate_command->add_option("--cases", gate.cases, "Cases of each family")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
-      ->capture_default_str();
+  CLI::Option* cases = gate_command->add_option("--cases", gate.cases, "Cases of each family, times its weight")
+                           ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+                           ->capture_default_str();
+  gate_command
+      ->add_option_function<std::string>(
+          "--budget", [&gate](const std::string& text) { gate.budget = carom::tool::duration_from(text); },
+          "Time to judge for, in place of --cases: 500ms, 10s, 2m or 1h. Families are drawn from in turn, those first "
+          "that find most soonest; what was judged is reported. Shrinking what was found comes on top")
+      ->check(is_duration)
+      ->type_name("DURATION")
+      ->excludes(cases);
+  gate_command->add_flag("--fail-fast", gate.fail_fast,
+                         "Ask a subject nothing more once it has violated an invariant. The run ends where this holds "
+                         "of every subject, or there are no more cases; of each subject the first violation is "
+                         "reported, shrunk and written, the same with any --jobs");
   gate_command
       ->add_option("--relations-every", gate.relations_every,
-                   "Judge the invariants that relate collisions on every Nth case (default: 1; 8 for programs)")
+                   "Judge each invariant that relates collisions on every Nth case, the next one on other cases "
+                   "(default: 1; 4 for programs)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
       ->delimiter(',');

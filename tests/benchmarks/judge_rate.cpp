@@ -50,6 +50,10 @@ struct Prepared {
   std::vector<std::vector<Asked>> asked;  // by case and subject: in memory as they are judged
 };
 
+properties::RelationTurn relations_if(bool wanted) {
+  return wanted ? properties::RelationTurn{} : properties::no_relations;
+}
+
 Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claims, const properties::Family& family,
                   std::uint64_t count, bool with_relations) {
   Prepared result{std::move(subjects), {}, {}};
@@ -68,7 +72,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
       Asked asked{properties::answers_of(sessions[s], std::span(&one.collision, 1)).front(),
                   properties::shown_collision_matrix(result.subjects[s], judged),
                   {}};
-      const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, with_relations);
+      const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, relations_if(with_relations));
       if (trial.question_count() > 0) {
         asked.related = properties::answers_of(sessions[s], trial.questions());
       }
@@ -86,7 +90,8 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
     const JudgedCase judged(work.cases[i]);
     for (std::size_t s = 0; s < work.subjects.size(); ++s) {
       const Asked& asked = work.asked[i][s];
-      const Trial trial(judged, claims[s], properties::lift(asked.answer), asked.collision_matrix, with_relations);
+      const Trial trial(judged, claims[s], properties::lift(asked.answer), asked.collision_matrix,
+                        relations_if(with_relations));
       const properties::Judgement judgement =
           trial.judge(std::span(asked.related).first(trial.question_count()), known[s]);
       verdicts += judgement.verdicts.size();

@@ -8,6 +8,10 @@
 namespace carom::equality {
 namespace {
 
+properties::RelationTurn turn_of(Relations relations) {
+  return relations == Relations::judged ? properties::RelationTurn() : properties::no_relations;
+}
+
 using properties::Claim;
 using properties::ExactAnswer;
 using properties::JudgedCase;
@@ -43,7 +47,7 @@ class Judge {
     const auto collision_matrix = properties::shown_collision_matrix(subject, judged_case_);
     const auto start = std::chrono::steady_clock::now();
     const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), collision_matrix,
-                                  relations == Relations::judged);
+                                  turn_of(relations));
     Judgement judgement = trial.judge(answers.related, known_backward_error);
     spent += std::chrono::steady_clock::now() - start;
     return judgement;
@@ -56,8 +60,7 @@ class Judge {
 
 Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& session, Relations relations) {
   Answers answers{properties::answers_of(session, std::span(&judged_case.generated().collision, 1)).front(), {}};
-  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), std::nullopt,
-                                relations == Relations::judged);
+  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), std::nullopt, turn_of(relations));
   if (trial.question_count() > 0) {
     answers.related = properties::answers_of(session, trial.questions());
   }

@@ -163,6 +163,27 @@ TEST(GateCommand, ReportsAreWrittenAndTheNextRunRemovesItsWitnesses) {
   EXPECT_TRUE(std::filesystem::is_empty(out.path() / "witnesses"));
 }
 
+TEST(GateCommand, EndsAtTheFirstViolationWhereAskedAndItsWitnessReplays) {
+  const TemporaryDirectory out;
+  const RunResult result =
+      run_carom({"gate", "reflection-in-basis-double", "--fail-fast", "--out", out.path().string()});
+  EXPECT_EQ(result.exit_status, 1) << result.errors;
+  const json subject = json::parse(content_of(out.path() / "report.json")).at("subjects").at(0);
+  ASSERT_EQ(subject.at("violations").size(), 1U);
+  EXPECT_EQ(subject.at("violations").at(0).at("count"), 1);
+  const std::string witness = (out.path() / subject.at("violations").at(0).at("witness").get<std::string>()).string();
+  EXPECT_EQ(run_carom({"replay", witness}).exit_status, 1);
+  EXPECT_NE(result.output.find("to its first violation"), std::string::npos) << result.output;
+}
+
+TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
+  const RunResult result =
+      run_carom({"gate", "frictionless-double", "--families", "generic,separating", "--budget", "0.2s"});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("200 ms on 2 families in turn"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("cases in 200 ms, the fewest of them"), std::string::npos) << result.output;
+}
+
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
   // A hundredth of an ulp is less than any rounding; three digits are half of what binary32 has.
   const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases",
@@ -204,6 +225,16 @@ TEST(GateCommand, WrongUsageEndsInTwoAndSaysWhy) {
       {{"gate", "--families", "generic,no_such_family"}, "no_such_family"},
       {{"gate", "--cases", "0"}, "--cases"},
       {{"gate", "--cases", "many"}, "--cases"},
+      {{"gate", "--budget", "10"}, "--budget: expected a number and a unit"},
+      {{"gate", "--budget", "10 s"}, "--budget"},
+      {{"gate", "--budget", "0s"}, "--budget"},
+      {{"gate", "--budget", "-1s"}, "--budget"},
+      {{"gate", "--budget", "5d"}, "--budget"},
+      {{"gate", "--budget", "nans"}, "--budget"},
+      {{"gate", "--budget", "1e3s"}, "--budget"},
+      {{"gate", "--budget", "s"}, "--budget"},
+      {{"gate", "--budget", "1001h"}, "--budget"},
+      {{"gate", "--budget", "1s", "--cases", "5"}, "--cases"},
       {{"gate", "--limit-ulps", "-1"}, "--limit-ulps"},
       {{"gate", "--limit-ulps", "nan"}, "--limit-ulps"},
       {{"gate", "--digits", "0"}, "--digits"},

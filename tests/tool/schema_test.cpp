@@ -62,6 +62,19 @@ TEST(ReportSchema, DescribesARealReport) {
   EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
 }
 
+TEST(ReportSchema, DescribesReportsThatWereCutShort) {
+  const TemporaryDirectory directory;
+  const RunResult run = run_carom({"gate", "frictionless-double", "reflection-in-basis-double", "--families", "head_on",
+                                   "--budget", "100ms", "--fail-fast", "--format", "json"});
+  const json report = json::parse(run.output);
+  EXPECT_EQ(report.at("budget_seconds"), 0.1);
+  EXPECT_EQ(report.at("fail_fast"), true);
+  EXPECT_TRUE(report.at("cases_of_each_family").is_null());
+  const RunResult result = validate(directory.write("report.json", run.output));
+  EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+  EXPECT_EQ(run_carom({"table", (directory.path() / "report.json").string()}).exit_status, 0);
+}
+
 TEST(ReportSchema, RejectsWhatDiffers) {
   const TemporaryDirectory directory;
   const json report = varied_report();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/spelling.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
 namespace carom::subjects::protocol {
@@ -19,7 +21,7 @@ constexpr std::size_t longest_shown_request = 4000;  // bytes
 class Conversation {
  public:
   Conversation(const std::vector<std::string>& words, const ExecOptions& options)
-      : process_(words, options.limits, options.stop) {
+      : process_(words, options.limits, options.stop), spelling_(options.spelling) {
     request_ = start_request();
     guarded("start", [&] {
       process_.exchange(request_, 1, [&](std::string_view line) { introduction_ = introduction_from(line); });
@@ -33,7 +35,7 @@ class Conversation {
     answers.reserve(collisions.size());
     std::string requests;
     for (std::size_t i = 0; i < collisions.size(); ++i) {
-      requests += solve_request(next_id_ + i, collisions[i]);
+      requests += request(i, collisions[i]);
     }
     try {
       process_.exchange(requests, collisions.size(), [&](std::string_view line) {
@@ -41,10 +43,11 @@ class Conversation {
       });
     } catch (const std::exception& error) {
       const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
-      request_ = solve_request(next_id_ + failed, collisions[failed]);
+      request_ = request(failed, collisions[failed]);
       throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers);
     }
     next_id_ += collisions.size();
+    ++call_;
     return answers;
   }
 
@@ -54,6 +57,12 @@ class Conversation {
   }
 
  private:
+  /// The request of that place in this call.
+  [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
+    const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
+    return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
+  }
+
   template <class F>
   void guarded(const std::string& request, const F& f) {
     try {
@@ -76,11 +85,33 @@ class Conversation {
   Introduction introduction_;
   std::string request_;
   std::uint64_t next_id_ = 1;
+  std::optional<unsigned> spelling_;  // of every request
+  std::uint64_t call_ = 0;            // of solve()
+};
+
+/// The conversation in which a program introduced itself, for the first session: starting an interpreter takes longer
+/// than many answers.
+class FirstConversation {
+ public:
+  explicit FirstConversation(std::shared_ptr<Conversation> conversation) : conversation_(std::move(conversation)) {}
+
+  /// Null but for the first who asks.
+  [[nodiscard]] std::shared_ptr<Conversation> take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(conversation_, nullptr);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<Conversation> conversation_;
 };
 
 Session open_session(const std::vector<std::string>& words, const ExecOptions& options,
-                     const Introduction& introduction) {
-  const auto conversation = std::make_shared<Conversation>(words, options);
+                     const Introduction& introduction, FirstConversation& first) {
+  std::shared_ptr<Conversation> conversation = first.take();
+  if (conversation == nullptr) {
+    conversation = std::make_shared<Conversation>(words, options);
+  }
   if (conversation->introduction() != introduction) {
     throw std::runtime_error("start: it introduces itself in another way than the first time it was asked");
   }
@@ -99,13 +130,15 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     if (words.empty()) {
       throw std::invalid_argument("no program is named");
     }
-    const Introduction introduction = Conversation(words, options).introduction();
+    auto conversation = std::make_shared<Conversation>(words, options);
+    const Introduction introduction = conversation->introduction();
     subject.name = introduction.name;
     subject.version = introduction.version;
     subject.model = introduction.model;
     subject.precision = introduction.precision;
     subject.deviates = introduction.deviates;
-    subject.open = [words, options, introduction] { return open_session(words, options, introduction); };
+    const auto first = std::make_shared<FirstConversation>(std::move(conversation));
+    subject.open = [words, options, introduction, first] { return open_session(words, options, introduction, *first); };
   } catch (const std::exception& error) {
     subject.open = [reason = std::string(error.what())]() -> Session { throw std::runtime_error(reason); };
   }

@@ -9,6 +9,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/spelling.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
 namespace carom::subjects::protocol {
@@ -96,8 +97,15 @@ std::string motion_text(const BodyVelocity<long double>& motion, Precision preci
 
 std::string start_request() { return json{{"cmd", "start"}, {"protocol", version}}.dump() + '\n'; }
 
-std::string solve_request(std::uint64_t id, const Collision& collision) {
-  return fmt::format("{{\"cmd\":\"solve\",\"id\":{},\"collision\":{}}}\n", id, collision_to_json(collision).dump());
+std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling) {
+  constexpr std::array<const char*, spelling_count> orders{
+      R"({{"cmd":"solve","id":{id},"collision":{collision}}})",
+      R"({{"id":{id},"cmd":"solve","collision":{collision}}})",
+      R"({{"collision":{collision},"id":{id},"cmd":"solve"}})",
+      R"({{ "cmd": "solve", "collision": {collision}, "id": {id} }})"};
+  return fmt::format(fmt::runtime(orders.at(spelling)), fmt::arg("id", id),
+                     fmt::arg("collision", spelt(collision, spelling))) +
+         '\n';
 }
 
 std::string stop_request() { return json{{"cmd", "stop"}}.dump() + '\n'; }

@@ -25,7 +25,8 @@ struct Introduction {
 };
 
 [[nodiscard]] std::string start_request();
-[[nodiscard]] std::string solve_request(std::uint64_t id, const Collision& collision);
+/// Precondition: spelling < spelling_count.
+[[nodiscard]] std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling = 0);
 [[nodiscard]] std::string stop_request();
 
 /// The reply to `start`. Throws FormatError.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -25,6 +26,8 @@ struct GateArguments {
   std::vector<std::string> families;
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;
+  std::optional<std::chrono::nanoseconds> budget;  // in place of `cases`
+  bool fail_fast = false;
   double limit_ulps = 32;
   std::optional<int> digits;
   bool exact = false;  // judged in ℚ alone

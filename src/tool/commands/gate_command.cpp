@@ -142,12 +142,14 @@ int gate(const GateArguments& arguments) {
   properties::GateOptions options;
   options.seed = arguments.seed;
   options.cases = arguments.cases;
+  options.budget = arguments.budget;
+  options.fail_fast = arguments.fail_fast;
   options.families = families_of(arguments);
   options.yardstick.limit_ulps = arguments.limit_ulps;
   options.yardstick.digits = arguments.digits;
   options.yardstick.filtered = !arguments.exact;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
-  options.progress = progress_line("cases judged");
+  options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;
   if (!arguments.out.empty()) {

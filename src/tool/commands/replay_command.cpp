@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/in_words.hpp>
-#include <carom/subjects/protocol/command_line.hpp>
-#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/open_subjects.hpp"
 #include "commands/orphans.hpp"
-#include "commands/subject_argument.hpp"
 #include "report/records.hpp"
 
 namespace carom::tool {
@@ -117,88 +111,6 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   return text;
 }
 
-/// What the task throws becomes an error that names the subject.
-template <class Task>
-auto in_its_name(const Subject& subject, const Task& task) {
-  try {
-    return task();
-  } catch (const std::exception& error) {
-    throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
-  }
-}
-
-/// A subject in one session, for all the collisions that are to be judged on it.
-struct OpenSubject {
-  Subject subject;
-  properties::Claim claim;
-  Session session;
-};
-
-/// The subjects that a file needs, each started once.
-class OpenSubjects {
- public:
-  OpenSubjects(const ReplayArguments& arguments, std::stop_token stop) : arguments_(arguments), stop_(std::move(stop)) {
-    yardstick_.limit_ulps = arguments.limit_ulps;
-    yardstick_.digits = arguments.digits;
-    yardstick_.filtered = !arguments.exact;
-  }
-
-  /// The subject to judge on this collision; none where there is none.
-  OpenSubject* subject_for(const ReadCollision& read) {
-    if (!arguments_.subject.empty()) {
-      return &named(arguments_.subject);
-    }
-    const bool may_be_judged = names_subject(read) && runs_in_this_process(read.witness->subject);
-    return may_be_judged ? &named(read.witness->subject) : nullptr;
-  }
-
-  /// Why there is none, where the file names a subject; empty elsewhere. A file starts no programs: that takes the word
-  /// of whoever runs this one.
-  [[nodiscard]] std::string why_none(const ReadCollision& read) const {
-    if (!arguments_.subject.empty() || !names_subject(read) || runs_in_this_process(read.witness->subject)) {
-      return {};
-    }
-    return fmt::format("judged on no subject: the witness names a program; to run it, give --subject {}",
-                       subjects::protocol::printable_line(subjects::protocol::quoted(read.witness->subject), 4000));
-  }
-
-  void close() {
-    for (auto& [name, open] : open_) {
-      in_its_name(open.subject, [&session = open.session] { session.close(); });
-    }
-  }
-
- private:
-  static bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
-
-  OpenSubject& named(const std::string& name) {
-    if (const auto found = open_.find(name); found != open_.end()) {
-      return found->second;
-    }
-    Subject subject = subject_from_argument(name, arguments_.timeout, stop_);
-    if (!subject.absent.empty()) {
-      throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
-    }
-    Session session = in_its_name(subject, subject.open);
-    properties::Claim claim = properties::claim_of(subject, yardstick_);
-    return open_.emplace(name, OpenSubject{std::move(subject), std::move(claim), std::move(session)}).first->second;
-  }
-
-  const ReplayArguments& arguments_;
-  std::stop_token stop_;
-  oracles::Yardstick yardstick_;
-  std::map<std::string, OpenSubject> open_;
-};
-
-bool is_violated(const properties::Judgement& judgement) {
-  for (const properties::NamedVerdict& named : judgement.verdicts) {
-    if (named.verdict.status == properties::Status::violated) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
@@ -230,10 +142,11 @@ int replay(const ReplayArguments& arguments) {
       text += "  an invalid collision: it has no truth, and is to be refused\n";
     }
     if (OpenSubject* const open = subjects.subject_for(read)) {
-      auto& [subject, claim, session] = *open;
-      const auto [answer, judgement] = in_its_name(subject, [&, open] {
-        return properties::judge_in_session(open->subject, open->claim, open->session, read.one);
-      });
+      const auto& subject = open->subject();
+      const auto& claim = open->claim();
+      const ReplayedCase replayed = open->judge(read.one);
+      const Answer& answer = replayed.answer;
+      const properties::Judgement& judgement = replayed.judgement;
       violated = violated || is_violated(judgement);
       record["subject"] = subject.name;
       record["yardstick"] = yardstick_record(claim.yardstick);
@@ -246,6 +159,15 @@ int replay(const ReplayArguments& arguments) {
       }
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
+      }
+      if (replayed.spellings > 0) {
+        record["spellings"] = replayed.spellings;
+        record["violated_spellings"] = replayed.violated_spellings;
+        record["spelt"] = replayed.spelt;
+      }
+      if (replayed.violated_spellings > 0) {
+        text += fmt::format("  violated in {} of {} spellings of the request, first in {}\n",
+                            replayed.violated_spellings, replayed.spellings, replayed.spelt);
       }
       text += fmt::format("{}, judged{}\n{}", subject.name, arguments.exact ? " in exact arithmetic alone" : "",
                           judgement_text(judgement, answer, claim.yardstick.unit_roundoff));

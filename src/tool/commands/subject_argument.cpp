@@ -28,8 +28,10 @@ bool is_named_in(const std::vector<Subject>& subjects, const std::string& name) 
 
 }  // namespace
 
-Subject subject_from_argument(const std::string& argument, double timeout_seconds, const std::stop_token& stop) {
-  const subjects::protocol::ExecOptions options = subjects::protocol::exec_options(timeout_seconds, stop);
+Subject subject_from_argument(const std::string& argument, double timeout_seconds, const std::stop_token& stop,
+                              std::optional<unsigned> spelling) {
+  subjects::protocol::ExecOptions options = subjects::protocol::exec_options(timeout_seconds, stop);
+  options.spelling = spelling;
   if (argument.starts_with(subjects::protocol::exec_prefix)) {
     return subjects::protocol::exec_subject(argument, options);
   }

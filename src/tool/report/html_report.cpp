@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "commands/commands.hpp"
+#include "report/extent.hpp"
 #include "report/html_tables.hpp"
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
@@ -52,7 +53,7 @@ void add_summary(pugi::xml_node section, const GateRun& run) {
   add_facts(section, {{"exit status", meaning_of(run.exit_status())},
                       {"interrupted", run.report.interrupted ? "yes: what follows was judged until then" : "no"},
                       {"seed", std::to_string(options.seed)},
-                      {"cases", fmt::format("{} of each of {} families", options.cases, options.families.size())},
+                      {"cases", extent_of(options)},
                       {"limit", limit_of(options.yardstick)},
                       {"judge", options.yardstick.filtered ? "exact arithmetic, and bounds where they decide"
                                                            : "exact arithmetic alone (--exact)"}});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 
 #include <fmt/format.h>
 
@@ -251,12 +252,18 @@ json report_record(const GateRun& run) {
   json record{{"carom", version},
               {"environment", environment_record(run.environment)},
               {"seed", options.seed},
-              {"cases_of_each_family", options.cases},
+              {"cases_of_each_family", options.budget ? json() : json(options.cases)},
               {"yardstick", yardstick_record(options.yardstick)},
               {"exit_status", run.exit_status()},
               {"interrupted", run.report.interrupted},
               {"families", json::array()},
               {"subjects", json::array()}};
+  if (options.budget) {
+    record["budget_seconds"] = std::chrono::duration<double>(*options.budget).count();
+  }
+  if (options.fail_fast) {
+    record["fail_fast"] = true;
+  }
   for (std::size_t f = 0; f < options.families.size(); ++f) {
     record["families"].push_back({{"name", options.families[f]->name},
                                   {"summary", options.families[f]->summary},

@@ -7,6 +7,7 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "report/extent.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -100,6 +101,9 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   } else if (!result.not_judged.empty()) {
     line += "    not judged: " + result.not_judged + '\n';
   }
+  if (report.options.budget && status == "sound") {
+    line += "    " + cases_judged(result, report.options) + '\n';
+  }
   if (!result.subject.deviates.empty()) {
     line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
   }
@@ -141,8 +145,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
   const GateReport& report = run.report;
   const oracles::Yardstick& yardstick = report.options.yardstick;
   std::string text = fmt::format(
-      "Carom {}: {} cases of each of {} families, seed {}, limit {}{}\n\n", version, report.options.cases,
-      report.options.families.size(), report.options.seed,
+      "Carom {}: {}, seed {}, limit {}{}\n\n", version, extent_of(report.options), report.options.seed,
       yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps),
       yardstick.filtered ? "" : ", judged in exact arithmetic alone");
   if (report.interrupted) {

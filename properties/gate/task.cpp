@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <utility>
+
+#include <carom/properties/gate/task.hpp>
+#include <carom/properties/trial/answers.hpp>
+
+namespace carom::properties {
+namespace {
+
+constexpr std::uint64_t one_asked_again_of = 10;  // cases
+
+/// Cases of a run that are asked again in a session of their own, about.
+constexpr std::uint64_t most_remembered = 64;
+
+/// What a session made of a batch: fewer answers than collisions where it failed.
+struct Batch {
+  std::vector<Answer> answers;
+  std::exception_ptr failure;
+};
+
+Batch batch_of(Session& session, std::span<const Collision> collisions) {
+  try {
+    return {answers_of(session, collisions), nullptr};
+  } catch (const SessionFailure& failure) {
+    return {failure.answered(), std::current_exception()};
+  }
+}
+
+/// What a session may not make anything of, to be asked in between.
+Collision invalid_collision() {
+  Collision invalid;
+  invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
+  return invalid;
+}
+
+/// Drops what comes after the first violation; false where there is none.
+bool cut_after_violation(Judgement& judgement) {
+  const auto found = std::find_if(judgement.verdicts.begin(), judgement.verdicts.end(),
+                                  [](const NamedVerdict& named) { return named.verdict.status == Status::violated; });
+  if (found == judgement.verdicts.end()) {
+    return false;
+  }
+  judgement.verdicts.erase(found + 1, judgement.verdicts.end());
+  return true;
+}
+
+}  // namespace
+
+void FirstViolation::add_to(Tally& tally, const Claim& claim) const {
+  if (is_of_new_case) {
+    tally.add(asked.family, asked.index, JudgedCase(asked.one), asked.answer, judgement, claim);
+  } else {
+    tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
+  }
+}
+
+bool is_asked_again(std::uint64_t index) { return index % one_asked_again_of == 0; }
+
+bool is_remembered(std::uint64_t index, std::size_t families) {
+  const std::uint64_t of_each_family = std::max<std::uint64_t>(1, most_remembered / families);
+  return is_asked_again(index) && index / one_asked_again_of < of_each_family;
+}
+
+void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked,
+               Tally& tally) {
+  if (asked.empty()) {
+    return;
+  }
+  std::vector<Collision> questions{invalid_collision()};
+  for (auto one = asked.rbegin(); one != asked.rend(); ++one) {
+    questions.push_back(one->one.collision);
+  }
+  const std::vector<Answer> again = answers_of(session, questions);
+  for (const Invariant* invariant : examinee.claim.invariants) {
+    const auto* about = std::get_if<AboutSession>(&invariant->about);
+    for (std::size_t i = 0; about != nullptr && i < asked.size(); ++i) {
+      const Asked& first = asked[asked.size() - 1 - i];
+      const NamedVerdict named{invariant, about->check(first.answer, again[i + 1])};
+      if (examinee.ends_at_first && named.verdict.status == Status::violated) {
+        Judgement judgement;
+        judgement.verdicts.push_back(named);
+        examinee.first_violation = {task, first, std::move(judgement), false};
+        return;
+      }
+      tally.add(first.family, first.index, first.one, first.answer, named);
+    }
+  }
+}
+
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, Tally& tally) {
+  const Subject& subject = examinee.subject;
+  const Claim& claim = examinee.claim;
+  Session& session = examinee.session;
+  std::vector<Collision> collisions;
+  collisions.reserve(cases.size());
+  for (const JudgedCase& one : cases) {
+    collisions.push_back(one.generated().collision);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Batch batch = batch_of(session, collisions);
+  const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+
+  const auto trials_of = [&](bool with_relations) {
+    std::vector<Trial> trials;
+    for (std::size_t i = 0; i < batch.answers.size(); ++i) {
+      trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
+                          with_relations ? RelationTurn{examinee.relations_every, task.first + i} : no_relations);
+    }
+    return trials;
+  };
+  std::vector<Trial> trials = trials_of(!batch.failure);
+  std::vector<Collision> questions;
+  for (const Trial& trial : trials) {
+    const std::vector<Collision> of_trial = trial.questions();
+    questions.insert(questions.end(), of_trial.begin(), of_trial.end());
+  }
+  const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
+  if (related.failure) {
+    trials = trials_of(false);
+  }
+  std::span<const Answer> rest;
+  if (!related.failure) {
+    rest = related.answers;
+  }
+  std::vector<Asked> sample;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const std::uint64_t index = task.first + i;
+    const std::size_t count = trials[i].question_count();
+    Judgement judgement = trials[i].judge(rest.first(count), tally.families[task.family].worst_backward_error);
+    rest = rest.subspan(count);
+    const Asked asked{task.family, index, cases[i].generated(), batch.answers[i]};
+    if (examinee.ends_at_first && cut_after_violation(judgement)) {
+      examinee.first_violation = {task.number, asked, std::move(judgement), true};
+      return;
+    }
+    tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
+    if (is_asked_again(index)) {
+      sample.push_back(asked);
+    }
+    if (is_remembered(index, tally.families.size())) {
+      examinee.remembered.push_back(asked);
+    }
+  }
+  for (const std::exception_ptr& failure : {batch.failure, related.failure}) {
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
+  tally.nanoseconds_per_solve.add(elapsed.count() / static_cast<double>(collisions.size()));
+  ask_again(examinee, task.number, session, sample, tally);
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+/// Runs that end before all cases were judged: at the first violation, and by a budget of time.
+namespace carom::properties {
+namespace {
+
+GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
+  GateOptions options;
+  options.cases = of_each;
+  options.jobs = jobs;
+  for (const Family& family : all_families()) {
+    options.families.push_back(&family);
+  }
+  return options;
+}
+
+Subject right() { return subjects::subject_named("frictionless-double").value(); }
+
+/// Wrong where `is_wrong(call)`, calls counted in each session: an impulse of nothing.
+template <class IsWrong>
+Subject wrong_where(IsWrong is_wrong) {
+  Subject subject = right();
+  subject.name = "wrong";
+  subject.open = [is_wrong] {
+    struct State {
+      Session session;
+      std::uint64_t calls = 0;
+    };
+    auto state = std::make_shared<State>(State{right().open()});
+    return Session([state, is_wrong](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = state->session(collisions);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
+        if (outcome != nullptr && is_wrong(collisions[i], state->calls++)) {
+          outcome->a.velocity[0] += 1;
+        }
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+Subject always_wrong() {
+  return wrong_where([](const Collision&, std::uint64_t) { return true; });
+}
+
+/// Where both bodies are movable and A has more than half of B's mass: neither at once, nor in the family drawn first.
+Subject wrong_at_times() {
+  return wrong_where([](const Collision& c, std::uint64_t) {
+    return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
+  });
+}
+
+std::uint64_t violations_in(const SubjectResult& result) {
+  std::uint64_t sum = 0;
+  for (const Invariant& invariant : all_invariants()) {
+    sum += result.count(std::string(invariant.name)).violated;
+  }
+  return sum;
+}
+
+TEST(FailFast, EndsAtTheFirstViolation) {
+  GateOptions options = options_of_all_families(1000);
+  options.fail_fast = true;
+  const GateReport report = run_gate({always_wrong()}, options);
+  const SubjectResult& result = report.results.at(0);
+  EXPECT_EQ(violations_in(result), 1U);
+  EXPECT_EQ(result.witnesses.size(), 1U);
+  EXPECT_EQ(result.not_judged, "") << "what was found is found";
+  EXPECT_LT(result.cases(), 10U);
+  std::uint64_t drawn = 0;
+  for (const Coverage& coverage : report.coverage) {
+    drawn += coverage.cases;
+  }
+  EXPECT_LT(drawn, 100U) << "the run went on without a subject to ask";
+}
+
+TEST(FailFast, FindsTheSameViolationOnAnyNumberOfThreads) {
+  const auto witness_on = [](unsigned jobs) {
+    GateOptions options = options_of_all_families(300, jobs);
+    options.fail_fast = true;
+    const SubjectResult result = run_gate({wrong_at_times()}, options).results.at(0);
+    EXPECT_EQ(result.witnesses.size(), 1U);
+    return result.witnesses.at(0);
+  };
+  const Witness alone = witness_on(1);
+  for (const unsigned jobs : {2U, 5U}) {
+    const Witness other = witness_on(jobs);
+    EXPECT_EQ(other.invariant, alone.invariant);
+    EXPECT_EQ(other.family, alone.family);
+    EXPECT_EQ(other.index, alone.index);
+    EXPECT_EQ(other.shrunk.collision.point, alone.shrunk.collision.point);
+  }
+}
+
+TEST(FailFast, GoesOnWithTheOtherSubjects) {
+  GateOptions options = options_of_all_families(20);
+  options.fail_fast = true;
+  const GateReport report = run_gate({always_wrong(), right()}, options);
+  EXPECT_FALSE(report.results[0].is_sound());
+  EXPECT_TRUE(report.results[1].is_sound()) << report.results[1].not_judged;
+  EXPECT_EQ(report.results[1].cases(), run_gate({right()}, options_of_all_families(20)).results[0].cases());
+}
+
+/// What only a session that is asked again shows ends the run as well, and counts no case twice.
+TEST(FailFast, EndsAtWhatASessionRemembers) {
+  Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.name != "memoryless") {
+      subject.deviates.emplace_back(invariant.name);
+    }
+  }
+  GateOptions options = options_of_all_families(1000);
+  options.fail_fast = true;
+  const SubjectResult result = run_gate({subject}, options).results.at(0);
+  EXPECT_EQ(result.count("memoryless").violated, 1U);
+  EXPECT_LT(result.cases(), 100U);
+}
+
+TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
+  GateOptions options = options_of_all_families(1);
+  options.families = {family_named("separating"), family_named("generic")};
+  options.budget = std::chrono::milliseconds(200);
+  const SubjectResult result = run_gate({right()}, options).results.at(0);
+  EXPECT_GT(result.families[0].cases, 2U);
+  EXPECT_GT(result.families[1].cases, 2U);
+  EXPECT_TRUE(result.is_sound()) << result.not_judged;
+}
+
+/// The case of a violation is drawn from seed, family and number, as ever.
+TEST(Budget, FindsWhatReplays) {
+  GateOptions options = options_of_all_families(1);
+  options.budget = std::chrono::milliseconds(100);
+  const SubjectResult result = run_gate({always_wrong()}, options).results.at(0);
+  ASSERT_FALSE(result.witnesses.empty());
+  const Witness& witness = result.witnesses.front();
+  Stream stream = case_stream(options.seed, witness.family, witness.index);
+  const Collision again = family_named(witness.family)->generate(stream).collision;
+  EXPECT_EQ(again.a.velocity, witness.original.collision.a.velocity);
+  EXPECT_EQ(again.normal, witness.original.collision.normal);
+}
+
+TEST(Budget, OfNothingJudgesNothing) {
+  GateOptions options = options_of_all_families(1);
+  options.budget = std::chrono::nanoseconds(0);
+  const SubjectResult result = run_gate({right()}, options).results.at(0);
+  EXPECT_FALSE(result.is_sound());
+  EXPECT_EQ(result.not_judged, "no case of the family structured was judged");
+}
+
+TEST(Budget, TellsOfTheTimeSpent) {
+  GateOptions options = options_of_all_families(1);
+  options.budget = std::chrono::milliseconds(50);
+  std::uint64_t last = 0;
+  options.progress = [&](std::uint64_t done, std::uint64_t all) {
+    EXPECT_EQ(all, 50U);
+    EXPECT_LE(last, done);
+    EXPECT_LE(done, all);
+    last = done;
+  };
+  (void)run_gate({right()}, options);
+  EXPECT_GT(last, 0U);
+}
+
+/// How many cases are asked again is a matter of the cases alone.
+TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
+  const auto counts_on = [](unsigned jobs) {
+    return run_gate({right()}, options_of_all_families(100, jobs)).results.at(0).count("memoryless").holds;
+  };
+  EXPECT_EQ(counts_on(1), counts_on(4));
+}
+
+}  // namespace
+}  // namespace carom::properties

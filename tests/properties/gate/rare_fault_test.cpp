@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+/// A fault in one of a hundred answers that nothing but a relation between collisions sees.
+namespace carom::properties {
+namespace {
+
+constexpr int one_in = 100;
+
+/// frictionless-double as a program, which claims one invariant alone, with an impulse a quarter too large in one of a
+/// hundred answers, drawn at random.
+Subject faulty(const std::string& claimed) {
+  const Subject right = subjects::subject_named("frictionless-double").value();
+  Subject subject = right;
+  subject.name = "faulty";
+  subject.specification = "exec:faulty";  // for the gate: each question is dear
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.name != claimed) {
+      subject.deviates.emplace_back(invariant.name);
+    }
+  }
+  subject.open = [right] {
+    struct State {
+      Session session;
+      Stream stream = stream_from(1);
+    };
+    auto state = std::make_shared<State>(State{right.open()});
+    return Session([state](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = state->session(collisions);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
+        if (outcome != nullptr && state->stream.chance(one_in)) {
+          const auto before = unchanged(collisions[i]);
+          const auto from = vectors(before);
+          const auto to = vectors(*outcome);
+          for (const OutcomeVector k : all_outcome_vectors) {
+            *to[k] += (*to[k] - from[k]->cast<long double>()) / 4;
+          }
+        }
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
+  GateOptions options;
+  options.families = {family_named("generic")};
+  std::size_t relations = 0;
+  for (const Invariant& invariant : all_invariants()) {
+    // A second impulse does nothing, however large the first was: `repeat` does not see this fault.
+    if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Model::frictionless) &&
+        invariant.name != "repeat") {
+      ++relations;
+      const SubjectResult result = run_gate({faulty(std::string(invariant.name))}, options).results.at(0);
+      EXPECT_EQ(result.error, "");
+      EXPECT_GT(result.count(std::string(invariant.name)).violated, 0U) << invariant.name;
+    }
+  }
+  EXPECT_GE(relations, 8U);
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+/// Programs that read one spelling wrongly, of those that the protocol leaves free, are found, and what shows it
+/// replays.
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+std::string misreading(const std::string& what) { return std::string("exec:") + CAROM_MISREADING + ' ' + what; }
+
+class Misreading : public testing::TestWithParam<const char*> {};
+
+TEST_P(Misreading, IsViolatedAndItsWitnessesReplay) {
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", misreading(GetParam()), "--families", "generic,immovable_b,structured",
+                                   "--cases", "6", "--jobs", "1", "--out", out.path().string()});
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  const json subject = json::parse(content_of(out.path() / "report.json")).at("subjects").at(0);
+  EXPECT_EQ(subject.at("status"), "violated");
+  const json& violations = subject.at("violations");
+  ASSERT_FALSE(violations.empty());
+  // Three of them: a replay starts the program in every spelling.
+  for (std::size_t i = 0; i < violations.size(); i += (violations.size() + 2) / 3) {
+    const json& violation = violations.at(i);
+    const std::string witness = (out.path() / violation.at("witness").get<std::string>()).string();
+    const RunResult replayed = run_carom({"replay", witness, "--subject", misreading(GetParam())});
+    EXPECT_EQ(replayed.exit_status, 1) << violation << replayed.output << replayed.errors;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Misreading,
+                         testing::Values("exponent-dropped", "capital-exponent-dropped", "integer-by-ten",
+                                         "left-out-is-immovable", "written-is-immovable", "left-out-orientation",
+                                         "left-out-friction", "first-is-a", "no-tabs"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(MisreadingNothing, IsSound) {
+  const RunResult run = run_carom({"gate", misreading("none"), "--cases", "20", "--jobs", "1"});
+  EXPECT_EQ(run.exit_status, 0) << run.output << run.errors;
+}
+
+}  // namespace
+}  // namespace carom::tests
