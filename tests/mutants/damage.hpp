@@ -4,7 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include <carom/collision/collision.hpp>
 #include <carom/collision/enum_array.hpp>
+#include <carom/collision/model.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 
 namespace carom::mutants {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "detection_report.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +51,51 @@ bool is_explained_by_one(const Detection& detection, Model model, Damage damage,
 std::string condition_of(const Survivor& survivor) {
   const std::string& x = all_features()[survivor.x].name;
   return survivor.x == survivor.y ? x : x + ", " + all_features()[survivor.y].name;
+}
+
+/// Of one kind are features that differ by the body or by the decade alone: "X.speed", "head_on".
+std::string kind_of(const properties::Feature& feature) {
+  const std::string& name = feature.kind == properties::FeatureKind::magnitude ? feature.quantity : feature.name;
+  const bool of_a_body = name.starts_with("a.") || name.starts_with("b.");
+  return of_a_body ? "X." + name.substr(2) : name;
+}
+
+/// The survivors that some judge could see, by kinds of features, the commonest ones first.
+void print_kinds(std::back_insert_iterator<std::string> out, const Detection& detection) {
+  struct Kind {
+    std::string names;
+    std::uint64_t count = 0;
+    float backward_error = 0;
+  };
+  std::map<std::string, Kind> kinds;
+  for (const Survivor& survivor : survivors_of(detection)) {
+    if (survivor.seen.sight == Sight::within_rounding) {
+      std::pair names{kind_of(all_features()[survivor.x]), kind_of(all_features()[survivor.y])};
+      if (names.second < names.first) {
+        std::swap(names.first, names.second);
+      }
+      Kind& kind = kinds["`" + names.first + "`, `" + names.second + "`"];
+      ++kind.count;
+      kind.backward_error = std::max(kind.backward_error, survivor.seen.backward_error);
+    }
+  }
+  std::vector<Kind> sorted;
+  for (auto& [names, kind] : kinds) {
+    kind.names = names;
+    sorted.push_back(kind);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Kind& x, const Kind& y) { return x.count > y.count; });
+  fmt::format_to(out, "\n| pair of features | not killed | largest backward error [ulps] |\n| --- | ---: | ---: |\n");
+  constexpr std::size_t most = 12;
+  std::uint64_t others = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i < most) {
+      fmt::format_to(out, "| {} | {} | {:.3g} |\n", sorted[i].names, sorted[i].count, sorted[i].backward_error);
+    } else {
+      others += sorted[i].count;
+    }
+  }
+  fmt::format_to(out, "| {} other kinds | {} | |\n", sorted.size() - std::min(sorted.size(), most), others);
 }
 
 void print_score(std::back_insert_iterator<std::string> out, std::string_view format, std::string_view law,
@@ -129,10 +177,9 @@ std::string to_text(const Detection& detection, bool markdown) {
   std::string text;
   const auto out = std::back_inserter(text);
   if (markdown) {
-    fmt::format_to(
-        out,
-        "| law | damage | single features killed | of them | changes nothing | pairs killed | of them | "
-        "changes nothing | no case held |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+    fmt::format_to(out,
+                   "| law | damage | single features killed | | cannot be seen | pairs killed | | cannot be seen | "
+                   "no case held |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   } else {
     fmt::format_to(out, "{:<13}{:<28}{:>28}{:>10}{:>10}{:>30}{:>10}{:>10}\n", "law", "damage", "single features killed",
                    "truth", "not held", "pairs killed", "truth", "not held");
@@ -150,6 +197,7 @@ std::string to_text(const Detection& detection, bool markdown) {
   fmt::format_to(out, "\n{} colliding cases, {} of them held by binary64, {} sound outcomes rejected\n",
                  detection.cases(), detection.held(), detection.sound_rejected());
   if (markdown) {
+    print_kinds(out, detection);
     return text;
   }
   fmt::format_to(out, "\nnot killed (pairs: where neither feature alone is the reason)\n");
