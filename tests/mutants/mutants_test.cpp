@@ -97,9 +97,7 @@ TEST(MutantCatalogue, HasAMutantForEveryInvariant) {
     rejecting.insert(mutant.rejected_by.begin(), mutant.rejected_by.end());
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
-    // A session that remembers is none of the stateless mutants: tests/properties/gate/memory_test.cpp has them.
-    EXPECT_TRUE(rejecting.contains(invariant.name) || invariant.name == "memoryless")
-        << invariant.name << " rejects no mutant";
+    EXPECT_TRUE(rejecting.contains(invariant.name)) << invariant.name << " rejects no mutant";
   }
 }
 

@@ -12,8 +12,9 @@
 
 namespace carom::mutants {
 
-/// The invariants that reject a subject on so many cases of each family, those that the gate draws from `seed`. An
-/// invariant that has rejected is not asked again: the judge decides most passes by enclosures, and no violation.
+/// The invariants that reject a subject on so many cases of each family, times its weight, those that the gate draws
+/// from `seed`; a tenth of them is asked again in the end. An invariant that has rejected is not asked again: the judge
+/// decides most passes by enclosures, and no violation.
 [[nodiscard]] std::set<std::string_view> rejecting_invariants(const Subject& subject,
                                                               std::span<const properties::Family> families,
                                                               std::uint64_t seed, std::uint64_t cases);

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which conditional mutants the cases of the gate kill:
+//   detection [--seed S] [--cases N] [--jobs J] [--law L…] [--format text|markdown]
+// Ends in 1 where a sound outcome is rejected. With --planted: which invariants reject each planted mutant, and what
+// each invariant alone would miss.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "detection_report.hpp"
+#include "planted.hpp"
+
+namespace carom::mutants {
+namespace {
+
+int run(int argc, char** argv) {
+  DetectionOptions options;
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::string> laws;
+  std::string format = "text";
+  bool planted = false;
+  CLI::App app("Which conditional mutants the cases of the gate kill");
+  app.add_option("--seed", options.seed)->capture_default_str();
+  app.add_option("--cases", options.cases, "Of each family, times its weight")->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Threads")->check(CLI::PositiveNumber);
+  app.add_option("--law", laws, "Laws (default: all that determine an outcome)");
+  app.add_option("--format", format)->check(CLI::IsMember({"text", "markdown"}))->capture_default_str();
+  app.add_flag("--planted", planted, "Which invariants reject each planted mutant, in Markdown");
+  try {
+    app.parse(argc, argv);
+    if (!laws.empty()) {
+      options.models.clear();
+      for (const std::string& law : laws) {
+        const std::optional<Model> model = model_named(law);
+        if (!model || !determines_outcome(*model)) {
+          throw CLI::ValidationError("--law", "there is no law \"" + law + "\" that determines an outcome");
+        }
+        options.models.push_back(*model);
+      }
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  if (planted) {
+    fmt::print("{}", to_markdown(rejected_mutants(options.seed, options.cases, options.jobs)));
+    return 0;
+  }
+  const Detection detection = detect(options);
+  fmt::print("{}", to_text(detection, format == "markdown"));
+  return detection.sound_rejected() == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace carom::mutants
+
+int main(int argc, char** argv) {
+  try {
+    return carom::mutants::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "detection: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "detection_report.hpp"
+#include "leaves_truth.hpp"
+#include "support/cases.hpp"
+
+/// Which conditional mutants the default cases of the gate kill, and what a damage is.
+namespace carom::mutants {
+namespace {
+
+/// Two general bodies that collide and rebound.
+Collision general_collision() {
+  for (std::uint64_t index = 0;; ++index) {
+    const Collision collision = unit::case_of("physical", index).collision;
+    const bool is_general = !collision.a.immovable && !collision.b.immovable && collision.restitution > 0;
+    if (is_general && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
+      return collision;
+    }
+  }
+}
+
+class Damages : public testing::TestWithParam<Damage> {};
+
+TEST_P(Damages, ChangeTheOutcomeOfAGeneralCollision) {
+  const Collision collision = general_collision();
+  const oracles::ExactCase read(as_read(collision));
+  for (const Model model : models_with_truth) {
+    const Solution sound = solved(model, collision);
+    EXPECT_TRUE(differ(damaged(GetParam(), sound, {}), sound.outcome)) << name_of(model);
+    EXPECT_FALSE(leaves_truth(GetParam(), read, model)) << name_of(model);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Damages, testing::ValuesIn(all_damages),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+/// Spheres of unit mass, head-on along x; A does not spin, B spins about x.
+TEST(LeavesTruth, SaysWhatNoJudgeCanSee) {
+  Collision spheres;
+  spheres.normal = {-1, 0, 0};
+  spheres.a.position = {-1, 0, 0};
+  spheres.b.position = {1, 0, 0};
+  spheres.a.velocity = {1, 0, 0};
+  spheres.b.angular_velocity = {1, 0, 0};
+  const oracles::ExactCase read(as_read(spheres));
+  for (const Damage damage : {Damage::torque_of_a_dropped, Damage::turning_left_out_of_k}) {
+    EXPECT_TRUE(leaves_truth(damage, read, Model::frictionless)) << name_of(damage);
+  }
+  for (const Damage damage : {Damage::restitution_ignored, Damage::nothing_happens, Damage::reaction_dropped,
+                              Damage::sign_of_impulse_component, Damage::spin_along_normal_lost}) {
+    EXPECT_FALSE(leaves_truth(damage, read, Model::frictionless)) << name_of(damage);
+  }
+}
+
+TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
+  DetectionOptions options;
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  const Detection detection = detect(options);
+  EXPECT_EQ(detection.sound_rejected(), 0U);
+  const auto& [singles, pairs] = scores_of(detection);
+  EXPECT_EQ(singles.no_case_held, 0U);
+  EXPECT_EQ(singles.killed, singles.visible());
+  constexpr double enough = 99;  // %
+  for (const Model model : detection.models()) {
+    for (const Damage damage : all_damages) {
+      EXPECT_GE(scores_of(detection, model, damage).pairs.percent(), enough)
+          << name_of(model) << ' ' << name_of(damage);
+    }
+  }
+  // Most of what no judge can see is a damage that its feature rules out; a pass that kills little would show here.
+  EXPECT_GT(pairs.visible(), 100 * pairs.leaves_truth);
+}
+
+}  // namespace
+}  // namespace carom::mutants

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/collision/collision.hpp>
+
+#include "defect.hpp"
+
+namespace carom::mutants {
+
+/// The collision that a solver with this defect takes it for, where the defect is in what is read; else the same.
+/// Precondition: the collision is valid.
+[[nodiscard]] Collision misread(Defect defect, const Collision& collision);
+
+}  // namespace carom::mutants
