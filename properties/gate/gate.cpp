@@ -181,7 +181,10 @@ class Worker {
     open_sessions();
     const std::vector<Task> tasks = all_tasks(options_);
     for (std::uint64_t task = next_task(); task < tasks.size() && !options_.stop.stop_requested(); task = next_task()) {
-      const auto [family, first, last] = tasks[task];
+      // No structured binding: clang before 16 captures none.
+      const std::size_t family = tasks[task].family;
+      const std::uint64_t first = tasks[task].first;
+      const std::uint64_t last = tasks[task].last;
       std::deque<JudgedCase> cases;
       for (std::uint64_t index = first; index < last; ++index) {
         Stream stream = case_stream(options_.seed, options_.families[family]->name, index);

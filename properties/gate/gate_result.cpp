@@ -15,7 +15,9 @@ constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum"
 
 }  // namespace
 
-std::uint64_t cases_of(const GateOptions& options, const Family& family) { return options.cases * family.weight; }
+std::uint64_t cases_of(const GateOptions& options, const Family& family) {
+  return options.cases * static_cast<std::uint64_t>(family.weight);
+}
 
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
