@@ -11,6 +11,7 @@
 #   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 #   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
+#   fuzz      [SECONDS]: each target of tests/fuzz so long, 30 where nothing is said, by clang's libFuzzer, in build-fuzz
 #   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
 #   lint      clang-format, shellcheck, and clang-tidy (of all files, or of FILE…), in build-lint
 set -euo pipefail
@@ -82,6 +83,34 @@ lint() {
   return "$status"
 }
 
+# Clang's libFuzzer, which Debian has in a package of its own, with the version in its name.
+install_fuzzer() {
+  install_packages clang
+  echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+    clang++ -x c++ - -fsanitize=fuzzer,address -o /dev/null 2>/dev/null && return
+  local version
+  version=$(clang++ -dumpversion)
+  install_packages "libclang-rt-${version%%.*}-dev"
+}
+
+# fuzz_one TARGET SECONDS: what it finds out stays in build-fuzz/found/TARGET, findings in build-fuzz/findings.
+fuzz_one() {
+  local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") known options
+  for known in corpora regressions; do
+    [ -d "tests/fuzz/$known/$target" ] && directories+=("tests/fuzz/$known/$target")
+  done
+  options=(-max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 "-artifact_prefix=build-fuzz/findings/$target-")
+  case "$target" in json_* | protocol_*) options+=(-dict=tests/fuzz/carom.dict) ;; esac
+  mkdir -p "${directories[0]}" build-fuzz/findings
+  if "build-fuzz/tests/fuzz/$target" "${options[@]}" "${directories[@]}" >"build-fuzz/$target.log" 2>&1; then
+    echo "$target: $(tail -n 1 "build-fuzz/$target.log"), nothing found"
+  else
+    tail -n 60 "build-fuzz/$target.log"
+    echo "$target: a finding; tests/fuzz/README.md says what to do with it"
+    return 1
+  fi
+}
+
 command=${1:-build}
 [ $# -gt 0 ] && shift
 case "$command" in
@@ -141,6 +170,17 @@ tsan)
   configure build-tsan tsan
   cmake --build build-tsan --parallel "$jobs" --target carom_programs carom_tool_tests >&2
   exec ctest --test-dir build-tsan --output-on-failure --parallel "$jobs" --label-regex '^tool$' "$@"
+  ;;
+fuzz)
+  install_packages
+  install_fuzzer
+  configure build-fuzz fuzz
+  cmake --build build-fuzz --parallel "$jobs" --target carom_fuzzers >&2
+  status=0
+  for source in build-fuzz/tests/fuzz/seeds/*; do
+    fuzz_one "$(basename "$source")" "${1:-30}" || status=1
+  done
+  exit "$status"
   ;;
 coverage)
   install_test_programs

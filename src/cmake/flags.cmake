@@ -27,6 +27,10 @@ if(CAROM_SANITIZE)
   # Boost.Asio has a fence that ThreadSanitizer does not see; what it orders has locks as well.
   target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
 endif()
+if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
+  # The fuzzer sees which branches are taken in everything that is Carom's.
+  target_compile_options(carom_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(CAROM_COVERAGE)
   target_compile_options(carom_flags INTERFACE --coverage -fprofile-update=atomic)
   target_link_options(carom_flags INTERFACE --coverage)

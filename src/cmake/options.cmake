@@ -19,6 +19,19 @@ if(NOT CAROM_SANITIZE MATCHES "^(address|thread)?$")
   message(FATAL_ERROR "CAROM_SANITIZE is address, thread or empty, not \"${CAROM_SANITIZE}\"")
 endif()
 
+option(CAROM_BUILD_FUZZERS "Build the targets of tests/fuzz for a fuzzing engine; without it they replay files" OFF)
+# As OSS-Fuzz says it: what a target is linked with besides, and the flags that go with it are the user's. Where nothing is
+# said, it is clang's libFuzzer, with AddressSanitizer and UndefinedBehaviorSanitizer.
+set(LIB_FUZZING_ENGINE "$ENV{LIB_FUZZING_ENGINE}" CACHE STRING "The fuzzing engine: a library or a flag of the linker")
+if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "CAROM_BUILD_FUZZERS needs clang, or LIB_FUZZING_ENGINE")
+  endif()
+  if(NOT CAROM_SANITIZE)
+    set(CAROM_SANITIZE address)
+  endif()
+endif()
+
 # A project that contains this one chooses for itself.
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)

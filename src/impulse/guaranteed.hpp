@@ -96,6 +96,7 @@ struct Adjustable {
   if (collision.a.immovable && collision.b.immovable) {
     return outcome;
   }
+  double ulps = 1;
   while (detail::all_finite(outcome)) {
     const detail::RoundedNormalVelocity<double> roughly(collision, outcome, detail::unit_roundoff_of_double);
     if (roughly.value > roughly.bound) {
@@ -106,8 +107,11 @@ struct Adjustable {
       break;
     }
     const auto [component, slope, ulp] = detail::most_effective_component(collision, outcome);
-    // At least one ulp, so that N·V grows each time; more where the law itself was evaluated badly.
-    *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulp), slope);
+    // At least one ulp, so that N·V grows each time; more where the law itself was evaluated badly. Where N·V
+    // underflows nothing tells how far it is from zero, which may be more ulps than anyone can wait for: twice as many
+    // each time.
+    *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulps * ulp), slope);
+    ulps = velocity.value == 0 ? 2 * ulps : 1;
   }
   return outcome;
 }

@@ -114,5 +114,16 @@ TEST(NormalVelocitySign, IsThatOfRationals) {
   EXPECT_GT(zeros, 50);
 }
 
+/// N·V is then no number of binary64 that could tell how many ulps are missing.
+TEST(Guaranteed, ComesToAnEndWhereTheNormalVelocityUnderflows) {
+  Collision collision;
+  collision.b.immovable = true;
+  collision.normal = {0, 1e-320, 0};
+  collision.a.velocity = {0, -1e-100, 0};
+  EXPECT_EQ(known_normal_velocity(collision, unchanged(collision)).value, 0);
+  EXPECT_LT(normal_velocity_sign(collision, unchanged(collision)), 0);
+  EXPECT_GE(normal_velocity_sign(collision, without_approach(collision, unchanged(collision))), 0);
+}
+
 }  // namespace
 }  // namespace carom::impulse

@@ -7,7 +7,8 @@
 namespace carom::subjects::protocol {
 
 /// What a foreign program wrote, safe to print: valid UTF-8 with no control characters but line ends and tabs, none
-/// that change the direction of writing, and at most so many bytes, an ellipsis aside.
+/// that change the direction of writing. Of a text that is longer, so many bytes and an ellipsis. A byte that is no
+/// UTF-8 becomes a replacement character, which has three.
 [[nodiscard]] std::string printable(std::string text, std::size_t longest);
 
 /// The same with blanks for line ends and tabs.

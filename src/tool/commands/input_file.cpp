@@ -115,8 +115,9 @@ bool is_json_lines(const std::string& text) {
 
 }  // namespace
 
-std::vector<ReadCollision> read_collisions(const std::string& file) {
-  const std::string text = content_of(file);
+std::vector<ReadCollision> read_collisions(const std::string& file) { return collisions_of(content_of(file), file); }
+
+std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file) {
   std::vector<ReadCollision> read;
   if (is_blank(text) || text.find_first_not_of(" \t\r\n") == std::string::npos) {
     fail(file, "is empty; expected a collision");

@@ -27,4 +27,7 @@ struct ReadCollision {
 /// answered is the one exception.
 [[nodiscard]] std::vector<ReadCollision> read_collisions(const std::string& file);
 
+/// The same of the text that such a file holds.
+[[nodiscard]] std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file);
+
 }  // namespace carom::tool

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claimed_domain.hpp"
+
+#include <carom/oracles/filters/moderate.hpp>
+
+namespace carom::fuzz {
+
+bool is_in_claimed_domain(const Collision& collision, Model model) {
+  constexpr double largest_ratio_of_moments = 128;
+  // Of λ, with the 1 that λI itself is, and a half for what is rounded here.
+  constexpr double largest_response_to_torque = 14.5;
+  if (!oracles::is_moderate(collision)) {
+    return false;
+  }
+  double inverse_mass = 0;
+  double response_to_torque = 0;  // at least the norm of the sum of [r]ᵀ J⁻¹ [r]
+  for (const Body* body : {&collision.a, &collision.b}) {
+    if (body->immovable) {
+      continue;
+    }
+    const double least_moment = body->principal_inertia.minCoeff();
+    if (body->principal_inertia.maxCoeff() > largest_ratio_of_moments * least_moment) {
+      return false;
+    }
+    inverse_mass += 1 / body->mass;
+    response_to_torque += (collision.point - body->position).squaredNorm() / least_moment;
+  }
+  return model == Model::frictionless || response_to_torque <= largest_response_to_torque * inverse_mass;
+}
+
+}  // namespace carom::fuzz

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include <carom/properties/families/stream.hpp>
+
+namespace carom::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// What a fuzzer made up, read from the front. Beyond its end stand the numbers of a fixed stream: so every input is
+/// long enough, and a family that draws until something fits comes to an end.
+class Input {
+ public:
+  explicit Input(Bytes bytes) : left_(bytes), beyond_(properties::stream_from(0)) {}
+
+  [[nodiscard]] std::uint8_t byte() { return static_cast<std::uint8_t>(number_of(1)); }
+
+  /// Eight bytes, the least first.
+  [[nodiscard]] std::uint64_t word() { return number_of(sizeof(std::uint64_t)); }
+
+  [[nodiscard]] double number() { return std::bit_cast<double>(word()); }
+
+  /// All bytes that are left, as text.
+  [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(left_.data()), left_.size()}; }
+
+  /// A stream of the words that are left. It refers to this input.
+  [[nodiscard]] properties::Stream stream() {
+    return properties::Stream([this] { return word(); });
+  }
+
+ private:
+  std::uint64_t number_of(std::size_t count) {
+    if (left_.size() < count) {
+      left_ = {};
+      return beyond_.bits();
+    }
+    std::uint64_t number = 0;
+    for (std::size_t i = count; i-- > 0;) {
+      number = number << 8U | left_[i];
+    }
+    left_ = left_.subspan(count);
+    return number;
+  }
+
+  Bytes left_;
+  properties::Stream beyond_;
+};
+
+}  // namespace carom::fuzz

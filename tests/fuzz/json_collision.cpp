@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reader of JSON, and that of a collision: what they do not take is a FormatError; what they take has the value
+// that the library's own reader sees, and survives being written.
+#include <string_view>
+
+#include <carom/collision/json/json.hpp>
+
+#include "input.hpp"
+#include "same_numbers.hpp"
+#include "target.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+void read(std::string_view text) {
+  try {
+    const nlohmann::json json = parse_json(text);
+    require(json == nlohmann::json::parse(text), "parse_json reads another value than nlohmann::json::parse");
+    const Collision collision = collision_from_json(json);
+    const Collision again = collision_from_json(parse_json(collision_to_json(collision).dump()));
+    require(same_numbers(collision, again), "a collision does not survive being written");
+  } catch (const FormatError&) {
+    return;
+  }
+}
+
+}  // namespace
+}  // namespace carom::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  carom::fuzz::read(carom::fuzz::Input({data, size}).text());
+  return 0;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filtered judge against the one in rational numbers alone, on answers near the truth and far from it: the same
+// verdicts. The first byte chooses the yardstick, the second relations and digits; then comes the case, then what the
+// subject is and answers.
+#include <cmath>
+#include <span>
+
+#include <carom/collision/json/json.hpp>
+
+#include "agreement.hpp"
+#include "case_bytes.hpp"
+#include "made_up_answers.hpp"
+#include "target.hpp"
+#include "wild.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+/// Rational arithmetic takes seconds on numbers that are further apart.
+bool is_quick_to_judge(const Collision& collision) {
+  constexpr double largest = 0x1p+100;
+  bool quick = true;
+  for_each_number(
+      [&](const FieldPath&, const double& number) {
+        const double size = std::abs(number);
+        quick = quick && (!std::isfinite(size) || size == 0 || (size <= largest && size >= 1 / largest));
+      },
+      collision);
+  return quick;
+}
+
+void compare_judges(Bytes bytes) {
+  Input input(bytes);
+  equality::Agreement agreement;
+  agreement.cases = input.byte();  // which decides how the yardstick is drawn
+  const std::uint8_t choices = input.byte();
+  properties::Case one = case_from(input).one;
+  if (!is_quick_to_judge(one.collision)) {
+    return;
+  }
+  equality::Examined examined(made_up_subject(input));
+  // What costs most is left to one input in four each: numbers of all digits, and relations.
+  if (choices % 4 != 0) {
+    properties::Stream stream = input.stream();
+    one = equality::shortened(one, stream);
+  }
+  const auto relations = choices / 4 % 4 == 0 ? equality::Relations::judged : equality::Relations::left_out;
+  equality::compare_judges(one, std::span(&examined, 1), relations, "the judges differ", agreement);
+  if (!agreement.differences.empty()) {
+    std::string text;
+    for (const std::string& difference : agreement.differences) {
+      text += difference + '\n';
+    }
+    fail(text + collision_to_json(one.collision).dump());
+  }
+}
+
+}  // namespace
+}  // namespace carom::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  carom::fuzz::compare_judges({data, size});
+  return 0;
+}

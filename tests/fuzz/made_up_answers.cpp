@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made_up_answers.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
+
+#include "planted.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+/// One of the twelve numbers of the exact outcome moved by a few units in the last place of binary64, all rounded.
+ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Model model, Input& input) {
+  auto outcome = map_outcome<double>(exact_case.truth(model).outcome,
+                                     [](const oracles::Rational& x) { return oracles::to_double(x); });
+  const int which = input.byte() % 12;
+  const int ulps = input.byte() - 128;
+  double& number = (*vectors(outcome)[static_cast<OutcomeVector>(which / 3)])[which % 3];
+  number *= 1 + ulps * std::numeric_limits<double>::epsilon();
+  return map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+}
+
+ReportedOutcome any_outcome(Input& input) {
+  return map_outcome<long double>(ReportedOutcome{},
+                                  [&](long double) { return static_cast<long double>(input.number()); });
+}
+
+Answer made_up_answer(const Collision& collision, Model model, Precision precision, Input& input) {
+  const int kind = input.byte() % 16;
+  if (kind == 0) {
+    return Skipped{"made up"};
+  }
+  if (kind == 1) {
+    return Refused{"made up"};
+  }
+  if (kind < 5 || !validate(collision).empty()) {
+    return any_outcome(input);
+  }
+  const oracles::ExactCase exact_case(collision);
+  if (kind < 10) {
+    return moved_truth(exact_case, model, input);
+  }
+  const double allowance = oracles::default_limit_ulps * unit_roundoff(precision);
+  properties::Stream stream = input.stream();
+  return equality::planted_outcome(exact_case, model, precision, allowance, stream);
+}
+
+}  // namespace
+
+Subject made_up_subject(Input& input) {
+  constexpr std::array precisions{Precision::binary32, Precision::binary64, Precision::extended};
+  Subject subject;
+  subject.name = "made-up";
+  subject.model = models_with_truth.at(input.byte() % models_with_truth.size());
+  subject.precision = precisions.at(input.byte() % precisions.size());
+  const Model model = subject.model;
+  const Precision precision = subject.precision;
+  const int place = input.byte() % 9;
+  const int ulps = input.byte() - 128;
+  // Both judges ask for it: it has to be the same for both.
+  subject.collision_matrix = [=](const Collision& collision) {
+    Matrix3<long double> matrix;
+    const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();
+    for (int i = 0; i < 9; ++i) {
+      matrix(i / 3, i % 3) = static_cast<long double>(oracles::to_double(exact(i / 3, i % 3)));
+    }
+    matrix(place / 3, place % 3) *= static_cast<long double>(1 + ulps * unit_roundoff(precision));
+    return matrix;
+  };
+  subject.open = [=, &input] {
+    return Session([=, &input](std::span<const Collision> collisions) {
+      std::vector<Answer> answers;
+      for (const Collision& collision : collisions) {
+        answers.push_back(made_up_answer(collision, model, precision, input));
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+}  // namespace carom::fuzz

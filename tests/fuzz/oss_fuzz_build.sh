@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds every target as OSS-Fuzz asks for it: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, in $WORK, to $OUT, each with
+# its seeds and its dictionary. README.md has the project that runs it.
+set -euo pipefail
+source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+fuzz=$source/tests/fuzz
+
+# The packs of the batch solvers are libstdc++'s (<experimental/simd>), and {fmt} of the system was compiled for it.
+flags=${CXXFLAGS:-}
+flags=${flags//-stdlib=libc++/}
+
+# Targets run where nothing is installed: what is shared goes with them.
+# shellcheck disable=SC2016 # $ORIGIN is the loader's
+cmake -S "$source" -B "$WORK/carom" -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
+  -DCAROM_BUILD_FUZZERS=ON -DCAROM_BUILD_TESTS=OFF -DCAROM_UNITY=ON -DCAROM_WARNINGS_AS_ERRORS=OFF \
+  -DCMAKE_BUILD_RPATH='$ORIGIN/lib'
+cmake --build "$WORK/carom" --target carom_fuzzers
+
+mkdir -p "$OUT/lib"
+for seeds in "$WORK"/carom/tests/fuzz/seeds/*; do
+  target=$(basename "$seeds")
+  cp "$WORK/carom/tests/fuzz/$target" "$OUT/"
+  cp "$fuzz/carom.dict" "$OUT/$target.dict"
+  known=("$seeds")
+  for folder in corpora regressions; do
+    [ -d "$fuzz/$folder/$target" ] && known+=("$fuzz/$folder/$target")
+  done
+  rm -f "$OUT/${target}_seed_corpus.zip"
+  zip -q -j -r "$OUT/${target}_seed_corpus.zip" "${known[@]}"
+  ldd "$WORK/carom/tests/fuzz/$target" | awk '$1 ~ /^lib(stdc\+\+|gcc_s|fmt|gmp|mpfr|ode|Bullet|LinearMath|ccd)/ { print $3 }' |
+    xargs -r cp -L -t "$OUT/lib"
+done

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a program prints, as the gate reads it: the first byte chooses its precision, the rest is a line, read as the
+// reply to `start` and as that to `solve` number 1. What cannot be read is a FormatError; what can be is the same when
+// written and read again.
+#include <array>
+#include <optional>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+
+#include "input.hpp"
+#include "same_numbers.hpp"
+#include "target.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+namespace protocol = subjects::protocol;
+
+// Longer texts are cut when read.
+constexpr std::size_t surely_whole_name = 100;
+constexpr std::size_t surely_whole_text = 2000;
+
+bool is_whole(const protocol::Introduction& introduction) {
+  bool whole = introduction.name.size() <= surely_whole_name && introduction.version.size() <= surely_whole_name;
+  for (const std::string& name : introduction.deviates) {
+    whole = whole && name.size() <= surely_whole_name;
+  }
+  return whole;
+}
+
+template <class Told>
+bool same_reason(const Told& told, const Answer& again) {
+  const auto* retold = std::get_if<Told>(&again);
+  return retold != nullptr && (retold->why == told.why || told.why.size() > surely_whole_text);
+}
+
+bool same_answer(const Answer& first, const Answer& again) {
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&first)) {
+    const auto* read = std::get_if<ReportedOutcome>(&again);
+    return read != nullptr && same_numbers(*outcome, *read);
+  }
+  const auto* skipped = std::get_if<Skipped>(&first);
+  return skipped != nullptr ? same_reason(*skipped, again) : same_reason(std::get<Refused>(first), again);
+}
+
+template <class Read>
+auto read_or_none(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const FormatError&) {
+    return std::nullopt;
+  }
+}
+
+void read(Bytes bytes) {
+  constexpr std::array precisions{Precision::binary32, Precision::binary64, Precision::extended};
+  Input input(bytes);
+  const Precision precision = precisions.at(input.byte() % precisions.size());
+  const std::string_view line = input.text();
+  if (const auto introduction = read_or_none([&] { return protocol::introduction_from(line); })) {
+    const protocol::Introduction again = protocol::introduction_from(protocol::introduction_reply(*introduction));
+    require(again == *introduction || !is_whole(*introduction), "an introduction does not survive being written");
+  }
+  if (const auto answer = read_or_none([&] { return protocol::answer_from(line, 1, precision); })) {
+    const Answer again = protocol::answer_from(protocol::answer_reply(1, *answer, precision), 1, precision);
+    require(same_answer(*answer, again), "an answer does not survive being written");
+  }
+}
+
+}  // namespace
+}  // namespace carom::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  carom::fuzz::read({data, size});
+  return 0;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The subject's side of the line: whatever is sent to it, it answers each request in a line that the gate can read, or
+// says that it cannot and ends in status 2.
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/serve.hpp>
+
+#include "input.hpp"
+#include "target.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+namespace protocol = subjects::protocol;
+
+/// Standard error, kept out of the fuzzer's own.
+class Silence {
+ public:
+  Silence() : kept_(std::cerr.rdbuf(dropped_.rdbuf())) {}
+  ~Silence() { std::cerr.rdbuf(kept_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::ostringstream dropped_;
+  std::streambuf* kept_;
+};
+
+/// Each reply is the one to the request that stands in its place.
+void require_right_replies(const std::string& requests, const std::string& replies, Precision precision) {
+  std::istringstream asked(requests);
+  std::istringstream answered(replies);
+  std::string request;
+  for (std::string reply; std::getline(answered, reply);) {
+    require(static_cast<bool>(std::getline(asked, request)), "more replies than requests");
+    const nlohmann::json read = parse_json(request);
+    if (read.at("cmd") == "start") {
+      (void)protocol::introduction_from(reply);
+    } else {
+      require(read.at("id").is_number_unsigned(), "a request is answered that has no number");
+      (void)protocol::answer_from(reply, read.at("id").get<std::uint64_t>(), precision);
+    }
+  }
+}
+
+void answer(const std::string& requests) {
+  static const Subject subject = subjects::subject_named("reflection-double").value();
+  std::istringstream input(requests);
+  std::ostringstream output;
+  int status = 0;
+  {
+    const Silence silence;
+    status = protocol::serve(subject, input, output);
+  }
+  require(status == 0 || status == 2, "the exit status is neither 0 nor 2");
+  require_right_replies(requests, output.str(), subject.precision);
+}
+
+}  // namespace
+}  // namespace carom::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  carom::fuzz::answer(std::string(carom::fuzz::Input({data, size}).text()));
+  return 0;
+}

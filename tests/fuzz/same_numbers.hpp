@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include <carom/collision/outcome.hpp>
+
+/// What was written and read again. No number is as good as any other that is none.
+namespace carom::fuzz {
+
+template <class S>
+[[nodiscard]] bool same_number(S x, S y) {
+  return x == y || (std::isnan(x) && std::isnan(y));
+}
+
+[[nodiscard]] inline bool same_numbers(const Collision& x, const Collision& y) {
+  bool same = x.a.immovable == y.a.immovable && x.b.immovable == y.b.immovable;
+  for_each_number([&](const FieldPath&, const double& of_x, const double& of_y) { same &= same_number(of_x, of_y); }, x,
+                  y);
+  return same;
+}
+
+[[nodiscard]] inline bool same_numbers(const ReportedOutcome& x, const ReportedOutcome& y) {
+  bool same = true;
+  const auto of_x = vectors(x);
+  const auto of_y = vectors(y);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      same &= same_number((*of_x[k])[i], (*of_y[k])[i]);
+    }
+  }
+  return same;
+}
+
+}  // namespace carom::fuzz

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, inputs for each target made from the families, a few of each.
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/trial/answers.hpp>
+#include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+
+#include "case_bytes.hpp"
+
+namespace carom::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+namespace protocol = subjects::protocol;
+
+void write(const fs::path& directory, std::string_view target, const std::string& name, std::string_view bytes) {
+  fs::create_directories(directory / target);
+  std::ofstream stream(directory / target / name, std::ios::binary);
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  stream << bytes;
+}
+
+std::string with_head(std::initializer_list<std::size_t> head, const std::vector<std::uint8_t>& bytes) {
+  std::string text;
+  for (const std::size_t number : head) {
+    text += static_cast<char>(static_cast<std::uint8_t>(number));
+  }
+  return text + std::string(bytes.begin(), bytes.end());
+}
+
+/// Of the same cases in both forms; the numbers before them go round through what can be chosen.
+void write_cases(const fs::path& directory, std::size_t number, std::string_view family, const Collision& collision) {
+  const std::string name(family);
+  const std::vector<std::uint8_t> drawn = bytes_of_family(number, 0);
+  const std::vector<std::uint8_t> as_it_stands = bytes_of(collision);
+  for (const char* law : {"law_frictionless", "law_reflection", "law_sticking"}) {
+    write(directory, law, name + "-drawn", with_head({number}, drawn));
+    write(directory, law, name, with_head({number + 1}, as_it_stands));
+  }
+  write(directory, "judge", name + "-drawn", with_head({number, number}, drawn));
+  write(directory, "judge", name, with_head({number + 1, number + 1}, as_it_stands));
+}
+
+void write_texts(const fs::path& directory, std::uint8_t number, const std::string& family, const Collision& collision,
+                 Session& session) {
+  const json record = collision_to_json(collision);
+  write(directory, "json_collision", family, record.dump());
+  const json witness{{"carom", "0.1.0"},
+                     {"subject", {{"name", "reflection-double"}}},
+                     {"invariant", family == "invalid" ? "invalid_refused" : "backward_error"},
+                     {"family", family},
+                     {"convex_uniform", false},
+                     {"collision", record}};
+  const std::string as_line = witness.dump() + '\n';
+  write(directory, "json_witness", family, number % 3 == 0 ? as_line + as_line : witness.dump(2));
+  write(directory, "protocol_request", family,
+        protocol::start_request() + protocol::solve_request(number, collision) + protocol::stop_request());
+  const Answer answer = properties::answers_of(session, std::span(&collision, 1)).front();
+  for (const Precision precision : {Precision::binary64, Precision::extended}) {
+    const char chosen = precision == Precision::binary64 ? '\1' : '\2';
+    write(directory, "protocol_reply", family + '-' + std::string(name_of(precision)),
+          chosen + protocol::answer_reply(1, answer, precision));
+  }
+}
+
+void write_all(const fs::path& directory) {
+  const Subject solver = subjects::subject_named("reflection-double").value();
+  Session session = solver.open();
+  const auto families = properties::all_families();
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    properties::Stream stream = properties::case_stream(1, families[i].name, 0);
+    const Collision collision = families[i].generate(stream).collision;
+    write_cases(directory, i, families[i].name, collision);
+    write_texts(directory, static_cast<std::uint8_t>(i), std::string(families[i].name), collision, session);
+  }
+  write(
+      directory, "protocol_reply", "introduction",
+      '\1' + protocol::introduction_reply({"name", "1.0", Precision::binary64, Model::reflection, {"energy", "swap"}}));
+  write(directory, "json_witness", "array", json::array({json::parse("{}"), json::parse("[]")}).dump());
+  write(directory, "printed_text", "text", "\x40one\ttwo\n\x1b[31mthree\u202e four \u00e4\u2026\xff");
+  write(directory, "printed_text", "words", "\x40program --name 'one two' \"three \\\" $four\" five\\ six");
+}
+
+}  // namespace
+}  // namespace carom::fuzz
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: seeds DIRECTORY\n";
+    return 2;
+  }
+  try {
+    carom::fuzz::write_all(argv[1]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "seeds: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+/// What a fuzzing engine calls with each input; every target defines it. A finding ends the process, by `fail`, by an
+/// exception that gets out, or by a sanitizer.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace carom::fuzz {
+
+/// Ends the process as a finding, which the text describes.
+[[noreturn]] inline void fail(const std::string& what) {
+  (void)std::fprintf(stderr, "%s\n", what.c_str());
+  std::abort();
+}
+
+inline void require(bool holds, const char* what) {
+  if (!holds) {
+    fail(what);
+  }
+}
+
+}  // namespace carom::fuzz
