@@ -26,11 +26,12 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
 
 /// τ_k of `sensitivity`; zero where it is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
+  // A lever arm is perturbed by the places that it is the difference of.
+  const auto reach = [&](const Body& body) { return c.point.lpNorm<1>() + body.position.lpNorm<1>(); };
   double speed = 0;
   double lambda = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    speed +=
-        body->velocity.lpNorm<1>() + body->angular_velocity.lpNorm<1>() * lever_arm<double>(*body, c.point).lpNorm<1>();
+    speed += body->velocity.lpNorm<1>() + body->angular_velocity.lpNorm<1>() * reach(*body);
     lambda += body->immovable ? 0 : 1 / body->mass;
   }
   const double impulse = lambda > 0 ? 2 * speed / lambda : 0;
@@ -39,9 +40,7 @@ Sensitivity second_order_scale(const Collision& c) {
   };
   const auto of_spin = [&](const Body& body) {
     return body.angular_velocity.lpNorm<1>() +
-           (body.immovable
-                ? 0
-                : impulse * lever_arm<double>(body, c.point).lpNorm<1>() / body.principal_inertia.minCoeff());
+           (body.immovable ? 0 : impulse * reach(body) / body.principal_inertia.minCoeff());
   };
   Sensitivity scale{};
   scale[OutcomeVector::velocity_of_a] = of_velocity(c.a);

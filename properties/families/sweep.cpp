@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/sweep.hpp>
 
@@ -60,6 +61,51 @@ Collision distance(Stream& stream, double metres) {
   return c;
 }
 
+/// A rod, its moments 1 : ratio : ratio, struck at its end, or beside its middle at as much of its length as it is
+/// thin.
+Collision slenderness(Stream& stream, double ratio) {
+  Collision c = general_bodies(stream).collision;
+  const double thinness = 1 / std::sqrt(ratio);
+  Body& body = c.a;
+  body.principal_inertia = Vector3<double>{1 / ratio, 1, 1} * body.principal_inertia.maxCoeff();
+  const double length = std::sqrt(body.principal_inertia[1] / body.mass);
+  const Vector3<double> in_body =
+      Vector3<double>{stream.between(0.5, 1), 0, 0} * length + stream.vector() * (length * thinness);
+  body.position = c.point - oracles::turned<double>(body.orientation, in_body);
+  make_approaching(c);
+  return c;
+}
+
+/// Both bodies, and the places and velocities that go with them, so many times as large.
+Collision size(Stream& stream, double ratio) {
+  Collision c = general_bodies(stream).collision;
+  c.point *= ratio;
+  for (Body* body : {&c.a, &c.b}) {
+    body->position *= ratio;
+    body->velocity *= ratio;
+    body->principal_inertia *= ratio * ratio;
+  }
+  return c;
+}
+
+/// Body A so many times as large, of the same density.
+Collision size_ratio(Stream& stream, double ratio) {
+  Collision c = general_bodies(stream).collision;
+  const Vector3<double> lever_arm = c.point - c.a.position;
+  c.a.position = c.point - lever_arm * ratio;
+  c.a.mass *= ratio * ratio * ratio;
+  c.a.principal_inertia *= ratio * ratio * ratio * ratio * ratio;
+  c.a.angular_velocity /= ratio;
+  make_approaching(c);
+  return c;
+}
+
+Collision small_restitution(Stream& stream, double restitution) {
+  Collision c = general_bodies(stream).collision;
+  c.restitution = restitution;
+  return c;
+}
+
 Collision sphere_offset(Stream& stream, double radii) {
   Collision c = touching_spheres(stream).collision;
   c.point += orthogonal(c.normal) * radii;
@@ -79,6 +125,16 @@ constexpr std::array sweeps{
           "general bodies, both ever heavier", 0, 30, mass_unit},
     Sweep{"distance", "distance from the origin [m]", "general bodies of about 1 m, ever farther from the origin", 0,
           15, distance},
+    Sweep{"slenderness", "ratio of the greatest to the least moment of inertia of a rod",
+          "a rod and a general body, the rod ever more slender", 0, 12, slenderness},
+    Sweep{"small_size", "size of both bodies, ever smaller [about 1 m times this]",
+          "general bodies, both ever smaller, and as quick for their size", 0, -12, size},
+    Sweep{"large_size", "size of both bodies, ever larger [about 1 m times this]",
+          "general bodies, both ever larger, and as quick for their size", 0, 12, size},
+    Sweep{"size_ratio", "ratio of the sizes of the bodies", "general bodies of one density, one of them ever larger", 0,
+          9, size_ratio},
+    Sweep{"small_restitution", "restitution", "general bodies, the restitution ever smaller", 0, -18,
+          small_restitution},
     Sweep{"sphere_offset", "offset of the contact from the line of centres [about 1 radius times this]",
           "touching spheres, the contact ever closer to the line of centres", -1, -17, sphere_offset},
 };

@@ -42,8 +42,7 @@ template <class S>
 /// |x| + |y| + |z|.
 template <class S>
 [[nodiscard]] S sum_of_sizes(const Vector3<S>& v) {
-  const auto size = [](const S& x) { return select(x < S(0), S(-x), x); };
-  return (size(v[0]) + size(v[1])) + size(v[2]);
+  return (absolute(v[0]) + absolute(v[1])) + absolute(v[2]);
 }
 
 }  // namespace detail

@@ -24,6 +24,12 @@ template <class Condition, class S>
   }
 }
 
+/// |x|.
+template <class S>
+[[nodiscard]] S absolute(const S& x) {
+  return select(x < S(0), S(-x), x);
+}
+
 /// The number, or `least` where it is below that. NaN stays.
 template <class S>
 [[nodiscard]] S at_least(const S& least, const S& number) {

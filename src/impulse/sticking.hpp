@@ -7,7 +7,21 @@
 
 namespace carom::impulse {
 
-/// V, the component along N of what the spins add to it taken from r × N as that of `normal_velocity` is.
+namespace detail {
+
+/// |w_j r_k| + |w_k r_j|, of which each component of w × r has a share u of rounding.
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> terms_of_spin(const ContactBody<S, Inertia>& body) {
+  const Vector3<S>& w = body.angular_velocity;
+  const Vector3<S>& r = body.lever_arm;
+  const auto component = [&](int j, int k) -> S { return absolute(S(w[j] * r[k])) + absolute(S(w[k] * r[j])); };
+  return {component(1, 2), component(2, 0), component(0, 1)};
+}
+
+}  // namespace detail
+
+/// V, what the spins add to its component along N taken from r × N as that of `normal_velocity` is. What w × r misses
+/// of it is made up for by its components, each by as many of its own roundings as the others.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -15,8 +29,12 @@ template <class S, class Inertia>
       cross(contact.a.angular_velocity, contact.a.lever_arm) - cross(contact.b.angular_velocity, contact.b.lever_arm);
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
-  const S missing = (along_normal - dot(n, by_spins)) / dot(n, n);
-  return (contact.a.velocity - contact.b.velocity) + (by_spins + n * missing);
+  const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
+  const S terms_along_normal = (absolute(n[0]) * terms[0] + absolute(n[1]) * terms[1]) + absolute(n[2]) * terms[2];
+  const S divisor = select(terms_along_normal > S(0), terms_along_normal, S(1));
+  const S missing = (along_normal - dot(n, by_spins)) / divisor;
+  const auto mended = [&](int i) -> S { return by_spins[i] + missing * select(n[i] < S(0), S(-terms[i]), terms[i]); };
+  return (contact.a.velocity - contact.b.velocity) + Vector3<S>{mended(0), mended(1), mended(2)};
 }
 
 /// The law that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0, so

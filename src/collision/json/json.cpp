@@ -301,6 +301,13 @@ double number_from_json(const json& value, const std::string& place) {
 
 json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vector); }
 
+namespace {
+
+/// The number that a field has which is left out; −0 is another.
+bool is_default(double coefficient) { return coefficient == 0 && !std::signbit(coefficient); }
+
+}  // namespace
+
 json collision_to_json(const Collision& collision) {
   json result = json::object();
   result["a"] = body_to_json(collision.a);
@@ -308,10 +315,10 @@ json collision_to_json(const Collision& collision) {
   result["point"] = numbers_to_json(collision.point);
   result["normal"] = numbers_to_json(collision.normal);
   result["restitution"] = number_to_json(collision.restitution);
-  if (collision.friction != 0) {
+  if (!is_default(collision.friction)) {
     result["friction"] = number_to_json(collision.friction);
   }
-  if (collision.tangential_restitution != 0) {
+  if (!is_default(collision.tangential_restitution)) {
     result["tangential_restitution"] = number_to_json(collision.tangential_restitution);
   }
   return result;

@@ -407,6 +407,48 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
   }
 }
 
+/// An outcome that is one of the two answers exactly is told by that one, though the other passes too.
+TEST(Accuracy, IsThatOfTheNearerAnswer) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  Collision c;
+  c.normal = {0x1p-10, 1, 0};
+  c.a.velocity = {0x1p-50, -0x1p-60 - 0x1p-100, 0};
+  c.b.velocity = {1, -0x1p-10, 0};
+  c.a.velocity += c.b.velocity;
+  c.a.velocity[1] = std::nextafter(c.b.velocity[1], -1);
+  const ExactCase exact_case(c);
+  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  ASSERT_TRUE(exact_case.has_two_answers(Model::sticking, yardstick.allowance()));
+  const auto unmoved = map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  EXPECT_EQ(
+      accuracy(exact_case, Model::sticking, LiftedOutcome(unmoved), yardstick).backward_error(yardstick.unit_roundoff),
+      0);
+}
+
+/// A body that moves with a driven wall: the energy that the wall gives has no slope, and the rounding of its velocity
+/// is far more than what the impulse changes.
+TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-24;
+  Collision c;
+  c.b.immovable = true;
+  c.a.velocity = c.b.velocity = {0x1p+25, -0x1p+27, 0};
+  c.a.position = {0, 0, 1};
+  c.normal = {1, 0, 0};
+  c.b.angular_velocity = {0, -0x1p-11, 0};
+  c.b.position = {0, 0, 0x1p-14};
+  Outcome<long double> after =
+      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  const auto holds = [&] {
+    return compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(after), yardstick).holds;
+  };
+  after.a.angular_velocity[1] = 0x1p-27;
+  EXPECT_TRUE(holds());
+  after.a.angular_velocity[1] = 0x1p+10;
+  EXPECT_FALSE(holds());
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};

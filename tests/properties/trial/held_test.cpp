@@ -48,6 +48,28 @@ TEST(Held, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
   EXPECT_TRUE(is_held(c, Precision::binary64));
 }
 
+/// A rod of 1 m and 10⁻⁴ m, 50 m from the origin, where binary32 rounds by 3 × 10⁻⁶ m.
+TEST(Held, IsNoRodThinnerThanItsPlacesAreRounded) {
+  Collision c = ball_on_floor();
+  c.a.principal_inertia = {1e-8, 1, 1};
+  EXPECT_TRUE(is_held(c, Precision::binary32));
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    (*place)[0] += 50;
+  }
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+}
+
+TEST(Held, IsNothingWhoseChangeOfSpinLeavesBinary32InBinary32) {
+  Collision c = ball_on_floor();
+  c.a.velocity = {0, -1e-15, 0};
+  c.a.mass = 1e-9;
+  EXPECT_TRUE(is_held(c, Precision::binary32));
+  c.a.principal_inertia.setConstant(1e15);
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  EXPECT_TRUE(is_held(c, Precision::binary64));
+}
+
 TEST(Held, IsNothingAtTheEndsOfBinary32InBinary32) {
   Collision c = ball_on_floor();
   c.a.principal_inertia.setConstant(1e37);
