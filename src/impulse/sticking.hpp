@@ -21,7 +21,7 @@ template <class S, class Inertia>
 }  // namespace detail
 
 /// V, what the spins add to its component along N taken from r × N as that of `normal_velocity` is. What w × r misses
-/// of it is made up for by its components, each by as many of its own roundings as the others.
+/// of it is made up for by its components, each by no more than a few of its own roundings.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -30,10 +30,13 @@ template <class S, class Inertia>
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
-  const S terms_along_normal = (absolute(n[0]) * terms[0] + absolute(n[1]) * terms[1]) + absolute(n[2]) * terms[2];
-  const S divisor = select(terms_along_normal > S(0), terms_along_normal, S(1));
-  const S missing = (along_normal - dot(n, by_spins)) / divisor;
-  const auto mended = [&](int i) -> S { return by_spins[i] + missing * select(n[i] < S(0), S(-terms[i]), terms[i]); };
+  // δ of least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins; one factor at a time, against overflow.
+  const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
+  const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
+  const Vector3<S> shares = along / select(sum > S(0), sum, S(1));
+  const S divisor = dot(shares, along);
+  const S missing = (along_normal - dot(n, by_spins)) / select(divisor > S(0), divisor, S(1));
+  const auto mended = [&](int i) -> S { return by_spins[i] + missing * shares[i] * terms[i]; };
   return (contact.a.velocity - contact.b.velocity) + Vector3<S>{mended(0), mended(1), mended(2)};
 }
 

@@ -413,10 +413,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
   yardstick.unit_roundoff = 0x1p-53;
   Collision c;
   c.normal = {0x1p-10, 1, 0};
-  c.a.velocity = {0x1p-50, -0x1p-60 - 0x1p-100, 0};
   c.b.velocity = {1, -0x1p-10, 0};
-  c.a.velocity += c.b.velocity;
-  c.a.velocity[1] = std::nextafter(c.b.velocity[1], -1);
+  c.a.velocity = {1 + 0x1p-51, -0x1p-10 - 0x3p-62, 0};  // N·V⁻ = −2⁻⁶²
   const ExactCase exact_case(c);
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
   ASSERT_TRUE(exact_case.has_two_answers(Model::sticking, yardstick.allowance()));
