@@ -10,16 +10,17 @@
 namespace carom::subjects {
 
 /// The two subjects of an engine, configured and as shipped, with `open` or `absent` still to be set: they are listed
-/// whether the engine is installed or not.
+/// whether the engine is installed or not. Neither is expected to pass: as configured they keep J⁻¹ in world
+/// coordinates, which slender bodies show.
 [[nodiscard]] inline std::vector<Subject> engine_claims(const std::string& name, std::string configured,
                                                         std::string as_shipped) {
   std::vector<Subject> claims(2);
   claims[0].name = name;
-  claims[0].summary = std::move(configured);
+  claims[0].summary = std::move(configured) + "; fails on slender bodies";
   claims[1].name = name + "-as-shipped";
   claims[1].summary = std::move(as_shipped);
-  claims[1].expected_to_pass = false;
   for (Subject& claim : claims) {
+    claim.expected_to_pass = false;
     claim.model = Model::frictionless;
     claim.precision = Precision::binary64;
   }
