@@ -33,15 +33,18 @@ class Range {
   bool holds_ = true;
 };
 
-/// Σ |N_i w_j r_k| over the terms of N·(w × r), and Σ_j |∂(N·V)/∂x_j| |x_j|, of both bodies.
+/// Of both bodies: Σ |N_i w_j r_k| over the terms of N·(w × r), Σ_j |∂(N·V)/∂x_j| |x_j|, and what they are roundings
+/// of.
 struct Roundings {
   double of_products = 0;
   double of_inputs = 0;
+  double speed = 0;  // |N·V| / ‖N‖_∞
 };
 
 Roundings roundings_of_approach(const Collision& c) {
   Roundings roundings;
   Vector3<double> relative = Vector3<double>::Zero();
+  double by_spins = 0;
   for (const Body* body : {&c.a, &c.b}) {
     const Vector3<double> r = oracles::lever_arm<double>(*body, c.point);
     const Vector3<double> w = body->angular_velocity;
@@ -49,6 +52,7 @@ Roundings roundings_of_approach(const Collision& c) {
     relative += body == &c.a ? v : Vector3<double>(-v);
     const Vector3<double> moments = r.cross(c.normal);
     const Vector3<double> of_places = c.normal.cross(w);
+    by_spins += (body == &c.a ? 1 : -1) * moments.dot(w);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const int k = (i + 2) % 3;
@@ -58,6 +62,8 @@ Roundings roundings_of_approach(const Collision& c) {
     }
   }
   roundings.of_inputs += c.normal.cwiseAbs().dot(relative.cwiseAbs());
+  const double by_velocities = c.normal.dot(c.a.velocity - c.b.velocity);
+  roundings.speed = std::abs(by_velocities + by_spins) / largest(c.normal);
   return roundings;
 }
 
@@ -100,16 +106,21 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
       range.require(length / body->principal_inertia[i] * length);
     }
   }
-  if (const Roundings approach = roundings_of_approach(collision); approach.of_products > 32 * approach.of_inputs) {
+  const Roundings approach = roundings_of_approach(collision);
+  if (approach.of_products > 32 * approach.of_inputs) {
     return "the rounding of w × r is more than inputs account for";
   }
-  const double impulse = lightest * fastest;
-  range.require(fastest);
-  range.require(impulse);
-  range.require(impulse * longest);
-  if (most_easily_turned > 0) {
-    range.require(impulse * longest / most_easily_turned);
-    range.require(impulse * longest / hardest_to_turn);
+  // What the impulse is made of, or what rounding leaves of that, and what it is at most.
+  const double rounding = unit_roundoff * approach.of_inputs / largest(collision.normal);
+  for (const double speed : {std::max(approach.speed, rounding), fastest}) {
+    const double torque = lightest * speed * longest;
+    range.require(speed);
+    range.require(lightest * speed);
+    range.require(torque);
+    if (most_easily_turned > 0) {
+      range.require(torque / most_easily_turned);
+      range.require(torque / hardest_to_turn);
+    }
   }
   return range.holds() ? std::string_view() : "masses, moments, impulse or torque leave the range of numbers";
 }

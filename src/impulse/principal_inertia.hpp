@@ -48,13 +48,16 @@ template <class S>
 }  // namespace detail
 
 /// Rᵀ (r × F), the torque in body coordinates. About an axis e it is taken as (e × r)·F, which is what K is made of:
-/// then an impulse does what K says, however slender the body is. Where F is nearly along r it is e·(r × F), of which
-/// nothing is left where nothing should be, and which both bodies share that turn about one place.
+/// then an impulse does what K says, however slender the body is. Where F lies along r but for rounding, or nearly, it
+/// is e·(r × F), of which nothing is left where nothing should be, and which both bodies share that turn about one
+/// place.
 template <class S>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse) {
   const Vector3<S> torque = cross(r, impulse);
-  const auto is_along = S(8) * detail::sum_of_sizes(torque) < detail::sum_of_sizes(r) * detail::sum_of_sizes(impulse);
+  constexpr int nearly = 4096;  // times as much is between what rounding makes of r × F and what is there by chance
+  const auto is_along =
+      S(nearly) * detail::sum_of_sizes(torque) < detail::sum_of_sizes(r) * detail::sum_of_sizes(impulse);
   return select_called(
       is_along,
       [&] {
