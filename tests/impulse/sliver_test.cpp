@@ -44,7 +44,7 @@ Body compressed(const Body& body, const Vector3<double>& point, int axis, bool o
   return result;
 }
 
-/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least.
+/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are none.
 std::vector<Collision> slivers(double least, std::size_t count) {
   std::vector<Collision> result;
   properties::Stream stream = properties::stream_from(95);
@@ -55,7 +55,7 @@ std::vector<Collision> slivers(double least, std::size_t count) {
                      stream.integer(std::max(0, about - 2), about + 1));
     properties::make_approaching(c);
     const double ratio = ratio_of_moments(c.a);
-    if (ratio >= least && ratio < 2 * least) {
+    if (ratio >= least && ratio < 2 * least && ratio_of_moments(c.b) < 8) {
       result.push_back(c);
     }
   }
