@@ -174,7 +174,8 @@ TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
     }
   });
   EXPECT_TRUE(covers(-std::log2(oracles::least_slope_of_moderate), -least, 1.01));
-  EXPECT_GE(oracles::smallest_moderate_moment / 2, oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
+  EXPECT_GE(oracles::smallest_moderate_moment / 2,
+            oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
 }
 
 }  // namespace
