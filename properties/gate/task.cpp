@@ -52,7 +52,8 @@ bool cut_after_violation(Judgement& judgement) {
 
 void FirstViolation::add_to(Tally& tally, const Claim& claim) const {
   if (is_of_new_case) {
-    tally.add(asked.family, asked.index, JudgedCase(asked.one), asked.answer, judgement, claim);
+    tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered), asked.answer, judgement,
+              claim);
   } else {
     tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
   }

@@ -9,6 +9,10 @@
 namespace carom::properties {
 namespace {
 
+/// One ulp of the places that a lever arm is the difference of moves it by 2⁻¹⁰ of what it is compared with, at most;
+/// the limit of 32 ulps by 2⁻⁵, of which the square, to which the yardstick is blind, is as much as one ulp makes.
+constexpr double ulps_that_a_size_keeps = 0x1p+10;
+
 double largest(const Vector3<double>& v) { return v.cwiseAbs().maxCoeff(); }
 
 /// Whether sizes stay away from the ends of binary32, where a subject computes in it.
@@ -79,8 +83,8 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
   for (const Body* body : {&collision.a, &collision.b}) {
     const Vector3<double> r = oracles::lever_arm<double>(*body, collision.point);
     const double length = largest(r);
-    // A relative 2⁻¹⁰ of what the law is nonlinear in: 32 ulps of the limit, times itself, are then less than an ulp.
-    const double lost = 1024 * unit_roundoff * std::max(largest(collision.point), largest(body->position));
+    const double lost =
+        ulps_that_a_size_keeps * unit_roundoff * std::max(largest(collision.point), largest(body->position));
     if (length > 0 && lost > length) {
       return "the lever arm is lost in the places that it is the difference of";
     }
@@ -102,8 +106,8 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
       most_easily_turned = most_easily_turned == 0 ? moment : std::min(most_easily_turned, moment);
       hardest_to_turn = std::max(hardest_to_turn, moment);
       range.require(moment);
-      range.require(length / body->principal_inertia[i]);
-      range.require(length / body->principal_inertia[i] * length);
+      range.require(length / moment);
+      range.require(length / moment * length);
     }
   }
   const Roundings approach = roundings_of_approach(collision);

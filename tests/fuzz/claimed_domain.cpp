@@ -6,7 +6,7 @@
 namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Model model) {
-  constexpr double largest_ratio_of_moments = 128;
+  constexpr double largest_ratio_of_moments = 1e8;
   // Of λ, with the 1 that λI itself is, and a half for what is rounded here.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {

@@ -7,7 +7,7 @@
 namespace carom::fuzz {
 
 /// Whether Carom's solvers of the law in double claim to be sound on this collision, whose numbers follow no family:
-/// they are moderate (carom/oracles/filters/moderate.hpp); no body is more of a sliver than those of the family
+/// they are moderate (carom/oracles/filters/moderate.hpp); no body is more slender than those of the family
 /// `physical`; and, for laws that invert K, K ⪯ 16 λI, as of convex bodies of uniform density that touch (the README
 /// and docs/findings/accuracy.md say what happens beyond). Precondition: the collision is valid.
 [[nodiscard]] bool is_in_claimed_domain(const Collision& collision, Model model);

@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/impulse/guaranteed.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/world_inertia.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
@@ -134,6 +136,39 @@ TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
       }
     }
   }
+}
+
+/// A second impulse against what is left of the approach would move the spin about the long axis by far more than ulps.
+TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    properties::Stream stream = properties::case_stream(1, "physical", i);
+    const Collision c = properties::convex_bodies(stream).collision;
+    with_law(Model::frictionless, [&](const auto& law) {
+      const auto outcome = map_outcome<long double>(guaranteed(c, make_contact<double>(c), law),
+                                                    [](double x) { return static_cast<long double>(x); });
+      const double error =
+          oracles::accuracy(oracles::ExactCase(c), Model::frictionless, oracles::LiftedOutcome(outcome), yardstick)
+              .backward_error(yardstick.unit_roundoff);
+      EXPECT_LT(error, oracles::default_limit_ulps / 2) << i;
+    });
+  }
+}
+
+/// The family `physical` has them to 1 : 10⁸.
+TEST(PhysicalBodies, AreSlenderToo) {
+  properties::Stream stream = properties::stream_from(96);
+  double largest = 0;
+  int beyond_world_coordinates = 0;
+  constexpr int count = 5000;
+  for (int i = 0; i < count; ++i) {
+    const Collision c = properties::convex_bodies(stream).collision;
+    largest = std::max({largest, ratio_of_moments(c.a), ratio_of_moments(c.b)});
+    beyond_world_coordinates += ratio_of_moments(c.a) > 1e4 ? 1 : 0;
+  }
+  EXPECT_GT(largest, 1e7);
+  EXPECT_GT(beyond_world_coordinates, count / 20);
 }
 
 }  // namespace
