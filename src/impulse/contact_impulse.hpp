@@ -8,7 +8,8 @@
 
 namespace carom::impulse {
 
-/// What a law makes of a contact: the impulse F on A, and −F on B, where the contact is colliding; none elsewhere.
+/// What a law makes of a contact, or a `NormalImpulse` (frictionless.hpp): the impulse F on A, and −F on B, where the
+/// contact is colliding; none elsewhere.
 template <class S>
 struct ContactImpulse {
   decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask where S is a pack

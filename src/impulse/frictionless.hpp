@@ -5,6 +5,16 @@
 
 namespace carom::impulse {
 
+/// An impulse f N on A and −f N on B where the contact is colliding, none elsewhere, and how it turns the bodies: known
+/// already when f is found.
+template <class S>
+struct NormalImpulse {
+  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask where S is a pack
+  Vector3<S> on_a;                 // f N [N s]; of no account where not colliding, as the rest
+  Vector3<S> change_of_spin_of_a;  // f J_A⁻¹ (r_A × N)
+  Vector3<S> change_of_spin_of_b;  // −f J_B⁻¹ (r_B × N)
+};
+
 /// The frictionless law, F = f N (note eq. 18, for a normal of any length):
 ///
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
@@ -12,21 +22,36 @@ namespace carom::impulse {
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class S, class Inertia>
-[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+[[nodiscard]] NormalImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
-    return {colliding, n};
+    return {colliding, n, n, n};
   }
-  const S by_turning_a = angular_part_along(contact.a.inertia, contact.a.lever_arm, n);
-  const S by_turning_b = angular_part_along(contact.b.inertia, contact.b.lever_arm, n);
-  const S inverse_effective_mass = inverse_mass(contact) * dot(n, n) + (by_turning_a + by_turning_b);
+  const Turning<S> a = turning(contact.a.inertia, contact.a.lever_arm, n);
+  const Turning<S> b = turning(contact.b.inertia, contact.b.lever_arm, n);
+  const S inverse_effective_mass = inverse_mass(contact) * dot(n, n) + (a.along_impulse + b.along_impulse);
   const S f = -(S(1) + contact.restitution) * approach / inverse_effective_mass;
-  return {colliding, n * f};
+  return {colliding, n * f, a.change_of_spin * f, -b.change_of_spin * f};
 }
 template <class S, class Inertia>
-[[nodiscard]] ContactImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact) {
+[[nodiscard]] NormalImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact) {
   return frictionless_impulse<S>(contact, normal_velocity(contact));
+}
+
+template <class S, class Inertia>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const NormalImpulse<S>& impulse) {
+  const auto struck = [&](const ContactBody<S, Inertia>& body, const Vector3<S>& on_body,
+                          const Vector3<S>& change_of_spin) -> BodyVelocity<S> {
+    return select_called(
+        impulse.colliding,
+        [&]() -> BodyVelocity<S> {
+          return {body.velocity + on_body * body.inverse_mass, body.angular_velocity + change_of_spin};
+        },
+        [&] { return unchanged(body); });
+  };
+  return {struck(contact.a, impulse.on_a, impulse.change_of_spin_of_a),
+          struck(contact.b, -impulse.on_a, impulse.change_of_spin_of_b)};
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.

@@ -12,7 +12,7 @@
 namespace carom::impulse {
 
 /// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known better than from
-/// the contact, to its ContactImpulse; not where the model is not one of `models_with_truth`.
+/// the contact, to its ContactImpulse or NormalImpulse; not where the model is not one of `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {

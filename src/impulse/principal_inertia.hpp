@@ -4,6 +4,7 @@
 #include <carom/impulse/products.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/impulse/select.hpp>
+#include <carom/impulse/turning.hpp>
 
 namespace carom::impulse {
 
@@ -67,19 +68,12 @@ template <class S>
       [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
 }
 
-/// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
+/// Both parts are of one torque, so that an impulse along F turns the body as much as it was expected to.
 template <class S>
-[[nodiscard]] Vector3<S> angular_response(const PrincipalInertia<S>& inertia, const Vector3<S>& r,
-                                          const Vector3<S>& impulse) {
+[[nodiscard]] Turning<S> turning(const PrincipalInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
   const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse);
-  return times(inertia.axes, detail::products_of_components(torque, inertia.inverse_moments));
-}
-
-/// (r × F)ᵀ J⁻¹ (r × F): N·([r]ᵀ J⁻¹ [r]) N where F is N.
-template <class S>
-[[nodiscard]] S angular_part_along(const PrincipalInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
-  const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse);
-  return dot(detail::products_of_components(torque, inertia.inverse_moments), torque);
+  const Vector3<S> divided = detail::products_of_components(torque, inertia.inverse_moments);
+  return {times(inertia.axes, divided), dot(divided, torque)};
 }
 
 /// [r]ᵀ J⁻¹ [r] = Σ (e × r)(e × r)ᵀ / I over the body axes e, with [r] x = r × x. Exactly symmetric.

@@ -56,13 +56,18 @@ template <class Condition, class S>
   return {select(condition, yes.velocity, no.velocity), select(condition, yes.angular_velocity, no.angular_velocity)};
 }
 
-/// The same of what yes() and no() return: for a bool the one that is chosen is called, for a mask both are.
+/// The same of what yes() and no() return: for a bool the one that is chosen is called; for a mask yes() where it is
+/// chosen in any lane, and no() always.
 template <class Condition, class Yes, class No>
 [[nodiscard]] auto select_called(const Condition& condition, const Yes& yes, const No& no) {
   if constexpr (std::is_same_v<Condition, bool>) {
     return condition ? yes() : no();
   } else {
-    return select(condition, yes(), no());
+    auto chosen = no();
+    if (!none_of(condition)) {
+      chosen = select(condition, yes(), chosen);
+    }
+    return chosen;
   }
 }
 

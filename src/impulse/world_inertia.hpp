@@ -3,6 +3,7 @@
 
 #include <carom/impulse/products.hpp>
 #include <carom/impulse/rotation.hpp>
+#include <carom/impulse/turning.hpp>
 
 namespace carom::impulse {
 
@@ -36,18 +37,11 @@ struct WorldInertia {
   static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
 };
 
-/// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
 template <class S>
-[[nodiscard]] Vector3<S> angular_response(const WorldInertia<S>& inertia, const Vector3<S>& r,
-                                          const Vector3<S>& impulse) {
-  return times(inertia.inverse, cross(r, impulse));
-}
-
-/// (r × F)ᵀ J⁻¹ (r × F): N·([r]ᵀ J⁻¹ [r]) N where F is N.
-template <class S>
-[[nodiscard]] S angular_part_along(const WorldInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
+[[nodiscard]] Turning<S> turning(const WorldInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
   const Vector3<S> torque = cross(r, impulse);
-  return dot(torque, times(inertia.inverse, torque));
+  const Vector3<S> change_of_spin = times(inertia.inverse, torque);
+  return {change_of_spin, dot(torque, change_of_spin)};
 }
 
 /// [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.

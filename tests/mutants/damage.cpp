@@ -29,7 +29,8 @@ Outcome<double> struck_by(const Solution& sound, const Vector& impulse) {
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
   impulse::with_law(sound.model, [&](const auto& law) {
-    outcome = impulse::apply_impulse(sound.contact, law(other, impulse::normal_velocity(sound.contact)));
+    const auto impulse = law(other, impulse::normal_velocity(sound.contact));
+    outcome = impulse::apply_impulse(sound.contact, ContactImpulse{impulse.colliding, impulse.on_a});
   });
   return outcome;
 }
@@ -116,8 +117,11 @@ std::string_view sentence_of(Damage damage) {
 
 Solution solved(Model model, const Collision& collision) {
   Solution solution{model, impulse::make_contact<double>(collision), {}, {}};
-  impulse::with_law(model, [&](const auto& law) { solution.impulse = law(solution.contact); });
-  solution.outcome = impulse::apply_impulse(solution.contact, solution.impulse);
+  impulse::with_law(model, [&](const auto& law) {
+    const auto impulse = law(solution.contact);
+    solution.impulse = {impulse.colliding, impulse.on_a};
+    solution.outcome = impulse::apply_impulse(solution.contact, impulse);
+  });
   return solution;
 }
 

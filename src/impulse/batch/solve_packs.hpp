@@ -9,6 +9,7 @@
 #include <carom/impulse/batch/contact_numbers.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 #include <carom/impulse/contact_impulse.hpp>
+#include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 
 namespace carom::impulse {
@@ -91,6 +92,11 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
 }
 
 template <class P>
+void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const NormalImpulse<P>& impulse) {
+  write_outcome(apply_impulse(read_contact<P>(task, i), impulse), writer<P>(task, i));
+}
+
+template <class P>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const Outcome<P>& outcome) {
   write_outcome(outcome, writer<P>(task, i));
 }
@@ -150,9 +156,9 @@ struct OnePack {
 }  // namespace detail
 
 /// Takes `law` over all contacts, two packs P of them at a time, or one where they come from memory. It makes a
-/// ContactImpulse<P> of a Contact<P>; or an Outcome<P>, which takes longer. What is written of a body has been read
-/// before, so that an array of outcomes may be the array of the velocities that it replaces; otherwise no two arrays
-/// overlap.
+/// ContactImpulse<P> or a NormalImpulse<P> of a Contact<P>; or an Outcome<P>, which takes longer. What is written of a
+/// body has been read before, so that an array of outcomes may be the array of the velocities that it replaces;
+/// otherwise no two arrays overlap.
 template <class P, class Law>
 void solve_packs(const PackTask<typename P::value_type>& task, const Law& law) {
   constexpr std::size_t width = P::size();
