@@ -5,6 +5,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -34,14 +35,41 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖). An output is its velocity before the impulse plus a change, and so is known to u
-/// times the larger of both: its own size alone would allow nothing where the exact sum is zero.
-template <class S>
-S part_by_outputs(const PerVector<S>& slopes, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+/// What underflow takes from the outputs, over u, with s = η/u: a number that is off by η is off by u s. F and the
+/// approach that it is made of are off by u s, and so r × F by (1 + ‖r‖ + m ‖r‖) u s.
+PerVector<double> lost_to_underflow(const Collision& c, double s) {
+  PerVector<double> lost{};
+  const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
+    if (!body.immovable) {
+      const double r = norm_of(Vector3<double>(c.point - body.position));
+      lost[velocity] = s * (1 + 1 / body.mass);
+      lost[spin] = s * (1 + (1 + r + body.mass * r) / body.principal_inertia.minCoeff());
+    }
+  };
+  if (s > 0) {
+    add(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
+    add(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
+  }
+  return lost;
+}
+
+/// ‖ŷ_k‖ + ‖y_k⁻‖ and what underflow takes. An output is its velocity before the impulse plus a change, and so is known
+/// to u times the larger of both: its own size alone would allow nothing where the exact sum is zero.
+PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
+  PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
+  for (const OutcomeVector k : all_outcome_vectors) {
+    sizes[k] += norms[k] + exact_case.bounds().norms_before()[k];
+  }
+  return sizes;
+}
+
+/// Σ_k ‖∂g/∂ŷ_k‖ times the size of the output.
+template <class S>
+S part_by_outputs(const PerVector<S>& slopes, const PerVector<double>& sizes) {
   S part(0);
   for (const OutcomeVector k : all_outcome_vectors) {
-    part += slopes[k] * static_cast<S>(norms[k] + exact_case.bounds().norms_before()[k]);
+    part += slopes[k] * static_cast<S>(sizes[k]);
   }
   return part;
 }
@@ -54,14 +82,13 @@ bool is_in_range(S scale) {
 
 /// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.
 template <class OneEquation>
-double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                       const PerVector<double>& sizes) {
   const Collision& collision = exact_case.collision();
   if (const std::optional<AffineEquation> name = equation.name()) {
-    return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }),
-                           exact_case, outcome);
+    return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
   }
-  return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), exact_case,
-                         outcome);
+  return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
 
 /// What of a law that is quadratic in the outcome its slopes do not tell, per allowance a: the outputs being known to
@@ -90,10 +117,10 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
 /// All parts; none where the sum leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
-                               double allowance) {
+                               const PerVector<double>& sizes, double allowance) {
   const double by_curvature = part_by_curvature(equation, exact_case, outcome, allowance);
   const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
-                       part_by_outputs(equation, exact_case, outcome) + by_curvature;
+                       part_by_outputs(equation, exact_case, outcome, sizes) + by_curvature;
   if (is_in_range(scale)) {
     return scale;
   }
@@ -103,7 +130,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   const Wide wide =
       part_by_inputs(equation, inputs, outcome.rounded()) +
       part_by_outputs(output_slopes<Wide, collision_inputs>(equation, exact_case.collision(), outcome.rounded()),
-                      exact_case, outcome) +
+                      sizes) +
       static_cast<Wide>(by_curvature);
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
@@ -111,21 +138,22 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
 /// A lower bound of the scale at a small part of its cost: of the two parts the one by outputs.
 /// Precondition: collision and outcome are moderate.
 template <class OneEquation>
-double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome) {
-  const double part = part_by_outputs(equation, exact_case, outcome);
+double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                     const PerVector<double>& sizes) {
+  const double part = part_by_outputs(equation, exact_case, outcome, sizes);
   return is_in_range(part) ? part : 0;
 }
 
 /// Whether approximations alone show that the law holds; where they do not, nothing is known.
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
-                  const LiftedOutcome& outcome, double allowance) {
+                  const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {
   if (allowance < least_allowance_for_approximations || !exact_case.bounds().is_moderate() || !outcome.is_moderate()) {
     return false;
   }
   const auto missed = maybe_missing(equation, relation, exact_case.bounds().approximate(), outcome.approximate());
   return missed.empty() ||
-         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome)).value_or(false);
+         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false);
 }
 
 /// Both sides and by how much they miss each other, rounded for print.
@@ -143,18 +171,19 @@ template <class OneEquation>
 Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                        const LiftedOutcome& outcome, const Yardstick& yardstick) {
   const double allowance = yardstick.allowance();
+  const PerVector<double> sizes = sizes_of_outputs(exact_case, outcome, yardstick.least_size);
   std::optional<double> scale;
   const auto allowed = [&]() -> std::optional<double> {
     if (allowance == 0) {
       return 0;
     }
     if (!scale) {
-      scale = scale_of(equation, exact_case, outcome, allowance);
+      scale = scale_of(equation, exact_case, outcome, sizes, allowance);
     }
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
   if (yardstick.uses_bounds()) {
-    if (surely_holds(equation, relation, exact_case, outcome, allowance)) {
+    if (surely_holds(equation, relation, exact_case, outcome, sizes, allowance)) {
       count(Stage::approximation);
       return {};
     }
@@ -163,7 +192,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
         (is_moderate &&
-         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome)).value_or(false))) {
+         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false))) {
       count(Stage::enclosure);
       return {};
     }

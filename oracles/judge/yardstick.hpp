@@ -17,9 +17,10 @@ inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
 /// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
 /// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by
-/// so much.
+/// so much. To the outputs is added what is lost where numbers underflow, in binary32.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
+  double least_size = 0;     // least_size_known_to_a_roundoff of that precision
   double limit_ulps = default_limit_ulps;
   std::optional<int> digits;  // decides in place of ulps where given
 

@@ -269,7 +269,7 @@ Collision composed(Stream& stream) {
 Collision structured_collision(Stream& stream) {
   constexpr int attempts = 8;
   for (int i = 0; i < attempts; ++i) {
-    const Collision collision = composed(stream);
+    Collision collision = composed(stream);
     if (is_in_domain(collision)) {
       return collision;
     }

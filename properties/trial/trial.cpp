@@ -38,6 +38,7 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
 
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
+  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
   Claim claim{subject.model, yardstick, {}};
   for (const Invariant& invariant : all_invariants()) {
     const bool deviates =

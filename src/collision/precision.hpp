@@ -34,6 +34,19 @@ enum class Precision { binary32, binary64, extended };
   return static_cast<double>(std::numeric_limits<long double>::epsilon() / 2.0L);
 }
 
+/// η/u, with η the least positive number: what is smaller is known to u of this, and not of itself. 0 where that is
+/// less than what can be judged.
+[[nodiscard]] constexpr double least_size_known_to_a_roundoff(Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return static_cast<double>(std::numeric_limits<float>::denorm_min()) / unit_roundoff(Precision::binary32);
+    case Precision::binary64:
+    case Precision::extended:
+      break;
+  }
+  return 0;
+}
+
 template <class S>
 inline constexpr Precision precision_of = Precision::binary64;
 template <>

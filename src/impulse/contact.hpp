@@ -116,17 +116,26 @@ template <class S, class Inertia>
   return {unchanged(contact.a), unchanged(contact.b)};
 }
 
-/// The velocities of a body after an impulse on it at the contact (note eq. 23). In N s.
+/// Whether a body is slender: a bool, or a mask where S is a pack.
 template <class S, class Inertia>
-[[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse) {
+[[nodiscard]] auto has_slender(const Contact<S, Inertia>& contact) {
+  return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);
+}
+
+/// The velocities of a body after an impulse on it at the contact (note eq. 23). In N s.
+template <class S, class Inertia, class Condition>
+[[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
+                                            const Condition& has_slender) {
   return {body.velocity + impulse * body.inverse_mass,
-          body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse)};
+          body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse, has_slender)};
 }
 
 /// The outcome of the impulse F on A and −F on B. F in N s.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
-  return {apply_impulse(contact.a, impulse), apply_impulse<S, Inertia>(contact.b, -impulse)};
+  const auto is_any_slender = has_slender(contact);
+  return {apply_impulse(contact.a, impulse, is_any_slender),
+          apply_impulse<S, Inertia>(contact.b, -impulse, is_any_slender)};
 }
 
 }  // namespace carom::impulse

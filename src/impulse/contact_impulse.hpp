@@ -17,17 +17,18 @@ struct ContactImpulse {
 };
 
 /// The velocities of one body after it, with F for A and −F for B in `on_body`.
-template <class Condition, class S, class Inertia>
+template <class Condition, class S, class Inertia, class Slender>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S, Inertia>& body,
-                                            const Vector3<S>& on_body) {
+                                            const Vector3<S>& on_body, const Slender& has_slender) {
   return select_called(
-      colliding, [&] { return apply_impulse(body, on_body); }, [&] { return unchanged(body); });
+      colliding, [&] { return apply_impulse(body, on_body, has_slender); }, [&] { return unchanged(body); });
 }
 
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const ContactImpulse<S>& impulse) {
-  return {apply_impulse(impulse.colliding, contact.a, impulse.on_a),
-          apply_impulse<decltype(impulse.colliding), S>(impulse.colliding, contact.b, -impulse.on_a)};
+  const auto is_any_slender = has_slender(contact);
+  return {apply_impulse(impulse.colliding, contact.a, impulse.on_a, is_any_slender),
+          apply_impulse<decltype(impulse.colliding), S>(impulse.colliding, contact.b, -impulse.on_a, is_any_slender)};
 }
 
 }  // namespace carom::impulse

@@ -28,8 +28,9 @@ template <class S, class Inertia>
   if (none_of(colliding)) {
     return {colliding, n, n, n};
   }
-  const Turning<S> a = turning(contact.a.inertia, contact.a.lever_arm, n);
-  const Turning<S> b = turning(contact.b.inertia, contact.b.lever_arm, n);
+  const auto is_any_slender = has_slender(contact);
+  const Turning<S> a = turning(contact.a.inertia, contact.a.lever_arm, n, is_any_slender);
+  const Turning<S> b = turning(contact.b.inertia, contact.b.lever_arm, n, is_any_slender);
   const S inverse_effective_mass = inverse_mass(contact) * dot(n, n) + (a.along_impulse + b.along_impulse);
   const S f = -(S(1) + contact.restitution) * approach / inverse_effective_mass;
   return {colliding, n * f, a.change_of_spin * f, -b.change_of_spin * f};

@@ -139,8 +139,8 @@ namespace detail {
 }  // namespace detail
 
 /// `law` (Contact<double>, N·V⁻ → what apply_impulse takes) without penetration: where the exact N·V⁻ is not negative
-/// the velocities are kept, elsewhere the law's outcome is rounded so that the exact N·V⁺ is not negative. Precondition:
-/// the collision is valid, and the contact was made from it.
+/// the velocities are kept, elsewhere the law's outcome is rounded so that the exact N·V⁺ is not negative.
+/// Precondition: the collision is valid, and the contact was made from it.
 template <class Law>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact, const Law& law) {
   const Outcome<double> before = unchanged(collision);

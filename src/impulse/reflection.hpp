@@ -7,6 +7,19 @@
 
 namespace carom::impulse {
 
+namespace detail {
+
+/// Whether an impulse F turns neither body, exactly.
+template <class S, class Inertia>
+[[nodiscard]] auto turns_no_body(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
+  const auto is_not_turned = [&](const ContactBody<S, Inertia>& body) {
+    return is_zero<S>(cross(body.lever_arm, impulse)) || body.inverse_mass == S(0);
+  };
+  return is_not_turned(contact.a) && is_not_turned(contact.b);
+}
+
+}  // namespace detail
+
 /// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
 /// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
 ///
@@ -20,7 +33,10 @@ template <class Solve, class S, class Inertia>
   }
   const S factor = -(S(1) + contact.restitution) * approach / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
-  return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
+  const Vector3<S> solved = Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact));
+  // K N = λ N where N lies along both lever arms, and what rounding leaves elsewhere in K is to turn nothing.
+  const Vector3<S> along = n * (factor / inverse_mass(contact));
+  return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }
 template <class Solve, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact) {

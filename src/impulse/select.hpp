@@ -24,6 +24,12 @@ template <class Condition, class S>
   }
 }
 
+/// Whether all components are zero.
+template <class S>
+[[nodiscard]] auto is_zero(const Vector3<S>& v) {
+  return v[0] == S(0) && v[1] == S(0) && v[2] == S(0);
+}
+
 /// |x|.
 template <class S>
 [[nodiscard]] S absolute(const S& x) {
@@ -48,6 +54,15 @@ template <class S>
 template <class Condition, class S>
 [[nodiscard]] Vector3<S> select(const Condition& condition, const Vector3<S>& yes, const Vector3<S>& no) {
   return {select(condition, yes[0], no[0]), select(condition, yes[1], no[1]), select(condition, yes[2], no[2])};
+}
+
+template <class Condition, class S>
+[[nodiscard]] Matrix3<S> select(const Condition& condition, const Matrix3<S>& yes, const Matrix3<S>& no) {
+  Matrix3<S> chosen;
+  for (int column = 0; column < 3; ++column) {
+    chosen.col(column) = select<Condition, S>(condition, Vector3<S>(yes.col(column)), Vector3<S>(no.col(column)));
+  }
+  return chosen;
 }
 
 template <class Condition, class S>

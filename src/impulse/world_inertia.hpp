@@ -37,8 +37,15 @@ struct WorldInertia {
   static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
 };
 
+/// Nothing here takes more digits for slender bodies.
 template <class S>
-[[nodiscard]] Turning<S> turning(const WorldInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
+[[nodiscard]] bool is_slender(const WorldInertia<S>& /*inertia*/) {
+  return false;
+}
+
+template <class S>
+[[nodiscard]] Turning<S> turning(const WorldInertia<S>& inertia, const Vector3<S>& r, const Vector3<S>& impulse,
+                                 bool /*has_slender*/) {
   const Vector3<S> torque = cross(r, impulse);
   const Vector3<S> change_of_spin = times(inertia.inverse, torque);
   return {change_of_spin, dot(torque, change_of_spin)};

@@ -40,6 +40,7 @@ class Counted {
     return {x.number_ / y.number_};
   }
   Counted& operator+=(const Counted& y) { return *this = *this + y; }
+  friend bool operator==(const Counted& x, const Counted& y) { return x.number_ == y.number_; }
   friend bool operator<(const Counted& x, const Counted& y) { return x.number_ < y.number_; }
   friend bool operator>(const Counted& x, const Counted& y) { return y < x; }
 

@@ -4,16 +4,16 @@
 #include <span>
 #include <utility>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/stream.hpp>
 
 namespace carom::benchmarks {
 
 std::vector<Collision> colliding(std::size_t count) {
-  const properties::Family& family = *properties::family_named("physical");
   std::vector<Collision> collisions;
   for (std::uint64_t i = 0; collisions.size() < count; ++i) {
-    properties::Stream stream = properties::case_stream(1, family.name, i);
-    const Collision collision = family.generate(stream).collision;
+    properties::Stream stream = properties::case_stream(1, "generic", i);
+    const Collision collision = properties::general_bodies(stream).collision;
     const auto contact = impulse::make_contact<double>(collision);
     if (is_colliding(contact, impulse::dot(contact.normal, relative_velocity(contact)))) {
       collisions.push_back(collision);

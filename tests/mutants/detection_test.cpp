@@ -16,7 +16,7 @@ namespace {
 /// Two general bodies that collide and rebound.
 Collision general_collision() {
   for (std::uint64_t index = 0;; ++index) {
-    const Collision collision = unit::case_of("physical", index).collision;
+    Collision collision = unit::case_of("physical", index).collision;
     const bool is_general = !collision.a.immovable && !collision.b.immovable && collision.restitution > 0;
     if (is_general && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
       return collision;

@@ -18,12 +18,12 @@ inline constexpr std::size_t first_outcome_of_a = 0;
 inline constexpr std::size_t first_outcome_of_b = 6;
 
 /// The body whose numbers are read(first), read(first + 1), ….
-template <class S, class Read>
-[[nodiscard]] ContactBody<S> contact_body_of(const Read& read, std::size_t first) {
+template <class S, class Inertia, class Read>
+[[nodiscard]] ContactBody<S, Inertia> contact_body_of(const Read& read, std::size_t first) {
   const auto vector = [&](std::size_t k) {
     return Vector3<S>{read(first + k), read(first + k + 1), read(first + k + 2)};
   };
-  ContactBody<S> body;
+  ContactBody<S, Inertia> body;
   body.inverse_mass = read(first);
   for (int axis = 0; axis < 3; ++axis) {
     body.inertia.axes.col(axis) = vector(1 + 3 * static_cast<std::size_t>(axis));
@@ -63,11 +63,11 @@ void write_body_velocity(const BodyVelocity<S>& body, std::size_t first, const W
 }  // namespace detail
 
 /// The contact whose numbers are read(0), read(1), ….
-template <class S, class Read>
-[[nodiscard]] Contact<S> contact_of(const Read& read) {
-  return {detail::contact_body_of<S>(read, detail::first_number_of_a),
-          detail::contact_body_of<S>(read, detail::first_number_of_b), Vector3<S>{read(44), read(45), read(46)},
-          read(47)};
+template <class S, class Inertia = PrincipalInertia<S>, class Read>
+[[nodiscard]] Contact<S, Inertia> contact_of(const Read& read) {
+  return {detail::contact_body_of<S, Inertia>(read, detail::first_number_of_a),
+          detail::contact_body_of<S, Inertia>(read, detail::first_number_of_b),
+          Vector3<S>{read(44), read(45), read(46)}, read(47)};
 }
 
 /// Calls write(k, number) for the numbers of a contact.

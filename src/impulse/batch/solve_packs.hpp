@@ -70,9 +70,9 @@ template <class P>
   return P(task.contacts[k] + i, unaligned);
 }
 
-template <class P>
-[[nodiscard]] Contact<P> read_contact(const PackTask<typename P::value_type>& task, std::size_t i) {
-  return contact_of<P>([&](std::size_t k) { return read_pack<P>(task, k, i); });
+template <class P, class Inertia = PrincipalInertia<P>>
+[[nodiscard]] Contact<P, Inertia> read_contact(const PackTask<typename P::value_type>& task, std::size_t i) {
+  return contact_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); });
 }
 
 /// What writes the pack of the k-th numbers of the outcomes from i on.
@@ -81,39 +81,69 @@ template <class P>
   return [&task, i](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); };
 }
 
-template <class P>
+/// What is read of a body is read again where the impulse acts on it, which takes less than to keep it.
+template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const ContactImpulse<P>& impulse) {
+  const auto is_any_slender = has_slender(read_contact<P, Inertia>(task, i));
   const auto solve_body = [&](std::size_t first, std::size_t first_of_outcome, const Vector3<P>& on_body) {
-    const auto body = contact_body_of<P>([&](std::size_t k) { return read_pack<P>(task, k, i); }, first);
-    write_body_velocity<P>(apply_impulse(impulse.colliding, body, on_body), first_of_outcome, writer<P>(task, i));
+    const auto body = contact_body_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); }, first);
+    write_body_velocity<P>(apply_impulse(impulse.colliding, body, on_body, is_any_slender), first_of_outcome,
+                           writer<P>(task, i));
   };
   solve_body(first_number_of_a, first_outcome_of_a, impulse.on_a);
   solve_body(first_number_of_b, first_outcome_of_b, -impulse.on_a);
 }
 
-template <class P>
+template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const NormalImpulse<P>& impulse) {
-  write_outcome(apply_impulse(read_contact<P>(task, i), impulse), writer<P>(task, i));
+  write_outcome(apply_impulse(read_contact<P, Inertia>(task, i), impulse), writer<P>(task, i));
 }
 
-template <class P>
+template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const Outcome<P>& outcome) {
   write_outcome(outcome, writer<P>(task, i));
 }
 
 /// Solves `Packs` packs of contacts from i on, all impulses first: to find one is a long chain of operations that wait
-/// for each other, and a machine that runs into the next one meanwhile has something else to do. What is read of a body
-/// is read again where the impulse acts on it, which takes less than to keep it.
-template <class P, std::size_t Packs, class Law>
-void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
-  std::array<std::invoke_result_t<const Law&, const Contact<P>&>, Packs> answers;
+/// for each other, and a machine that runs into the next one meanwhile has something else to do.
+template <class P, class Inertia, std::size_t Packs, class Law>
+void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
+  std::array<std::invoke_result_t<const Law&, const Contact<P, Inertia>&>, Packs> answers;
 #pragma GCC unroll 2
   for (std::size_t pack = 0; pack < Packs; ++pack) {
-    answers[pack] = law(read_contact<P>(task, i + pack * P::size()));
+    answers[pack] = law(read_contact<P, Inertia>(task, i + pack * P::size()));
   }
 #pragma GCC unroll 2
   for (std::size_t pack = 0; pack < Packs; ++pack) {
-    write_outcome_of<P>(task, i + pack * P::size(), answers[pack]);
+    write_outcome_of<P, Inertia>(task, i + pack * P::size(), answers[pack]);
+  }
+}
+
+/// Out of the way of the usual case, whose registers it would take. A function left standing, as other units must not
+/// leave any: P names the instruction set that it is compiled for.
+template <class P, class Law>
+[[gnu::noinline, gnu::cold]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
+                                                const Law& law) {
+  solve_as<P, PrincipalInertia<P>, 1>(task, i, law);
+}
+
+/// Where no body is slender the contacts are of a type that says so, if the law takes it.
+template <class P, std::size_t Packs, class Law>
+void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
+  using NotSlender = PrincipalInertia<P, false>;
+  if constexpr (std::is_invocable_v<const Law&, const Contact<P, NotSlender>&>) {
+    bool is_any_slender = false;
+#pragma GCC unroll 2
+    for (std::size_t pack = 0; pack < Packs; ++pack) {
+      is_any_slender = is_any_slender || !none_of(has_slender(read_contact<P>(task, i + pack * P::size())));
+    }
+    if (!is_any_slender) {
+      solve_as<P, NotSlender, Packs>(task, i, law);
+      return;
+    }
+  }
+  for (std::size_t pack = 0; pack < Packs; ++pack) {
+    solve_slender<P>(task, i + pack * P::size(), law);
   }
 }
 

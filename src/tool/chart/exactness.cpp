@@ -38,6 +38,7 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
   }
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
+  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
   yardstick.limit_ulps = limit_ulps;
   const oracles::Accuracy accuracy =
       oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);

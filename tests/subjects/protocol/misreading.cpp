@@ -117,4 +117,11 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace carom
 
-int main(int argc, char** argv) { return carom::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return carom::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

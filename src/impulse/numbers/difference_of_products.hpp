@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include <carom/impulse/products.hpp>
+
+/// Products of vectors of which each component has a relative error of its own, where those of products.hpp have one
+/// of |x| |y|.
+namespace carom::impulse {
+
+/// A floating-point number, or a pack of them: what has fma.
+template <class S>
+concept FusesMultiplyAdd = std::is_floating_point_v<S> || requires {
+  typename S::mask_type;
+};
+
+/// a b − c d, off by at most 3/2 ulps (W. Kahan; C.-P. Jeannerod, N. Louvet, J.-M. Muller, "Further analysis of Kahan's
+/// algorithm for the accurate computation of 2 × 2 determinants", Mathematics of Computation 82, 2013), unless a
+/// product under- or overflows. In types without fma, which carry more digits than they answer in, as it stands.
+template <class S>
+[[nodiscard]] S difference_of_products(const S& a, const S& b, const S& c, const S& d) {
+  if constexpr (FusesMultiplyAdd<S>) {
+    using std::fma;
+    const S product = c * d;
+    const S error_of_product = fma(-c, d, product);
+    return fma(a, b, -product) + error_of_product;
+  } else {
+    return a * b - c * d;
+  }
+}
+
+/// x × y.
+template <class S>
+[[nodiscard]] Vector3<S> accurate_cross(const Vector3<S>& x, const std::type_identity_t<Vector3<S>>& y) {
+  return {difference_of_products<S>(x[1], y[2], x[2], y[1]), difference_of_products<S>(x[2], y[0], x[0], y[2]),
+          difference_of_products<S>(x[0], y[1], x[1], y[0])};
+}
+
+}  // namespace carom::impulse

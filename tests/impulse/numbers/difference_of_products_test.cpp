@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/numbers/difference_of_products.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::impulse {
+namespace {
+
+using unit::Rational;
+
+template <class S>
+class DifferenceOfProducts : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(DifferenceOfProducts, Scalars);
+
+/// Of products that agree in most of their digits, which subtracted as rounded leave nothing that is right.
+TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
+  using S = TypeParam;
+  properties::Stream stream = properties::case_stream(unit::seed, "difference_of_products", 0);
+  int lost_by_rounded_products = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const S a = static_cast<S>(stream.between(1, 2));
+    const S b = static_cast<S>(stream.between(1, 2));
+    const S c = static_cast<S>(stream.between(1, 2));
+    const S d = a * b / c;
+    const Rational exact = Rational(a) * Rational(b) - Rational(c) * Rational(d);
+    const auto missed = [&](S difference) {
+      return std::abs(oracles::to_double(Rational(Rational(difference) - exact)));
+    };
+    // 3/2 ulps are at most 3 u, and the test's own rounding is of binary64: one more u covers it.
+    const double allowed =
+        4 * static_cast<double>(std::numeric_limits<S>::epsilon() / 2) * std::abs(oracles::to_double(exact));
+    EXPECT_LE(missed(difference_of_products(a, b, c, d)), allowed) << i;
+    lost_by_rounded_products += missed(a * b - c * d) > allowed ? 1 : 0;
+  }
+  EXPECT_GT(lost_by_rounded_products, 500);
+}
+
+TEST(AccurateCross, IsTheCrossProduct) {
+  const Vector3<double> x{1, 2, 3};
+  const Vector3<double> y{-4, 5, 7};
+  EXPECT_EQ(accurate_cross(x, y), x.cross(y));
+}
+
+}  // namespace
+}  // namespace carom::impulse
