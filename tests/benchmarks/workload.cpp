@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workload.hpp"
 
+#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -9,18 +10,27 @@
 
 namespace carom::benchmarks {
 
-std::vector<Collision> colliding(std::size_t count) {
+namespace {
+
+template <class Generate>
+std::vector<Collision> colliding_of(const Generate& generate, std::size_t count) {
   std::vector<Collision> collisions;
   for (std::uint64_t i = 0; collisions.size() < count; ++i) {
-    properties::Stream stream = properties::case_stream(1, "generic", i);
-    const Collision collision = properties::general_bodies(stream).collision;
+    properties::Stream stream = properties::case_stream(1, "benchmarks", i);
+    const Collision collision = generate(stream).collision;
     const auto contact = impulse::make_contact<double>(collision);
-    if (is_colliding(contact, impulse::dot(contact.normal, relative_velocity(contact)))) {
+    if (is_colliding(contact, normal_velocity(contact))) {
       collisions.push_back(collision);
     }
   }
   return collisions;
 }
+
+}  // namespace
+
+std::vector<Collision> colliding(std::size_t count) { return colliding_of(properties::general_bodies, count); }
+
+std::vector<Collision> colliding_slender(std::size_t count) { return colliding_of(properties::convex_bodies, count); }
 
 void triad(Workload<double>& workload) {
   std::vector<std::span<const double>> from;

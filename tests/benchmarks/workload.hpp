@@ -14,13 +14,15 @@ inline constexpr std::size_t in_cache = 64;
 /// Contacts that no cache holds: 384 MB in double.
 inline constexpr std::size_t out_of_cache = 1'000'000;
 
-/// Colliding contacts of convex uniform bodies, the first of a fixed sequence.
+/// Colliding contacts of general bodies, moments to 1 : 4, the first of a fixed sequence.
 [[nodiscard]] std::vector<Collision> colliding(std::size_t count);
 
-/// The same as a batch; beyond some thousands they repeat.
+/// The same of bodies of which about half are plates or rods, moments to 1 : 10⁸.
+[[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
+
+/// Collisions as a batch; where there are fewer they repeat.
 template <class S>
-[[nodiscard]] impulse::ContactBatch<S> colliding_batch(std::size_t count) {
-  static const std::vector<Collision> collisions = colliding(4096);
+[[nodiscard]] impulse::ContactBatch<S> batch_of(const std::vector<Collision>& collisions, std::size_t count) {
   std::vector<impulse::Contact<S>> contacts;
   for (std::size_t i = 0; i < count && i < collisions.size(); ++i) {
     contacts.push_back(impulse::make_contact<S>(collisions[i]));
@@ -32,10 +34,18 @@ template <class S>
   return batch;
 }
 
+template <class S>
+[[nodiscard]] impulse::ContactBatch<S> colliding_batch(std::size_t count) {
+  static const std::vector<Collision> collisions = colliding(4096);
+  return batch_of<S>(collisions, count);
+}
+
 /// Contacts and where their outcomes go.
 template <class S>
 struct Workload {
   explicit Workload(std::size_t count) : contacts(colliding_batch<S>(count)), outcomes(count) {}
+  explicit Workload(const std::vector<Collision>& collisions)
+      : contacts(batch_of<S>(collisions, collisions.size())), outcomes(collisions.size()) {}
 
   impulse::ContactBatch<S> contacts;
   impulse::OutcomeBatch<S> outcomes;

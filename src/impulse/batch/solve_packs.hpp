@@ -122,8 +122,8 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
 /// Out of the way of the usual case, whose registers it would take. A function left standing, as other units must not
 /// leave any: P names the instruction set that it is compiled for.
 template <class P, class Law>
-[[gnu::noinline, gnu::cold]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
-                                                const Law& law) {
+[[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
+                                                   const Law& law) {
   solve_as<P, PrincipalInertia<P>, 1>(task, i, law);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 #include <carom/impulse/products.hpp>
@@ -16,16 +18,39 @@ concept FusesMultiplyAdd = std::is_floating_point_v<S> || requires {
   typename S::mask_type;
 };
 
+namespace detail {
+
+/// x y + z, rounded once.
+template <class S>
+[[nodiscard]] S fused_multiply_add(const S& x, const S& y, const S& z) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::fma(x, y, z);
+  } else {
+    // Lane by lane over vectors of the compiler's, which makes one instruction of it where there is one.
+    using Number = typename S::value_type;
+    using Numbers [[gnu::vector_size(sizeof(S))]] = Number;
+    const auto xs = std::bit_cast<Numbers>(x);
+    const auto ys = std::bit_cast<Numbers>(y);
+    const auto zs = std::bit_cast<Numbers>(z);
+    Numbers result{};
+    for (std::size_t lane = 0; lane < S::size(); ++lane) {
+      result[lane] = std::fma(xs[lane], ys[lane], zs[lane]);
+    }
+    return std::bit_cast<S>(result);
+  }
+}
+
+}  // namespace detail
+
 /// a b − c d, off by at most 3/2 ulps (W. Kahan; C.-P. Jeannerod, N. Louvet, J.-M. Muller, "Further analysis of Kahan's
 /// algorithm for the accurate computation of 2 × 2 determinants", Mathematics of Computation 82, 2013), unless a
 /// product under- or overflows. In types without fma, which carry more digits than they answer in, as it stands.
 template <class S>
 [[nodiscard]] S difference_of_products(const S& a, const S& b, const S& c, const S& d) {
   if constexpr (FusesMultiplyAdd<S>) {
-    using std::fma;
     const S product = c * d;
-    const S error_of_product = fma(-c, d, product);
-    return fma(a, b, -product) + error_of_product;
+    const S error_of_product = detail::fused_multiply_add<S>(-c, d, product);
+    return detail::fused_multiply_add<S>(a, b, -product) + error_of_product;
   } else {
     return a * b - c * d;
   }
