@@ -76,9 +76,6 @@ Roundings roundings_of_approach(const Collision& c) {
 std::string_view why_not_held(const Collision& collision, double unit_roundoff) {
   Range range(unit_roundoff);
   double lightest = 0;  // the smaller mass, by which the impulse is bounded
-  double most_easily_turned = 0;
-  double hardest_to_turn = 0;
-  double longest = 0;
   double fastest = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
     const Vector3<double> r = oracles::lever_arm<double>(*body, collision.point);
@@ -99,12 +96,9 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
       continue;
     }
     lightest = lightest == 0 ? body->mass : std::min(lightest, body->mass);
-    longest = std::max(longest, length);
     range.require(body->mass);
     for (int i = 0; i < 3; ++i) {
       const double moment = body->principal_inertia[i];
-      most_easily_turned = most_easily_turned == 0 ? moment : std::min(most_easily_turned, moment);
-      hardest_to_turn = std::max(hardest_to_turn, moment);
       range.require(moment);
       range.require(length / moment);
       range.require(length / moment * length);
@@ -117,13 +111,15 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
   // What the impulse is made of, or what rounding leaves of that, and what it is at most.
   const double rounding = unit_roundoff * approach.of_inputs / largest(collision.normal);
   for (const double speed : {std::max(approach.speed, rounding), fastest}) {
-    const double torque = lightest * speed * longest;
     range.require(speed);
     range.require(lightest * speed);
-    range.require(torque);
-    if (most_easily_turned > 0) {
-      range.require(torque / most_easily_turned);
-      range.require(torque / hardest_to_turn);
+    for (const Body* body : {&collision.a, &collision.b}) {
+      if (!body->immovable) {
+        const double torque = lightest * speed * largest(oracles::lever_arm<double>(*body, collision.point));
+        range.require(torque);
+        range.require(torque / body->principal_inertia.minCoeff());
+        range.require(torque / body->principal_inertia.maxCoeff());
+      }
     }
   }
   return range.holds() ? std::string_view() : "masses, moments, impulse or torque leave the range of numbers";

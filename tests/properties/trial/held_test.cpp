@@ -70,6 +70,22 @@ TEST(Held, IsNothingWhoseChangeOfSpinLeavesBinary32InBinary32) {
   EXPECT_TRUE(is_held(c, Precision::binary64));
 }
 
+/// Each body is turned by its own lever arm: that of the other may be 10⁹ times as long.
+TEST(Held, IsNothingWhereOneBodyTurnsLessThanBinary32Holds) {
+  Collision c = ball_on_floor();
+  c.a.velocity = {0, -1e-5, 0};
+  c.a.position = c.point + Vector3<double>{1e-6, 1e-6, 0};
+  c.a.principal_inertia.setConstant(1e26);
+  c.b = c.a;
+  c.b.velocity = {0, 0, 0};
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  c.b.position = c.point + Vector3<double>{1e3, 1e3, 0};
+  c.b.principal_inertia.setConstant(1e6);
+  EXPECT_FALSE(is_held(c, Precision::binary32));
+  c.a = c.b;
+  EXPECT_TRUE(is_held(c, Precision::binary32));
+}
+
 TEST(Held, IsNothingAtTheEndsOfBinary32InBinary32) {
   Collision c = ball_on_floor();
   c.a.principal_inertia.setConstant(1e37);
