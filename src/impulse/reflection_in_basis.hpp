@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
 #include <carom/impulse/solve3.hpp>
 
 namespace carom::impulse {
@@ -75,9 +76,13 @@ template <class S>
   return reflection_in_given_basis(contact, basis);
 }
 
-/// The same with a T0 that does not depend on V⁻: the choice of T0 is all that fails in `reflection_in_basis`.
+/// The same with a T0 that does not depend on V⁻: the choice of T0 is all that fails in `reflection_in_basis`. Where N
+/// lies along both lever arms F lies along N (eq. 18), and what rounding leaves of T0 and T1 is to turn nothing.
 template <class S>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact) {
+  if (detail::turns_no_body(contact, contact.normal)) {
+    return frictionless(contact);
+  }
   return reflection_in_given_basis(contact, stable_tangent_basis(contact));
 }
 

@@ -220,6 +220,25 @@ TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   }
 }
 
+/// The same of a matrix in a basis: what rounding leaves of T0 and T1 in a head-on impact is to turn nothing.
+TEST(SlenderBodies, AreNotTurnedByRoundingInATangentBasis) {
+  Collision c;
+  c.a.mass = 0.4;
+  c.a.principal_inertia = {1700, 1600, 2000};
+  c.a.orientation = {0.2, -0.64, 0.5, -0.38};
+  c.a.position = {-128, 0x1p-23, 0x1p-6};
+  c.a.velocity = {2e4, -3e3, 4e3};
+  c.a.angular_velocity = {-0.3, -0.1, -0.3};
+  c.b.mass = 0.4;
+  c.b.principal_inertia = {0.005, 40, 40};
+  c.b.orientation = {-1, 0, -0.2, 0};
+  c.b.position = {0.5, -0x1p-31, -0x1p-14};
+  c.b.velocity = {-9e7, -8e7, 3e7};
+  c.b.angular_velocity = {0.3, 0.1, 0.3};
+  c.normal = {-1, 0x1p-30, 0x1p-13};
+  EXPECT_LT(backward_error(c, Model::reflection, reflection_in_stable_basis(make_contact<double>(c))), 4);
+}
+
 TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   const auto inertia = PrincipalInertia<double>::of({2, 2, 2}, {0.3, 0.5, -0.7, 0.1});
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
