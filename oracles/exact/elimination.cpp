@@ -127,6 +127,8 @@ void write_tangential_law(System& system, std::size_t row, const BasicCollision<
     case Model::sticking:  // t·V⁺ = 0
       write_relative_velocity(system, row, c, t, Rational(0));
       return;
+    case Model::rough:
+      throw std::invalid_argument("the law `rough` is no linear system");
     case Model::any:
       break;
   }

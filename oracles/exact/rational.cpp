@@ -7,6 +7,7 @@
 #include <new>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include <CGAL/Gmpq.h>
@@ -93,6 +94,30 @@ Rational Rational::times_power_of_two(int exponent) const {
 
 double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of(number).mpq()); }
 int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number).mpq()); }
+
+RootBelow root_below(const Rational& number) {
+  // √(n/d) = √(n d 4^k) / (d 2^k): the integer root of a number of 320 bits or more loses less than 2⁻¹⁶⁰ of itself.
+  constexpr std::size_t least_bits = 322;
+  const CGAL::Gmpq& x = Rational::Number::of(number);
+  const CGAL::Gmpz product = x.numerator() * x.denominator();
+  const bool is_exact = mpz_perfect_square_p(product.mpz()) != 0;
+  const std::size_t bits = mpz_sizeinbase(product.mpz(), 2);
+  const mp_bitcnt_t k = is_exact || bits >= least_bits ? 0 : (least_bits - bits + 1) / 2;
+  CGAL::Gmpz shifted;
+  mpz_mul_2exp(shifted.mpz(), product.mpz(), 2 * k);
+  CGAL::Gmpz root;
+  mpz_sqrt(root.mpz(), shifted.mpz());
+  const Rational quotient = Rational::Number::made([&] { return CGAL::Gmpq(root, x.denominator()); });
+  return {quotient.times_power_of_two(-static_cast<int>(k)), is_exact};
+}
+
+Rational sqrt(const Rational& number) {
+  RootBelow below = root_below(number);
+  if (!below.is_exact) {
+    throw std::domain_error("an irrational square root");
+  }
+  return below.root;
+}
 
 std::ostream& operator<<(std::ostream& out, const Rational& number) {
   const CGAL::Gmpq& value = Rational::Number::of(number);

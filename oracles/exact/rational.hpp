@@ -63,6 +63,7 @@ class Rational {
   friend std::ostream& operator<<(std::ostream& out, const Rational& number);
   friend double to_double(const Rational& number);
   friend int sign_of(const Rational& number);
+  friend struct RootBelow root_below(const Rational& number);
 
  private:
   struct Number;
@@ -90,6 +91,16 @@ class Rational {
 
 /// −1, 0 or 1.
 [[nodiscard]] int sign_of(const Rational& number);
+
+/// √x from below, to within 2⁻¹⁶⁰ of itself; exact where √x is rational. Precondition: x ≥ 0.
+struct RootBelow {
+  Rational root;
+  bool is_exact;
+};
+[[nodiscard]] RootBelow root_below(const Rational& number);
+
+/// √x. Throws std::domain_error where it is irrational. Precondition: x ≥ 0.
+[[nodiscard]] Rational sqrt(const Rational& number);
 
 /// "p/q" in lowest terms, "p" where q = 1.
 [[nodiscard]] std::string to_text(const Rational& number);

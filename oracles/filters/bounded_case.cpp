@@ -101,25 +101,25 @@ const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const 
   return *differentiated_;
 }
 
-const Truth<Enclosure>& BoundedCase::colliding_truth(Model model) const {
+const Truth<Enclosure>& BoundedCase::colliding_truth(Model model, Branch branch) const {
   std::optional<Truth<Enclosure>>& known = of_model_[model].truth;
   if (!known) {
     if (is_moderate()) {
-      known = refined_truth(collision_, enclosed(), approximate(), model, approximate_response());
+      known = refined_truth(collision_, enclosed(), approximate(), model, branch, approximate_response());
     }
     if (!known || !is_bounded(*known)) {
-      known = oracles::colliding_truth(enclosed(), model);
+      known = oracles::colliding_truth(enclosed(), model, branch);
     }
   }
   return *known;
 }
 
-const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model) const {
+const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model, Branch branch) const {
   std::optional<Sensitivity>& known = of_model_[model].sensitivity_below;
   if (!known) {
     known = norms_before();
-    const Vector3<Approximation> impulse = impulse_for<Approximation>(
-        approximate(), model, wanted_change(approximate(), model), &approximate_response().matrix);
+    const Vector3<Approximation> impulse =
+        colliding_impulse<Approximation>(approximate(), model, branch, &approximate_response().matrix);
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     for (const OutcomeVector k : all_outcome_vectors) {
       const double half = norm_below(*vectors(outcome)[k]) / 2;
@@ -127,6 +127,21 @@ const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model) const {
     }
   }
   return *known;
+}
+
+std::optional<ConeSide> BoundedCase::cone_side() const {
+  const auto sign = [](const auto& x) { return x.sign(); };
+  const std::optional<ConeSide> roughly = oracles::cone_side(approximate(), &approximate_response().matrix, sign);
+  return roughly ? roughly : oracles::cone_side<Enclosure>(enclosed(), nullptr, sign);
+}
+
+bool BoundedCase::has_clear_divisor() const {
+  const BasicCollision<Approximation>& c = approximate();
+  const Vector3<Approximation> d = detail::RoughImpulses<Approximation>(c, &approximate_response().matrix).difference();
+  const Vector3<Approximation> tangential = c.normal.cross(d);
+  const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
+                       (c.friction * c.normal.dot(d)).magnitude_above();
+  return Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
 }
 
 bool BoundedCase::is_well_conditioned() const {

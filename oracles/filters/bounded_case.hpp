@@ -7,6 +7,7 @@
 
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
@@ -55,13 +56,21 @@ class BoundedCase {
 
   /// The law's answer to a contact that collides, to about 100 bits, with its bound; not certified, since no equation
   /// holds exactly for it. Preconditions: as of colliding_truth.
-  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model) const;
+  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model, Branch branch) const;
 
   /// A lower bound of the sensitivity of that answer, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's answer
   /// is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half
   /// covers the rounding of the sum, of which ten digits are kept, and its own. Preconditions: is_moderate(), and as of
   /// colliding_truth.
-  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model) const;
+  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model, Branch branch) const;
+
+  /// On which side of the cone's surface the law `rough` answers, where bounds decide it. Precondition: a body is
+  /// movable.
+  [[nodiscard]] std::optional<ConeSide> cone_side() const;
+
+  /// Whether on the cone's surface the sensitivity of `rough` is surely finite. Preconditions: is_moderate(); a body is
+  /// movable.
+  [[nodiscard]] bool has_clear_divisor() const;
 
   /// Whether κ(K) < 2²⁰: binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
   [[nodiscard]] bool is_well_conditioned() const;

@@ -28,4 +28,9 @@ inline constexpr double factor_for_grazing = 2;
 inline constexpr double roundings_of_matrix_sensitivity = 0x1p+16;
 inline constexpr double least_share_of_largest_terms = 0x1p-20;
 
+/// On the cone's surface the law `rough` divides by q = ‖N × D‖ − μ N·D. Of a moderate collision Σ_j ‖∂y_k/∂x_j‖ |x_j|
+/// is at most 2⁶⁶⁰ where q is left as it is, and ‖D‖ / q adds no more than ‖K‖ / λ ≤ 2²⁶⁰ over this share of its terms:
+/// it is finite.
+inline constexpr double least_share_of_divisor = 0x1p-40;
+
 }  // namespace carom::oracles::case_bounds

@@ -25,23 +25,59 @@ Outcome<Approximation> ApproximateResponse::operator()(const Vector3<Approximati
   return answer;
 }
 
-Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
-                               const BasicCollision<Approximation>& approximate, Model model,
-                               const ApproximateResponse& approximate_response) {
+namespace {
+
+/// A collision in the arithmetics of refinement.
+struct Arithmetics {
+  const Collision& rounded;
+  const BasicCollision<Enclosure>& enclosed;
+  const BasicCollision<Approximation>& approximate;
+  const ApproximateResponse& response;
+};
+
+/// The impulse by which a linear law brings about what it asks for of a change, and what that adds to the velocities.
+template <class Law>
+Truth<Enclosure> refined(const Arithmetics& of, const Vector3<Enclosure>& wanted) {
   const auto middle = [](const auto& x) { return x.middle(); };
-  const Vector3<Enclosure> wanted = wanted_change(enclosed, model);
-  const Matrix3<double> matrix = approximate_response.matrix.unaryExpr(middle);
-  const Vector3<double> first = impulse_for<double>(collision, model, wanted.unaryExpr(middle), &matrix);
-  return with_law(model, [&]<class Law>(Law) -> Truth<Enclosure> {
-    const Vector3<Enclosure> impulse = Law::permitted(enclosed, first);
-    const Outcome<Enclosure> answer = response<Enclosure>(enclosed, impulse);
-    const Vector3<Enclosure> rest =
-        Law::asked_for(enclosed.normal, wanted - relative_velocity<Enclosure>(enclosed, answer));
-    const Vector3<Approximation> second = Law::template impulse_for<Approximation>(
-        approximate, rest.unaryExpr(&approximation_of), &approximate_response.matrix);
-    const Outcome<Enclosure> correction = map_outcome<Enclosure>(approximate_response(second), &enclosure_of);
-    return {impulse + second.unaryExpr(&enclosure_of), sum(sum(unchanged(enclosed), answer), correction)};
+  const Matrix3<double> matrix = of.response.matrix.unaryExpr(middle);
+  const Vector3<double> first = Law::template impulse_for<double>(of.rounded, wanted.unaryExpr(middle), &matrix);
+  const Vector3<Enclosure> impulse = Law::permitted(of.enclosed, first);
+  const Outcome<Enclosure> answer = response<Enclosure>(of.enclosed, impulse);
+  const Vector3<Enclosure> rest =
+      Law::asked_for(of.enclosed.normal, wanted - relative_velocity<Enclosure>(of.enclosed, answer));
+  const Vector3<Approximation> second =
+      Law::template impulse_for<Approximation>(of.approximate, rest.unaryExpr(&approximation_of), &of.response.matrix);
+  const Outcome<Enclosure> correction = map_outcome<Enclosure>(of.response(second), &enclosure_of);
+  return {impulse + second.unaryExpr(&enclosure_of), sum(answer, correction)};
+}
+
+}  // namespace
+
+Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
+                               const BasicCollision<Approximation>& approximate, Model model, Branch branch,
+                               const ApproximateResponse& approximate_response) {
+  const Arithmetics of{collision, enclosed, approximate, approximate_response};
+  Truth<Enclosure> truth = with_law(model, [&]<class Law>(Law) -> Truth<Enclosure> {
+    if constexpr (LinearLaw<Law>) {
+      return refined<Law>(of, wanted_change<Law>(enclosed));
+    } else {
+      const Vector3<Enclosure> stop = -relative_velocity<Enclosure>(enclosed, unchanged(enclosed));
+      const Truth<Enclosure> approach = refined<typename Law::StopsApproach>(of, stop);
+      const Truth<Enclosure> point = refined<typename Law::StopsPoint>(of, stop);
+      const Vector3<Enclosure> d = point.impulse - approach.impulse;
+      const Enclosure share = Law::template friction_share<Enclosure>(enclosed, approach.impulse, d, branch);
+      Truth<Enclosure> result{Law::template combined<Enclosure>(enclosed, approach.impulse, d, share), {}};
+      const auto into = vectors(result.outcome);
+      for (const OutcomeVector k : all_outcome_vectors) {
+        const Vector3<Enclosure>& by_approach = *vectors(approach.outcome)[k];
+        *into[k] = Law::template combined<Enclosure>(
+            enclosed, by_approach, Vector3<Enclosure>(*vectors(point.outcome)[k] - by_approach), share);
+      }
+      return result;
+    }
   });
+  truth.outcome = sum(unchanged(enclosed), truth.outcome);
+  return truth;
 }
 
 bool is_bounded(const Truth<Enclosure>& truth) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/truth.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
@@ -32,7 +33,7 @@ struct ApproximateResponse {
 /// precision of binary64, no more than that of approximations. Preconditions: as of impulse_for.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
                                              const BasicCollision<Approximation>& approximate, Model model,
-                                             const ApproximateResponse& approximate_response);
+                                             Branch branch, const ApproximateResponse& approximate_response);
 
 /// Whether every number has a bound.
 [[nodiscard]] bool is_bounded(const Truth<Enclosure>& truth);

@@ -39,6 +39,20 @@ Outcome<T> minus(const Outcome<T>& x, const Outcome<T>& y) {
 
 std::optional<int> certain_sign(const Enclosure& x) { return x.sign(); }
 std::optional<int> certain_sign(const Rational& x) { return sign_of(x); }
+std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
+
+template <class T>
+inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;
+
+/// The collision and the outcome in the field of a truth.
+template <class T>
+BasicCollision<T> collision_in(const ExactCase& exact_case) {
+  return map_numbers<T>(exact_case.collision(), [](double number) { return T(number); });
+}
+template <class T>
+Outcome<T> outcome_in(const LiftedOutcome& outcome) {
+  return map_outcome<T>(outcome.exact(), [](const Rational& x) { return T(x); });
+}
 
 /// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm; none where the arithmetic does not decide it.
 template <class T>
@@ -72,7 +86,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as,
       (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
     }
     accuracy.error[k] = norm_of(*of_deviation[k]);
-    if constexpr (!std::is_same_v<T, Rational>) {
+    if constexpr (!is_exact<T>) {
       accuracy.error_above[k] = norm_above(std::span<const T>(error));
     }
   }
@@ -85,10 +99,9 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as,
       return energy_norm(
           map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
     };
-    const double norm_of_change =
-        as == exact_case.approach()
-            ? exact_case.energy_norm_of_change(model, std::is_same_v<T, Rational>, find_norm_of_change)
-            : find_norm_of_change();
+    const double norm_of_change = as == exact_case.approach()
+                                      ? exact_case.energy_norm_of_change(model, is_exact<T>, find_norm_of_change)
+                                      : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
     // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
@@ -110,7 +123,7 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
       return std::nullopt;
     }
     result.allowed[k] = *allowed;
-    if constexpr (!std::is_same_v<T, Rational>) {
+    if constexpr (!is_exact<T>) {
       // Good for print where it is known to a thousandth, or is no thousandth of what is allowed.
       constexpr double thousandth = 0x1p-10;
       for (const T& component : deviation.of_vector[k]) {
@@ -153,9 +166,9 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
           may_use_bounds ? relative_error_at_most(bound, exact_case.bounds().enclosed(),
                                                   exact_case.enclosed_truth(model, as), outcome.enclosed())
                          : std::nullopt;
-      accuracy.has_digits =
-          decided ? *decided
-                  : *relative_error_at_most(bound, exact_case.exact(), exact_case.truth(model, as), outcome.exact());
+      accuracy.has_digits = decided ? *decided : exact_case.with_truth(model, as, [&]<class T>(const Truth<T>& truth) {
+        return *relative_error_at_most(bound, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
+      });
     }
     return accuracy;
   };
@@ -169,7 +182,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
   };
   // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
   // are the same either way, so that what is reported does not depend on what is known.
-  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.bounds().is_moderate() &&
+  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(model) &&
       outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(model);
     const auto bounded = by_enclosures(below);
@@ -195,9 +208,11 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
     }
   }
   count(Stage::rational);
-  const auto exactly =
-      deviation_of(exact_case, model, as, exact_case.exact(), exact_case.truth(model, as), outcome.exact());
-  return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
+  return exact_case.with_truth(model, as, [&]<class T>(const Truth<T>& truth) {
+    const auto exactly =
+        deviation_of(exact_case, model, as, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
+    return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
+  });
 }
 
 /// Whether an outcome with this accuracy passes.
@@ -210,6 +225,11 @@ bool passes(const Accuracy& accuracy, const Yardstick& yardstick) {
 Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
                   double known) {
   const Approach approach = exact_case.approach();
+  if (exact_case.is_open(model, yardstick.allowance())) {
+    Accuracy undecided;
+    undecided.is_decided = false;
+    return undecided;
+  }
   Accuracy own = accuracy_as(exact_case, model, approach, outcome, yardstick, known);
   if (!exact_case.has_two_answers(model, yardstick.allowance())) {
     return own;

@@ -114,6 +114,16 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
+/// F is known to a m (‖ŷ_v‖ + ‖y_v⁻‖) of the body that it is read off, and squares of it where they vanish.
+double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
+  const Collision& c = exact_case.collision();
+  const OutcomeVector k = cone.read_off_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
+  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  const double impulse = (cone.read_off_a ? c.a.mass : c.b.mass) * size * norm_of(c.normal);
+  return allowance * impulse * impulse * (1 + c.friction * c.friction);
+}
+
 /// All parts; none where the sum leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/certify.hpp>
+#include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
@@ -113,22 +115,94 @@ bool ExactCase::is_grazing(double allowance) const {
   return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
 
+const ConeSide& ExactCase::cone_side() const {
+  if (!cone_side_ && filtered_) {
+    cone_side_ = bounds_.cone_side();
+  }
+  if (!cone_side_) {
+    cone_side_ =
+        oracles::cone_side<Rational>(exact(), nullptr, [](const Rational& x) { return std::optional(sign_of(x)); });
+  }
+  return *cone_side_;
+}
+
+namespace {
+
+/// The truth of the law `rough` in the field T, certified.
+template <class T>
+Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
+  Truth<T> truth = colliding_truth(c, Model::rough, branch);
+  const detail::RoughImpulses<T> of(c, nullptr);
+  const auto after = [&](const Vector3<T>& impulse) { return sum(unchanged(c), response<T>(c, impulse)); };
+  certify_rough<T>(c, truth.outcome,
+                   {after(of.stops_approach), after(of.stops_point),
+                    Rough::friction_share<T>(c, of.stops_approach, of.difference(), branch)});
+  certify(c, Model::rough, Approach::colliding, truth.outcome);
+  return truth;
+}
+
+}  // namespace
+
 const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
   std::optional<Truth<Rational>>& known = as == Approach::colliding ? of_model_[model].truth : unchanged_;
   if (!known) {
-    Truth<Rational> truth = truth_of(exact(), model, as);
-    certify(exact(), model, as, truth.outcome);
-    known = std::move(truth);
+    if (as == Approach::colliding && model == Model::rough) {
+      known = certified_rough(exact(), Branch::inside_cone);
+    } else {
+      Truth<Rational> truth = truth_of(exact(), model, as, Branch::only);
+      certify(exact(), model, as, truth.outcome);
+      known = std::move(truth);
+    }
   }
   return *known;
 }
 
+const Truth<Radical>& ExactCase::truth_on_cone(Model model) const {
+  std::optional<Truth<Radical>>& known = of_model_[model].truth_on_cone;
+  if (!known) {
+    known = certified_rough(map_numbers<Radical>(collision(), [](double number) { return Radical(number); }),
+                            Branch::on_cone);
+  }
+  return *known;
+}
+
+Outcome<double> ExactCase::nearest_truth(Model model) const {
+  return with_truth(model, approach(), []<class T>(const Truth<T>& truth) {
+    return map_outcome<double>(truth.outcome, [](const T& x) { return nearest_double(x); });
+  });
+}
+
+bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
+  if (branch(model) == Branch::only) {
+    return false;
+  }
+  if (!near_cone_surface_ || near_cone_surface_->allowance != allowance) {
+    const bool in_binary64 = bounds_.is_moderate() && bounds_.is_well_conditioned();
+    near_cone_surface_ = {allowance, oracles::is_near_cone_surface(collision(), allowance, in_binary64)};
+  }
+  return near_cone_surface_->is_near;
+}
+
+bool ExactCase::acts_at_once_here(Model model, double allowance) const {
+  return acts_at_once(model) && (branch(model) != Branch::on_cone || is_near_cone_surface(model, allowance));
+}
+
+bool ExactCase::is_open(Model model, double allowance) const {
+  return approach() != Approach::inert && branch(model) != Branch::only && is_grazing(allowance) &&
+         is_near_cone_surface(model, allowance);
+}
+
+Approach ExactCase::answered_as(Model model, Approach as) const {
+  const bool acts = as != Approach::colliding || approach() == Approach::colliding || branch(model) != Branch::on_cone;
+  return acts ? as : approach();
+}
+
 const Truth<Enclosure>& ExactCase::enclosed_truth(Model model, Approach as) const {
-  if (as == Approach::colliding) {
-    return bounds_.colliding_truth(model);
+  if (answered_as(model, as) == Approach::colliding) {
+    return bounds_.colliding_truth(model, branch(model));
   }
   if (!enclosed_unchanged_) {
-    enclosed_unchanged_ = truth_of(bounds_.enclosed(), model, as);
+    enclosed_unchanged_ = truth_of(bounds_.enclosed(), model, as, Branch::only);
   }
   return *enclosed_unchanged_;
 }
@@ -145,12 +219,21 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
 }
 
 Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
-  const bool may_collide = approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once(model));
+  const bool may_collide =
+      approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once_here(model, allowance));
   return sensitivity_as(model, may_collide ? Approach::colliding : approach(), allowance);
 }
 
 Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance) const {
-  Sensitivity sum = first_order(model, as);
+  const bool collides = as == Approach::colliding && (approach() == Approach::colliding ||
+                                                      branch(model) != Branch::on_cone || cone_side().has_surface);
+  Sensitivity sum = collides ? colliding_first_order(model, branch(model)) : unchanged_sensitivity();
+  if (collides && branch(model) != Branch::only && cone_side().has_surface && is_near_cone_surface(model, allowance)) {
+    const Sensitivity& beyond = colliding_first_order(model, other_side(branch(model)));
+    for (const OutcomeVector k : all_outcome_vectors) {
+      sum[k] = std::max(sum[k], beyond[k]);
+    }
+  }
   for (const OutcomeVector k : all_outcome_vectors) {
     sum[k] += allowance * second_order()[k];
   }
@@ -165,29 +248,33 @@ const Sensitivity& ExactCase::second_order() const {
 }
 
 bool ExactCase::has_two_answers(Model model, double allowance) const {
-  return acts_at_once(model) && is_grazing(allowance);
+  return is_grazing(allowance) && acts_at_once_here(model, allowance);
 }
 
-const Sensitivity& ExactCase::first_order(Model model, Approach as) const {
-  if (as != Approach::colliding) {
-    return unchanged_sensitivity();
-  }
-  // By binary64 where it keeps ten digits, else in enclosures, and where these do not keep them either, in ℚ.
-  std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity;
-  if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned()) {
-    known = colliding_sensitivity(collision(), model);
+const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
+  // By binary64 where it keeps ten digits, else in enclosures, and where these do not keep them either, exactly.
+  std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity[branch];
+  if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned() &&
+      (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
+    known = colliding_sensitivity(collision(), model, branch);
   }
   if (!known) {
-    known = enclosed_sensitivity(collision(), model);
+    known = enclosed_sensitivity(collision(), model, branch);
   }
   if (!known) {
-    known = exact_sensitivity(collision(), model);
+    known = exact_sensitivity(collision(), model, branch);
   }
   return *known;
 }
 
+bool ExactCase::is_moderate(Model model) const {
+  return bounds_.is_moderate() &&
+         (approach() == Approach::inert || branch(model) != Branch::on_cone || bounds_.has_clear_divisor());
+}
+
 const Sensitivity& ExactCase::sensitivity_below(Model model) const {
-  return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(model) : bounds_.norms_before();
+  return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(model, branch(model))
+                                           : bounds_.norms_before();
 }
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {

@@ -26,12 +26,31 @@ class ExactCase {
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
 
+  /// By which of its formulas the law answers where the contact collides. Preconditions: a body is movable; the model
+  /// is one of `models_with_truth`.
+  [[nodiscard]] Branch branch(Model model) const { return model == Model::rough ? cone_side().branch : Branch::only; }
+
   /// The law's answer, certified: both sides of each of its defining equations are the same.
-  /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`.
+  /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`, and its answer
+  /// is rational: it does not lie on the cone.
   [[nodiscard]] const Truth<Rational>& truth(Model model) const { return truth(model, approach()); }
 
   /// The same as if the contact had this approach.
   [[nodiscard]] const Truth<Rational>& truth(Model model, Approach as) const;
+
+  /// The same where it lies on the cone, in ℚ(√s).
+  [[nodiscard]] const Truth<Radical>& truth_on_cone(Model model) const;
+
+  /// use(truth), one of the two.
+  template <class Use>
+  decltype(auto) with_truth(Model model, Approach as, const Use& use) const {
+    const Approach answered = answered_as(model, as);
+    return answered == Approach::colliding && branch(model) == Branch::on_cone ? use(truth_on_cone(model))
+                                                                               : use(truth(model, answered));
+  }
+
+  /// The outcome of the truth, each number rounded to the nearest of binary64.
+  [[nodiscard]] Outcome<double> nearest_truth(Model model) const;
 
   /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
@@ -41,18 +60,26 @@ class ExactCase {
   /// allowance, and τ_k what an impulse of 2 (‖V⁻‖ at most) / λ can change of vector k. Where the structure of a
   /// contact makes the first order vanish (a central one that grazes), products of two roundings are all that is left.
   /// Inside the grazing band it is that of the colliding answer, since inputs within the allowance collide; but not of
-  /// a law that acts at once, whose two answers are judged apart.
+  /// a law that acts at once, whose two answers are judged apart. Near the cone's surface it is the larger one of both
+  /// sides, whose answers meet there.
   [[nodiscard]] Sensitivity sensitivity(Model model, double allowance) const;
 
   /// The same as if the contact had this approach, away from the band.
   [[nodiscard]] Sensitivity sensitivity_as(Model model, Approach as, double allowance) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers that are far from each other: those of a law
-  /// that acts at once, in the grazing band.
+  /// that acts at once, in the grazing band; of `rough` where friction by itself lies in the cone.
   [[nodiscard]] bool has_two_answers(Model model, double allowance) const;
 
+  /// Whether no number is out of the ordinary, so that the sensitivity of the law is surely finite.
+  [[nodiscard]] bool is_moderate(Model model) const;
+
+  /// Whether they have answers of all kinds: they collide or not, and where they do friction lies inside its cone or on
+  /// it, so that it acts at once or not at all. Nothing is then asked of an outcome by itself.
+  [[nodiscard]] bool is_open(Model model, double allowance) const;
+
   /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of BoundedCase,
-  /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: bounds().is_moderate().
+  /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: is_moderate(model).
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
   /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
@@ -90,14 +117,23 @@ class ExactCase {
   /// What is known of one model.
   struct OfModel {
     std::optional<Truth<Rational>> truth;
-    std::optional<Sensitivity> colliding_sensitivity;
+    std::optional<Truth<Radical>> truth_on_cone;
+    PerBranch<std::optional<Sensitivity>> colliding_sensitivity;
     std::optional<double> exact_energy_norm_of_change;
     std::optional<double> bounded_energy_norm_of_change;
   };
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
-  [[nodiscard]] const Sensitivity& first_order(Model model, Approach as) const;
+  [[nodiscard]] const Sensitivity& colliding_first_order(Model model, Branch branch) const;
+  [[nodiscard]] const ConeSide& cone_side() const;
+  /// Whether the impulse does not vanish with N·V⁻. On the cone it does.
+  [[nodiscard]] bool acts_at_once_here(Model model, double allowance) const;
+  /// Whether inputs that differ relatively by `allowance` are answered on both sides of the cone's surface.
+  [[nodiscard]] bool is_near_cone_surface(Model model, double allowance) const;
+  /// What a contact that does not collide is answered as if it did: on the cone friction vanishes with N·V⁻, and there
+  /// is no other answer.
+  [[nodiscard]] Approach answered_as(Model model, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 
   BoundedCase bounds_;
@@ -106,6 +142,13 @@ class ExactCase {
   mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
   mutable PerModel<OfModel> of_model_;
+  struct NearSurface {
+    double allowance;
+    bool is_near;
+  };
+
+  mutable std::optional<ConeSide> cone_side_;
+  mutable std::optional<NearSurface> near_cone_surface_;  // as asked last
   mutable std::optional<Truth<Rational>> unchanged_;
   mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;

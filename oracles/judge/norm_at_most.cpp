@@ -3,13 +3,22 @@
 #include <carom/oracles/numbers/norm_bounds.hpp>
 
 namespace carom::oracles {
-bool norm_at_most(std::span<const Rational> vector, double bound) {
-  Rational squared(0);
-  for (const Rational& component : vector) {
+namespace {
+
+template <class T>
+bool is_at_most(std::span<const T> vector, double bound) {
+  T squared(0);
+  for (const T& component : vector) {
     squared += component * component;
   }
-  return squared <= Rational(bound) * Rational(bound);
+  return squared <= T(bound) * T(bound);
 }
+
+}  // namespace
+
+bool norm_at_most(std::span<const Rational> vector, double bound) { return is_at_most(vector, bound); }
+
+bool norm_at_most(std::span<const Radical> vector, double bound) { return is_at_most(vector, bound); }
 
 std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound) {
   return norm_at_most_by_bounds(vector, bound);

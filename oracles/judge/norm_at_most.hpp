@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/components.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -14,11 +15,13 @@ namespace carom::oracles {
 /// Whether ‖v‖ ≤ bound: always decided for rationals, for numbers known to within an error where the errors decide it.
 /// Precondition: the bound is finite.
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
+[[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound);
 
 /// For print.
 [[nodiscard]] inline double rounded(const Rational& number) { return to_double(number); }
+[[nodiscard]] inline double rounded(const Radical& number) { return to_double(number); }
 [[nodiscard]] inline double rounded(const Enclosure& number) { return number.middle(); }
 [[nodiscard]] inline double rounded(const Approximation& number) { return number.middle(); }
 

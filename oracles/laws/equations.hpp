@@ -21,6 +21,14 @@ struct Sides {
 template <class T>
 using Scalar1 = Eigen::Matrix<T, 1, 1>;
 
+/// ‖N × F‖² and (μ N·F)², of an impulse F on A.
+template <class T>
+[[nodiscard]] Sides<T, 1> squared_cone(const BasicCollision<T>& c, const Vector3<T>& impulse) {
+  const Vector3<T> tangential = c.normal.cross(impulse);
+  const T limit = c.friction * c.normal.dot(impulse);
+  return {Scalar1<T>(tangential.dot(tangential)), Scalar1<T>(limit * limit)};
+}
+
 /// The equations that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a
 /// collision.
 enum class AffineEquation {
@@ -191,6 +199,21 @@ struct Sticks {
   }
 };
 
+/// ‖N × F‖² ≤ (μ N·F)², the friction cone where N·F ≥ 0. F is read off A or off B. Not affine. Precondition: that body
+/// is movable.
+struct FrictionCone {
+  bool read_off_a;
+
+  static constexpr bool slopes_may_cancel = true;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return squared_cone(c, impulse_on_a(c, after, read_off_a));
+  }
+};
+
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
 /// its contact point's velocity. Not affine, but convex in the outcome. Precondition: a body is movable.
 struct Energy {
@@ -222,10 +245,10 @@ struct Energy {
 }  // namespace equation
 
 /// What the judge holds an outcome against.
-using Equation =
-    std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
-                 equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
-                 equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::Energy>;
+using Equation = std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
+                              equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
+                              equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks,
+                              equation::FrictionCone, equation::Energy>;
 
 /// Those that are affine in the outcome, in the order of their names.
 inline constexpr std::array<Equation, 14> affine_equations{equation::LinearMomentum{},
@@ -299,6 +322,9 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
     case Model::sticking:
       visit("restitution", equation::Restitution{});
       visit("sticking", equation::Sticks{});
+      return;
+    case Model::rough:  // the rest is no equation of the outcome alone: certify_rough
+      visit("restitution", equation::Restitution{});
       return;
     case Model::any:
       break;

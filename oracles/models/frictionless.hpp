@@ -58,15 +58,17 @@ struct Frictionless {
     Row of_condition = n.transpose() * of.left;
     of_condition.segment<3>(of.normal) += (2 * per_normal * k_normal - of.wanted).transpose();
     const Row d_per_normal = of_condition / -n.dot(k_normal);
-    Derivatives result{of.a.d_velocity + to_normal.a.velocity * d_per_normal,
-                       of.a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
-                       of.b.d_velocity + to_normal.b.velocity * d_per_normal,
-                       of.b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
-    result[OutcomeVector::velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.velocity;
-    result[OutcomeVector::angular_velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.angular_velocity;
-    result[OutcomeVector::velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.velocity;
-    result[OutcomeVector::angular_velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.angular_velocity;
-    return result;
+    PerVector<Jacobian> change{of.a.d_velocity + to_normal.a.velocity * d_per_normal,
+                               of.a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
+                               of.b.d_velocity + to_normal.b.velocity * d_per_normal,
+                               of.b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
+    change[OutcomeVector::velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.velocity;
+    change[OutcomeVector::angular_velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.angular_velocity;
+    change[OutcomeVector::velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.velocity;
+    change[OutcomeVector::angular_velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.angular_velocity;
+    Jacobian impulse = n * d_per_normal;
+    impulse.middleCols<3>(of.normal) += per_normal * Matrix3<double>::Identity();
+    return {impulse, change};
   }
 
   // What its closeness rests on.

@@ -28,6 +28,9 @@ struct Places {
   OfBody b;
   Eigen::Index point = 0;
   Eigen::Index normal = 0;
+  [[nodiscard]] Eigen::Index restitution() const { return normal + 3; }
+  [[nodiscard]] Eigen::Index friction() const { return normal + 4; }
+  [[nodiscard]] Eigen::Index tangential_restitution() const { return normal + 5; }
   Magnitudes magnitude = Magnitudes::Zero();  // |x_j|
 
   explicit Places(const Collision& collision) {
@@ -116,8 +119,11 @@ struct BodyResponse {
   return result;
 }
 
-/// The derivatives of what the impulse adds to each of the four velocities.
-using Derivatives = PerVector<Jacobian>;
+/// The derivatives of an impulse, and of what it adds to each of the four velocities.
+struct Derivatives {
+  Jacobian of_impulse;
+  PerVector<Jacobian> of_change;
+};
 
 /// What is differentiated: the responses of both bodies to the impulse F on A and −F on B.
 struct ImpulseDifferential {
@@ -132,8 +138,9 @@ struct ImpulseDifferential {
 /// Of a law whose impulse satisfies K F = b: dF = K⁻¹ (db − dK F).
 [[nodiscard]] inline Derivatives derivatives_by_matrix(const ImpulseDifferential& of) {
   const Jacobian d_impulse = -(of.a.at_point + of.b.at_point).inverse() * of.left;
-  return {of.a.d_velocity + of.a.velocity * d_impulse, of.a.d_angular_velocity + of.a.angular_velocity * d_impulse,
-          of.b.d_velocity - of.b.velocity * d_impulse, of.b.d_angular_velocity - of.b.angular_velocity * d_impulse};
+  return {d_impulse,
+          {of.a.d_velocity + of.a.velocity * d_impulse, of.a.d_angular_velocity + of.a.angular_velocity * d_impulse,
+           of.b.d_velocity - of.b.velocity * d_impulse, of.b.d_angular_velocity - of.b.angular_velocity * d_impulse}};
 }
 
 }  // namespace carom::oracles

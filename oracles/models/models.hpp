@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <carom/oracles/models/frictionless.hpp>
 #include <carom/oracles/models/reflection.hpp>
+#include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
 /// The models that determine an outcome, a type each. None of what these types say is trusted: a truth is certified by
@@ -23,40 +25,106 @@ decltype(auto) with_law(Model model, Use&& use) {
       return std::forward<Use>(use)(Reflection{});
     case Model::sticking:
       return std::forward<Use>(use)(Sticking{});
+    case Model::rough:
+      return std::forward<Use>(use)(Rough{});
     case Model::any:
       break;
   }
   determines_no_outcome(model);
 }
 
-/// The change of relative velocity that the law asks for.
+/// A law that asks for a change of relative velocity, and whose impulse is linear in it. The others are combinations of
+/// two such laws, by a share that is not linear.
+template <class Law>
+concept LinearLaw = requires {
+  &Law::template wanted_change<double>;
+};
+
+/// Their models: the truth is rational, by one formula.
+inline constexpr std::array linear_models{Model::frictionless, Model::reflection, Model::sticking};
+
+/// The change of relative velocity that a linear law asks for.
+template <class Law, class T>
+[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& c) {
+  return Law::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
+}
+
+namespace detail {
+
+/// The impulses P_I and D = P_II − P_I of the law `rough`.
 template <class T>
-[[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& c, Model model) {
-  return with_law(model, [&]<class Law>(Law) {
-    return Law::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
+struct RoughImpulses {
+  Vector3<T> stops_approach;
+  Vector3<T> stops_point;
+
+  /// `matrix` is the response matrix where it is known already.
+  RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
+    const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
+    stops_approach = Rough::StopsApproach::impulse_for<T>(c, stop, matrix);
+    stops_point = Rough::StopsPoint::impulse_for<T>(c, stop, matrix);
+  }
+  [[nodiscard]] Vector3<T> difference() const { return stops_point - stops_approach; }
+};
+
+}  // namespace detail
+
+/// The impulse on A of the law's answer to a contact that collides. `branch` is that of the collision, or the other
+/// side of the cone; `matrix` is the response matrix where it is known already. T is a field, on the cone with square
+/// roots; the sign of N·V⁻ is not asked. Precondition: a body is movable.
+template <class T>
+[[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Model model, Branch branch,
+                                           const Matrix3<T>* matrix = nullptr) {
+  return with_law(model, [&]<class Law>(Law) -> Vector3<T> {
+    if constexpr (LinearLaw<Law>) {
+      return Law::template impulse_for<T>(c, wanted_change<Law>(c), matrix);
+    } else {
+      const detail::RoughImpulses<T> of(c, matrix);
+      const Vector3<T> d = of.difference();
+      return Law::template combined<T>(c, of.stops_approach, d,
+                                       Law::template friction_share<T>(c, of.stops_approach, d, branch));
+    }
   });
 }
 
-/// The impulse on A by which the law brings about what it asks for of a change of relative velocity. Linear in the
-/// change. `matrix` is the response matrix where it is known already. Precondition: a body is movable.
+/// The law's answer to a contact that collides. As `colliding_impulse`.
 template <class T>
-[[nodiscard]] Vector3<T> impulse_for(const BasicCollision<T>& c, Model model, const Vector3<T>& change,
-                                     const Matrix3<T>* matrix = nullptr) {
-  return with_law(model, [&]<class Law>(Law) { return Law::template impulse_for<T>(c, change, matrix); });
-}
-
-/// The law's answer to a contact that collides. T is a field; the sign of N·V⁻ is not asked. Precondition: a body is
-/// movable.
-template <class T>
-[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Model model) {
-  const Vector3<T> impulse = impulse_for<T>(c, model, wanted_change(c, model));
+[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Model model, Branch branch) {
+  const Vector3<T> impulse = colliding_impulse<T>(c, model, branch);
   return {impulse, sum(unchanged(c), response<T>(c, impulse))};
 }
 
 /// The law's answer to a contact with this approach.
 template <class T>
-[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Model model, Approach approach) {
-  return approach == Approach::colliding ? colliding_truth(c, model) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
+[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Model model, Approach approach, Branch branch) {
+  return approach == Approach::colliding ? colliding_truth(c, model, branch)
+                                         : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
+}
+
+/// On which side of the cone's surface a law with friction answers.
+struct ConeSide {
+  Branch branch;
+  bool has_surface;  // whether some κ > 0 puts F on the surface, so that there is an answer by the other formula
+};
+
+/// The same where `sign`, of a number of type T → −1, 0, 1 or none, knows what decides it. Precondition: the model is
+/// `rough`.
+template <class T, class Sign>
+[[nodiscard]] std::optional<ConeSide> cone_side(const BasicCollision<T>& c, const Matrix3<T>* matrix,
+                                                const Sign& sign) {
+  const detail::RoughImpulses<T> of(c, matrix);
+  const auto cone = Rough::cone<T>(c, of.stops_approach, of.difference());
+  const std::optional<int> along_normal = sign(cone.along_normal);
+  const std::optional<int> slack = sign(cone.slack);
+  const std::optional<int> reach = sign(cone.reach);
+  const std::optional<int> friction_along_normal = sign(cone.friction_along_normal);
+  const bool is_inside = along_normal.value_or(-1) >= 0 && slack.value_or(-1) >= 0;
+  const bool is_outside = along_normal.value_or(1) < 0 || slack.value_or(1) < 0;
+  const bool has_surface = reach.value_or(0) > 0 || friction_along_normal.value_or(1) < 0;
+  const bool has_none = reach.value_or(1) <= 0 && friction_along_normal.value_or(-1) >= 0;
+  if ((!is_inside && !is_outside) || (!has_surface && !has_none)) {
+    return std::nullopt;
+  }
+  return ConeSide{is_inside ? Branch::inside_cone : Branch::on_cone, has_surface};
 }
 
 /// The equations that the answer of every model satisfies to every contact that they speak of: `restitution` where it

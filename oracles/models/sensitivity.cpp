@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
@@ -15,31 +16,114 @@ struct Wanted {
   Jacobian derivative = Jacobian::Zero();
 };
 
-/// By the chain rule through the relative velocity before the impulse.
+/// By the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
+/// derivative.
 template <class Law>
-Wanted wanted_of(const Collision& c, const Places& places) {
+Wanted wanted_of(const Collision& c, const Places& places, const Dual<double, 7>& restitution) {
   Wanted result;
   Jacobian d_velocity = Jacobian::Zero();
-  Vector3<double> velocity{0, 0, 0};
+  // Of what cancels in V⁻ the direction of the slip is made.
+  const auto enclosed = map_numbers<Enclosure>(c, [](double x) { return Enclosure(x); });
+  const Vector3<double> velocity =
+      relative_velocity<Enclosure>(enclosed, unchanged(enclosed)).unaryExpr([](const Enclosure& x) {
+        return x.middle();
+      });
   const auto add_body = [&](const Body& body, const Places::OfBody& place, double sign) {
     constexpr std::size_t own = 9;  // position, velocity, angular velocity; and the contact point
     using T = Dual<double, own + 3>;
     const Vector3<T> arm = inputs<own + 3>(c.point, own) - inputs<own + 3>(body.position, 0);
     const Vector3<T> at_point =
         point_velocity<T>({inputs<own + 3>(body.velocity, 3), inputs<own + 3>(body.angular_velocity, 6)}, arm);
-    velocity += sign * value(at_point);
     d_velocity.middleCols<own>(place.position) += sign * derivatives<own>(at_point, 0);
     d_velocity.middleCols<3>(places.point) += sign * derivatives<3>(at_point, own);
   };
   add_body(c.a, places.a, 1);
   add_body(c.b, places.b, -1);
   using T = Dual<double, 7>;  // normal, restitution, relative velocity
-  const Vector3<T> wanted =
-      Law::template wanted_change<T>(inputs<7>(c.normal, 0), T::input(c.restitution, 3), inputs<7>(velocity, 4));
+  const Vector3<T> wanted = Law::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(velocity, 4));
   result.change = value(wanted);
   result.derivative = derivatives<3>(wanted, 4) * d_velocity;
   result.derivative.middleCols<4>(places.normal) += derivatives<4>(wanted, 0);
   return result;
+}
+
+/// A linear law's impulse and what it adds to the velocities, with their derivatives.
+struct Differentiated {
+  Vector3<double> impulse;
+  PerVector<Vector3<double>> change;
+  Derivatives derivatives;
+};
+
+template <class Law>
+Differentiated differentiated(const Collision& c, const Places& places, const Dual<double, 7>& restitution) {
+  const Wanted wanted = wanted_of<Law>(c, places, restitution);
+  const Vector3<double> impulse = Law::template impulse_for<double>(c, wanted.change, nullptr);
+  const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
+  const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
+  const Jacobian left = a.d_at_point - b.d_at_point - wanted.derivative;
+  return {impulse,
+          {a.velocity * impulse, a.angular_velocity * impulse, -b.velocity * impulse, -b.angular_velocity * impulse},
+          Law::derivatives(c, {a, b, impulse, wanted.change, left, places.normal})};
+}
+
+using Row = Eigen::Matrix<double, 1, collision_inputs>;
+
+/// κ of `rough`, and its derivatives.
+struct Share {
+  double value = 0;
+  Row derivative = Row::Zero();
+};
+
+Share friction_share(const Collision& c, const Places& places, const Differentiated& approach,
+                     const Differentiated& point, Branch branch) {
+  const Vector3<double> d = point.impulse - approach.impulse;
+  Share share{Rough::friction_share<double>(c, approach.impulse, d, branch)};
+  if (branch == Branch::inside_cone) {
+    share.derivative[places.tangential_restitution()] = 1;
+    return share;
+  }
+  // κ q = μ (1 + ε) p with p = N·P_I and q = ‖N × D‖ − μ N·D.
+  const Jacobian d_of_d = point.derivatives.of_impulse - approach.derivatives.of_impulse;
+  const Vector3<double>& n = c.normal;
+  const Vector3<double> tangential = n.cross(d);
+  const Vector3<double> along = tangential.normalized();
+  const double p = n.dot(approach.impulse);
+  const double q = Rough::divisor<double>(c, d);
+  // ∂(N·D) and ∂‖N × D‖ = t·(∂N × D + N × ∂D), t along N × D.
+  Row d_normal = n.transpose() * d_of_d;
+  d_normal.segment<3>(places.normal) += d.transpose();
+  Row d_tangential = along.cross(n).transpose() * d_of_d;
+  d_tangential.segment<3>(places.normal) += d.cross(along).transpose();
+  Row d_p = n.transpose() * approach.derivatives.of_impulse;
+  d_p.segment<3>(places.normal) += approach.impulse.transpose();
+  Row numerator = c.friction * (1 + c.restitution) * d_p;
+  numerator[places.friction()] += (1 + c.restitution) * p;
+  numerator[places.restitution()] += c.friction * p;
+  Row d_q = d_tangential - c.friction * d_normal;
+  d_q[places.friction()] -= n.dot(d);
+  share.derivative = (numerator - share.value * d_q) / q;
+  return share;
+}
+
+/// The derivatives of what the law's impulse adds to the velocities.
+template <class Law>
+PerVector<Jacobian> change_derivatives(const Collision& c, const Places& places, Branch branch) {
+  using T = Dual<double, 7>;
+  if constexpr (LinearLaw<Law>) {
+    return differentiated<Law>(c, places, T::input(c.restitution, 3)).derivatives.of_change;
+  } else {
+    const Differentiated approach = differentiated<typename Law::StopsApproach>(c, places, T(0));
+    const Differentiated point = differentiated<typename Law::StopsPoint>(c, places, T(0));
+    const Share share = friction_share(c, places, approach, point, branch);
+    PerVector<Jacobian> result;
+    for (const OutcomeVector k : all_outcome_vectors) {
+      const Jacobian& of_approach = approach.derivatives.of_change[k];
+      result[k] = (1 + c.restitution) * of_approach + share.value * (point.derivatives.of_change[k] - of_approach) +
+                  (point.change[k] - approach.change[k]) * share.derivative;
+      result[k].col(places.restitution()) += approach.change[k];
+    }
+    return result;
+  }
 }
 
 /// Σ_j ‖∂y/∂x_j‖ |x_j|; not a number where squares may have left the range of binary64.
@@ -55,16 +139,10 @@ double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
 
 Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
-std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model) {
+std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model, Branch branch) {
   const Places places(c);
-  Derivatives derivatives = with_law(model, [&]<class Law>(Law) {
-    const Wanted wanted = wanted_of<Law>(c, places);
-    const Vector3<double> impulse = Law::template impulse_for<double>(c, wanted.change, nullptr);
-    const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
-    const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
-    const Jacobian left = a.d_at_point - b.d_at_point - wanted.derivative;
-    return Law::derivatives(c, {a, b, impulse, wanted.change, left, places.normal});
-  });
+  PerVector<Jacobian> derivatives =
+      with_law(model, [&]<class Law>(Law) { return change_derivatives<Law>(c, places, branch); });
   const PerVector<Eigen::Index> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
                                        places.b.angular_velocity()};
   Sensitivity result = norms_before(c);
@@ -76,10 +154,10 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
 }
 
-std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model) {
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch) {
   using T = Dual<Enclosure, collision_inputs>;
   const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
-  const Truth<T> truth = colliding_truth(inputs.collision, model);
+  const Truth<T> truth = colliding_truth(inputs.collision, model, branch);
   Sensitivity result = norms_before(collision);
   const auto parts = vectors(truth.outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -91,23 +169,93 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
       }
     }
     result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
-    // Written so that what is no number is not known.
-    if (!(unknown <= ten_digits * result[k]) || !std::isfinite(result[k])) {
+    // Written so that what is no number is not known. On the cone, where exact derivatives take a hundred times as long
+    // and slips cancel, a thousandth does.
+    constexpr double thousandth = 0x1p-10;
+    if (!(unknown <= (branch == Branch::on_cone ? thousandth : ten_digits) * result[k]) || !std::isfinite(result[k])) {
       return std::nullopt;
     }
   }
   return result;
 }
 
-Sensitivity exact_sensitivity(const Collision& collision, Model model) {
-  const auto inputs = dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); });
-  const auto truth = colliding_truth(inputs.collision, model);
+namespace {
+
+Sensitivity sensitivity_of_outcome(const Collision& collision, const auto& outcome,
+                                   const std::vector<double>& magnitude) {
   Sensitivity result = norms_before(collision);
-  const auto parts = vectors(truth.outcome);
+  const auto parts = vectors(outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, magnitude);
   }
   return result;
+}
+
+using RationalDual = Dual<Rational, collision_inputs>;
+using RadicalDual = Dual<Radical, collision_inputs>;
+
+RadicalDual lifted(const RationalDual& x) {
+  RadicalDual result(Radical(x.value));
+  for (std::size_t i = 0; i < collision_inputs; ++i) {
+    result.derivative[i] = Radical(x.derivative[i]);
+  }
+  return result;
+}
+
+/// The answer of `rough` on the cone: in ℚ but for what has the root in it.
+Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
+  const auto lift = [](const Vector3<RationalDual>& v) {
+    return Vector3<RadicalDual>{lifted(v[0]), lifted(v[1]), lifted(v[2])};
+  };
+  const detail::RoughImpulses<RationalDual> of(c, nullptr);
+  const Outcome<RationalDual> by_approach = response<RationalDual>(c, of.stops_approach);
+  const Outcome<RationalDual> by_friction = response<RationalDual>(c, of.difference());
+  const auto in_radicals = map_numbers<RadicalDual>(c, [](const RationalDual& x) { return lifted(x); });
+  const RadicalDual share =
+      Rough::friction_share<RadicalDual>(in_radicals, lift(of.stops_approach), lift(of.difference()), Branch::on_cone);
+  Outcome<RadicalDual> answer = unchanged(in_radicals);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    *vectors(answer)[k] += Rough::combined<RadicalDual>(in_radicals, lift(*vectors(by_approach)[k]),
+                                                        lift(*vectors(by_friction)[k]), share);
+  }
+  return answer;
+}
+
+/// |g| ≤ allowance Σ_j ‖∂g/∂x_j‖ |x_j| for g = μ N·F − ‖N × F‖, F with κ = 1 + e_t, its parts differentiated each; none
+/// where it is not known in S.
+template <class S>
+std::optional<bool> is_near_surface(const Collision& collision, double allowance) {
+  using T = Dual<S, collision_inputs>;
+  const auto inputs = dual_inputs<S, collision_inputs>(collision, [](double x) { return S(x); });
+  const BasicCollision<T>& c = inputs.collision;
+  const detail::RoughImpulses<T> of(c, nullptr);
+  const Vector3<T> whole =
+      Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
+  const T limit = c.friction * c.normal.dot(whole);
+  const Vector3<T> tangential = c.normal.cross(whole);
+  const double scale = sensitivity_of({&limit}, inputs.magnitude) +
+                       sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude);
+  const double length = root_of_squares(
+      3, [&](std::size_t i) { return detail::as_double(tangential[static_cast<Eigen::Index>(i)].value); });
+  const double distance = std::abs(detail::as_double(limit.value) - length);
+  return std::isfinite(scale) && std::isfinite(distance) ? std::optional<bool>(distance <= allowance * scale)
+                                                         : std::nullopt;
+}
+
+}  // namespace
+
+Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch) {
+  const auto inputs = dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); });
+  if (branch == Branch::on_cone) {
+    return sensitivity_of_outcome(collision, answer_on_cone(inputs.collision), inputs.magnitude);
+  }
+  return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.magnitude);
+}
+
+bool is_near_cone_surface(const Collision& collision, double allowance, bool in_binary64) {
+  const std::optional<bool> known =
+      in_binary64 ? is_near_surface<double>(collision, allowance) : is_near_surface<Enclosure>(collision, allowance);
+  return known.value_or(true);
 }
 
 }  // namespace carom::oracles

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include <carom/collision/model.hpp>
-#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/exact/radical.hpp>
+#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/numbers/dual.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/norm.hpp>
@@ -37,19 +38,26 @@ inline constexpr double ten_digits = 0x1p-34;
 /// implicit differentiation: the impulse F solves K F = b, so K dF = db − dK F, and what bodies answer is linear in F,
 /// so that only the answer to one impulse, held fast, is differentiated, body by body. None where a sum is extreme.
 /// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`,
-/// and for the reflection law κ(K) is well below 1/u.
-[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model);
+/// for all but the frictionless law κ(K) is well below 1/u, and on the cone the divisor of κ keeps some of its terms.
+[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to ten digits.
-[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model);
+/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to ten digits,
+/// on the cone to a thousandth.
+[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch);
 
 /// The same with exact derivatives.
-[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model);
+[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
+
+/// Whether inputs that differ relatively by `allowance` have answers of `rough` on both sides of the cone's surface: to
+/// first order, and rounded, as the sensitivities are: in binary64, or by enclosures; true where these know nothing.
+/// Preconditions: a body is movable; in binary64 as of colliding_sensitivity.
+[[nodiscard]] bool is_near_cone_surface(const Collision& collision, double allowance, bool in_binary64);
 
 namespace detail {
 
 [[nodiscard]] inline double as_double(double number) { return number; }
 [[nodiscard]] inline double as_double(const Rational& number) { return to_double(number); }
+[[nodiscard]] inline double as_double(const Radical& number) { return to_double(number); }
 [[nodiscard]] inline double as_double(const Enclosure& number) { return number.magnitude_above(); }
 
 }  // namespace detail

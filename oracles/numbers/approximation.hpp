@@ -14,9 +14,10 @@ namespace carom::oracles {
 ///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number where a product or quotient underflows;
 ///   (2) |x + y − (x̂ + ŷ)| ≤ r_x + r_y;
 ///   (3) |x y − x̂ ŷ| ≤ |x̂| r_y + (|ŷ| + r_y) r_x;
-///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y).
+///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y);
+///   (5) |√x − √x̂| ≤ r_x / √x̂, and |√x̂ − ẑ| ≤ u |ẑ|.
 ///
-/// The roundings of (1) to (4) themselves are fewer than (up − 1) / u; what underflows in them is less than `least`.
+/// The roundings of (1) to (5) themselves are fewer than (up − 1) / u; what underflows in them is less than `least`.
 namespace approximation {
 
 inline constexpr double unit_roundoff = 0x1p-53;
@@ -50,6 +51,12 @@ template <class S>
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& radius_x, const S& radius_y, const S& below_y, const S& size) {
   return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
+}
+
+/// `root` is ẑ of (5), at most 1 + u times as large as √x̂.
+template <class S>
+[[nodiscard]] S radius_of_root(const S& radius_x, const S& root) {
+  return (radius_x / root + root * S(unit_roundoff)) * S(up) + S(least);
 }
 
 }  // namespace approximation
@@ -120,6 +127,18 @@ class Approximation {
   friend Approximation operator/(const Approximation& x, const Approximation& y) {
     const double q = x.middle_ / y.middle_;
     return {q, approximation::radius_of_quotient(x.radius_, y.radius_, y.magnitude_below(), std::abs(q))};
+  }
+
+  /// √x of a number that is not negative, whatever is known of it.
+  friend Approximation sqrt(const Approximation& x) {
+    if (x.is_exactly_zero()) {
+      return {};
+    }
+    if (!(x.middle_ > 0 && x.magnitude_below() > 0)) {
+      return {0, approximation::above(std::sqrt(x.magnitude_above()), 0.0)};
+    }
+    const double root = std::sqrt(x.middle_);
+    return {root, approximation::radius_of_root(x.radius_, root)};
   }
 
   Approximation& operator+=(const Approximation& other) { return *this = *this + other; }

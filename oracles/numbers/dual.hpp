@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <carom/oracles/laws/eigen_scalar.hpp>
@@ -9,7 +10,7 @@
 namespace carom::oracles {
 
 /// A number with its first derivatives by N inputs, in the field S: forward differentiation, exact up to the rounding
-/// of S. Only what the defining equations need: + − × ÷.
+/// of S. Only what the laws need: + − × ÷ √.
 template <class S, std::size_t N>
 struct Dual {
   S value{0};
@@ -61,6 +62,16 @@ struct Dual {
     return product;
   }
   friend Dual operator/(Dual left, const Dual& right) { return left /= right; }
+  /// Precondition: the value is positive.
+  friend Dual sqrt(const Dual& x) {
+    using std::sqrt;
+    Dual root(S(sqrt(x.value)));
+    const S factor = S(1) / (S(2) * root.value);
+    for (std::size_t i = 0; i < N; ++i) {
+      root.derivative[i] = x.derivative[i] * factor;
+    }
+    return root;
+  }
   friend Dual operator-(Dual dual) {
     dual.value = -dual.value;
     for (S& d : dual.derivative) {

@@ -18,7 +18,8 @@ namespace carom::oracles {
 ///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
 ///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
 ///   (2) |x y − x̂ ŷ| ≤ |x| r_y + |y| r_x;
-///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y), whatever q is.
+///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y), whatever q is;
+///   (4) |√x − q| ≤ (|x̂ − q²| + r_x) / q, whatever q > 0 is.
 ///
 /// The roundings of these themselves are fewer than (up − 1) / u. Products and quotients below `least` may lose all of
 /// their error terms, less than `least` together.
@@ -53,6 +54,12 @@ template <class S>
 [[nodiscard]] S radius_of_quotient(const S& rest, const S& radius_x, const S& above_q, const S& radius_y,
                                    const S& below_y) {
   return (rest + radius_x + above_q * radius_y) / below_y * S(up);
+}
+
+/// `rest` is at least |x̂ − q²|.
+template <class S>
+[[nodiscard]] S radius_of_root(const S& rest, const S& radius_x, const S& below_q) {
+  return (rest + radius_x) / below_q * S(up);
 }
 
 }  // namespace enclosure
@@ -152,6 +159,24 @@ class Enclosure {
     const double radius = enclosure::radius_of_quotient(
         rest2.magnitude_above(), x.radius_, (std::abs(q1) + std::abs(q2)) * enclosure::up, y.radius_, divisor);
     return with_rounding(q, radius, enclosure::least);
+  }
+
+  /// √x of a number that is not negative, whatever is known of it.
+  friend Enclosure sqrt(const Enclosure& x) {
+    if (x.is_exactly_zero()) {
+      return {};
+    }
+    if (!(x.high_ > 0 && x.magnitude_below() > 0)) {
+      return {0, 0, std::sqrt(x.magnitude_above()) * enclosure::up};
+    }
+    // One step of Newton's method: x = (q1 + q2)² + rest, and the rest says how good that is.
+    const double q1 = std::sqrt(x.high_);
+    const Enclosure rest1 = without_radius(x) - Enclosure(q1) * Enclosure(q1);
+    const Pair q = fast_two_sum(q1, rest1.high_ / (2 * q1));
+    const Enclosure root{q.high, q.low, 0};
+    const Enclosure rest2 = without_radius(x) - root * root;
+    return with_rounding(q, enclosure::radius_of_root(rest2.magnitude_above(), x.radius_, root.magnitude_below()),
+                         enclosure::least);
   }
 
   Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }

@@ -3,6 +3,7 @@
 
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/polyhedron.hpp>
 #include <carom/properties/features/compose.hpp>
 
@@ -147,11 +148,16 @@ Case general_bodies(Stream& stream) { return {two_bodies(stream, general_body), 
 
 Case sprinkled_bodies(Stream& stream) {
   Case bodies = general_bodies(stream);
+  set_friction(stream, bodies.collision);
   sprinkle(stream, bodies.collision);
   return bodies;
 }
 
-Case convex_bodies(Stream& stream) { return {two_bodies(stream, convex_body), true}; }
+Case convex_bodies(Stream& stream) {
+  Case bodies{two_bodies(stream, convex_body), true};
+  set_friction(stream, bodies.collision);
+  return bodies;
+}
 
 Case touching_spheres(Stream& stream) {
   Case spheres;
@@ -181,6 +187,7 @@ Case touching_spheres(Stream& stream) {
     c.a.velocity = -c.a.velocity;
     c.b.velocity = -c.b.velocity;
   }
+  set_friction(stream, c);
   return spheres;
 }
 

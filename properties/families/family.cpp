@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
 #include <carom/properties/features/compose.hpp>
 
@@ -293,6 +294,13 @@ constexpr std::array families{
     Family{"long_normal", "a normal of length 10^k, k = -30 to 30", long_normal},
     Family{"long_quaternion", "orientations of length 10^k, k = -30 to 30", long_quaternion},
     Family{"slow", "velocities 10^-k times as large, k = 1 to 12", slow},
+    Family{"sticking", "friction more than enough to do all that it is to do, by 10^-3 to 10^2", sticking},
+    Family{"sliding", "less friction than that", sliding},
+    Family{"on_the_cone", "as much as that but for 10^-k, k = 1 to 18, on either side", on_the_cone},
+    Family{"no_friction", "μ = 0, any e_t", no_friction},
+    Family{"great_friction", "μ = 10^k, k = 0 to 9", great_friction},
+    Family{"spin_alone", "touching spheres that slip by their spins alone", spin_alone},
+    Family{"special_tangential_restitution", "e_t = −1, 0 or 1", special_tangential_restitution},
     Family{"invalid", "one field non-finite, negative, zero or out of range: to be refused", invalid},
 };
 

@@ -65,7 +65,7 @@ struct Evidence {
 /// An invariant that speaks of the answer itself, to a valid collision or to an invalid one.
 struct AboutAnswer {
   bool to_valid;
-  Verdict (*check)(const Collision&, const ExactAnswer&);
+  Verdict (*check)(const Collision&, const ExactAnswer&, Model);
 };
 
 /// One that speaks of the outcome of a valid collision.

@@ -8,7 +8,7 @@ namespace {
 Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
 
 /// `finite`, of the answer to a valid collision.
-Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer) {
+Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Model /*model*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
     return violated("the outcome is not finite");
   }
@@ -18,7 +18,7 @@ Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer) 
   return {};
 }
 
-/// Whether a collision is invalid only by fields that no law judged here reads: friction is the law `rough`'s alone.
+/// Whether a collision is invalid only by fields that laws without friction do not read.
 bool is_invalid_by_friction_alone(const Collision& collision) {
   Collision without = collision;
   without.friction = 0;
@@ -27,11 +27,11 @@ bool is_invalid_by_friction_alone(const Collision& collision) {
 }
 
 /// `invalid_refused`, of the answer to an invalid collision.
-Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer) {
+Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Model model) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};
   }
-  if (is_invalid_by_friction_alone(collision)) {
+  if (model != Model::rough && is_invalid_by_friction_alone(collision)) {
     return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
   }
   return violated("an invalid collision was answered");

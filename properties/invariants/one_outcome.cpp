@@ -41,7 +41,7 @@ Verdict untouched_body(const Evidence& e, bool a) {
 Verdict check_backward_error(const Evidence& e) {
   const oracles::Accuracy& accuracy = *e.accuracy;
   if (!accuracy.is_decided) {
-    return beyond_range();
+    return e.exact_case.is_open(e.model, e.allowance()) ? between_two_answers() : beyond_range();
   }
   const bool enough_digits = e.yardstick.digits && accuracy.has_digits;
   Verdict worst;
@@ -64,7 +64,7 @@ Verdict check_backward_error(const Evidence& e) {
     if (e.yardstick.filtered) {
       show(e.exact_case.enclosed_truth(e.model));
     } else {
-      show(e.exact_case.truth(e.model));
+      e.exact_case.with_truth(e.model, e.exact_case.approach(), show);
     }
     worst = both(std::move(worst), std::move(verdict));
   }
@@ -190,6 +190,14 @@ Verdict check_sticks(const Evidence& e) {
   return holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
 }
 
+Verdict check_friction_cone(const Evidence& e) {
+  if (is_inert(e)) {
+    return outside_domain("both bodies are immovable");
+  }
+  return both(check_push(e), holds(e, Relation::at_most, "‖N × F‖² and (μ N·F)²",
+                                   equation::FrictionCone{oracles::reads_impulse_off_a(e.exact_case.collision())}));
+}
+
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
@@ -225,7 +233,8 @@ std::vector<Invariant> outcome_invariants() {
                 "note §1, after eq. 4", "a movable body", every_model(), AboutOutcome{check_non_penetration}},
       Invariant{"push", "The impulse pushes the bodies apart, it never pulls.", R"(N \cdot F \ge 0)",
                 "note eq. 18, with C positive definite", "a movable body",
-                std::vector{Model::frictionless, Model::reflection, Model::any}, AboutOutcome{check_push}},
+                std::vector{Model::frictionless, Model::reflection, Model::rough, Model::any},
+                AboutOutcome{check_push}},
       Invariant{"separating_untouched", "A contact that is not colliding keeps its velocities.",
                 R"(N \cdot V^- \ge 0 \Rightarrow y = (v_A^-, w_A^-, v_B^-, w_B^-))", "note §1, after eq. 2",
                 "separating and resting contacts, and two immovable bodies", every_model(),
@@ -254,14 +263,22 @@ std::vector<Invariant> outcome_invariants() {
                 "colliding contacts",
                 {Model::sticking},
                 AboutOutcome{check_sticks}},
-      Invariant{"energy",
-                "The kinetic energy grows by no more than the work of a driven wall.",
-                R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",
-                "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law; reflection can create energy, so it is not "
-                "claimed there",
+      Invariant{"friction_cone",
+                "The impulse lies in the friction cone about the normal.",
+                R"(\lVert N \times F \rVert \le \mu\, N \cdot F)",
+                "Coulomb friction; A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998)",
                 "a movable body",
-                {Model::frictionless},
-                AboutOutcome{check_energy}}};
+                {Model::rough},
+                AboutOutcome{check_friction_cone}},
+      Invariant{
+          "energy",
+          "The kinetic energy grows by no more than the work of a driven wall.",
+          R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",
+          "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law, −½ κ (2−κ) DᵀKD besides for the rough one, with "
+          "0 ≤ κ ≤ 2; reflection and sticking can create energy, so it is not claimed there",
+          "a movable body",
+          {Model::frictionless, Model::rough},
+          AboutOutcome{check_energy}}};
 }
 
 }  // namespace carom::properties

@@ -61,7 +61,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
 
 /// Whether lower bounds may decide: what is allowed is then surely a finite number.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
-  return e.yardstick.uses_bounds() && exact_case.bounds().is_moderate() && outcome.is_moderate();
+  return e.yardstick.uses_bounds() && exact_case.is_moderate(e.model) && outcome.is_moderate();
 }
 
 oracles::Sensitivity weighted_sum(double factor, const oracles::Sensitivity& first,

@@ -39,11 +39,20 @@ std::string in_words(const std::vector<double>& numbers) {
   return numbers.size() == 1 ? text : '(' + text + ')';
 }
 
-std::string in_words(const oracles::Rational& number) {
+namespace {
+
+template <class T>
+std::string short_or_rounded(const T& number) {
   constexpr std::size_t longest = 24;
   const std::string exact = oracles::to_text(number);
   return exact.size() <= longest ? exact : "≈" + in_words(oracles::nearest_double(number));
 }
+
+}  // namespace
+
+std::string in_words(const oracles::Rational& number) { return short_or_rounded(number); }
+
+std::string in_words(const oracles::Radical& number) { return short_or_rounded(number); }
 
 std::string in_words(const Collision& c, const std::string& indent) {
   std::string text = fmt::format("{0}A: {1}\n{0}B: {2}\n{0}contact point {3}, normal {4}, restitution {5}\n", indent,

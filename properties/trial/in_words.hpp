@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/exact/radical.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
 /// Numbers and collisions as a person reads them.
@@ -17,6 +17,7 @@ namespace carom::properties {
 
 /// p/q where that is short, else the nearest binary64 number behind "≈".
 [[nodiscard]] std::string in_words(const oracles::Rational& number);
+[[nodiscard]] std::string in_words(const oracles::Radical& number);
 
 /// "(x, y, z)".
 [[nodiscard]] std::string in_words(const std::vector<double>& numbers);

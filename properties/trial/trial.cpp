@@ -182,7 +182,8 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     const Invariant& invariant = *claim_->invariants[i];
     if (const auto* of_answer = std::get_if<AboutAnswer>(&invariant.about)) {
       if (of_answer->to_valid == judged_case_->is_valid()) {
-        judgement.verdicts.push_back({&invariant, of_answer->check(judged_case_->generated().collision, answer_)});
+        judgement.verdicts.push_back(
+            {&invariant, of_answer->check(judged_case_->generated().collision, answer_, claim_->model)});
       }
       continue;
     }

@@ -15,10 +15,12 @@ enum class Model {
   frictionless,  // the impulse is along the normal (Eberly's note, eq. 18)
   reflection,    // the tangential velocity of the contact point is kept (Eberly's note, eq. 17, 20, 21)
   sticking,      // the contact point stops, but for ε times the approach: N·V⁺ = −ε N·V⁻, N × V⁺ = 0
+  rough,         // Coulomb friction and a tangential restitution e_t (A. Chatterjee, A. Ruina 1998)
   any,           // no law in particular: only what holds for every model is judged
 };
 
-inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking, Model::any};
+inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking, Model::rough,
+                                       Model::any};
 static_assert(counts_from_zero_to(all_models, Model::any));
 
 /// A value for each model.
@@ -26,7 +28,7 @@ template <class T>
 using PerModel = EnumArray<Model, T, all_models.size()>;
 
 /// The models that determine one outcome, so that there is a truth to compare with.
-inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection, Model::sticking};
+inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection, Model::sticking, Model::rough};
 
 [[nodiscard]] constexpr bool determines_outcome(Model model) {
   return std::find(models_with_truth.begin(), models_with_truth.end(), model) != models_with_truth.end();
@@ -40,6 +42,8 @@ inline constexpr std::array models_with_truth{Model::frictionless, Model::reflec
       return "reflection";
     case Model::sticking:
       return "sticking";
+    case Model::rough:
+      return "rough";
     case Model::any:
       break;
   }

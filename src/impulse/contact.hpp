@@ -27,8 +27,10 @@ template <class S, class Inertia = PrincipalInertia<S>>
 struct Contact {
   ContactBody<S, Inertia> a;
   ContactBody<S, Inertia> b;
-  Vector3<S> normal;  // N, on body B, pointing from B to A; any nonzero length
-  S restitution;      // ε in [0, 1]
+  Vector3<S> normal;         // N, on body B, pointing from B to A; any nonzero length
+  S restitution;             // ε in [0, 1]
+  S friction;                // μ ≥ 0; read by the law `rough` alone, as the next
+  S tangential_restitution;  // e_t in [-1, 1]
 };
 
 /// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of
@@ -71,8 +73,11 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
   return {make_contact_body<S, Inertia>(collision.a, collision.point),
-          make_contact_body<S, Inertia>(collision.b, collision.point), without_extreme_length<S>(collision.normal),
-          static_cast<S>(collision.restitution)};
+          make_contact_body<S, Inertia>(collision.b, collision.point),
+          without_extreme_length<S>(collision.normal),
+          static_cast<S>(collision.restitution),
+          static_cast<S>(collision.friction),
+          static_cast<S>(collision.tangential_restitution)};
 }
 
 /// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 
 #include <carom/impulse/contact.hpp>
 #include <carom/impulse/normal_velocity.hpp>
+#include <carom/impulse/rough.hpp>
 
 /// Outcomes that never penetrate: N·V⁺ ≥ 0, exactly, for N, P, X as they stand in the collision and the velocities that
 /// are returned. A law computed with rounding gives N·V⁺ < 0 in about half of all cases where ε = 0. Needs the
@@ -128,6 +130,16 @@ namespace detail {
   return contact;
 }
 
+/// The contact once more, by the law; by the frictionless one where the law has done with friction.
+template <class Law>
+[[nodiscard]] Outcome<double> struck_again(const Contact<double>& contact, const Law& law, double approach) {
+  if constexpr (std::is_same_v<std::invoke_result_t<const Law&, const Contact<double>&>, RoughImpulse<double>>) {
+    return apply_impulse(contact, frictionless_impulse(contact, approach));
+  } else {
+    return apply_impulse(contact, law(contact, approach));
+  }
+}
+
 /// Whether a few ulps of one component take the N·V⁺ < 0 that is left. An impulse that takes it may move a slender
 /// body's spin by many: what the rounding of a spin leaves is more than what its slight part about the long axis is.
 [[nodiscard]] inline bool is_within_few_ulps(const Collision& collision, Outcome<double> outcome, double left) {
@@ -160,7 +172,7 @@ template <class Law>
   if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0;
       is_usable(left) && !detail::is_within_few_ulps(collision, outcome, left / unit)) {
     const Contact<double> again = detail::at_velocities(contact, outcome);
-    outcome = apply_impulse(again, law(again, left));
+    outcome = detail::struck_again(again, law, left);
   }
   return without_approach(collision, outcome);
 }

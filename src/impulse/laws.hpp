@@ -6,13 +6,15 @@
 #include <carom/collision/model.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
+#include <carom/impulse/rough.hpp>
 #include <carom/impulse/sticking.hpp>
 
 /// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
 namespace carom::impulse {
 
 /// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known better than from
-/// the contact, to its ContactImpulse or NormalImpulse; not where the model is not one of `models_with_truth`.
+/// the contact, to its ContactImpulse, NormalImpulse or RoughImpulse; not where the model is not one of
+/// `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {
@@ -24,6 +26,9 @@ constexpr void with_law(Model model, const Use& use) {
       return;
     case Model::sticking:
       use([](const auto& contact, const auto&... approach) { return sticking_impulse<Ldlt>(contact, approach...); });
+      return;
+    case Model::rough:
+      use([](const auto& contact, const auto&... approach) { return rough_impulse<Ldlt>(contact, approach...); });
       return;
     case Model::any:
       return;
@@ -45,6 +50,8 @@ struct Description {
       return {"basis-free reflection", "LDLᵀ", ""};
     case Model::sticking:
       return {"the contact point stops but for ε", "LDLᵀ", ""};
+    case Model::rough:
+      return {"Coulomb friction with tangential restitution", "LDLᵀ", "Chatterjee and Ruina 1998"};
     case Model::any:
       break;
   }

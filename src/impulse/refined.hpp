@@ -31,8 +31,9 @@ template <class S>
 /// The contact in another scalar type, each number rounded.
 template <class T, class S>
 [[nodiscard]] Contact<T> rounded(const Contact<S>& contact) {
-  return {detail::rounded<T>(contact.a), detail::rounded<T>(contact.b), contact.normal.template cast<T>(),
-          static_cast<T>(contact.restitution)};
+  return {detail::rounded<T>(contact.a),     detail::rounded<T>(contact.b),
+          contact.normal.template cast<T>(), static_cast<T>(contact.restitution),
+          static_cast<T>(contact.friction),  static_cast<T>(contact.tangential_restitution)};
 }
 
 /// K F without forming K: the change of V by the impulse F.

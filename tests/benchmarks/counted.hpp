@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace carom::benchmarks {
@@ -38,6 +40,10 @@ class Counted {
   friend Counted operator/(const Counted& x, const Counted& y) {
     ++operations.divisions;
     return {x.number_ / y.number_};
+  }
+  friend Counted sqrt(const Counted& x) {
+    ++operations.divisions;  // takes as long as one
+    return {std::sqrt(x.number_)};
   }
   Counted& operator+=(const Counted& y) { return *this = *this + y; }
   friend bool operator==(const Counted& x, const Counted& y) { return x.number_ == y.number_; }

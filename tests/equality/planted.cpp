@@ -32,12 +32,17 @@ long double to_extended(const oracles::Rational& number) {
          static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
 }
 
+const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
+oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
+
 }  // namespace
 
 ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
                                 double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome = map_outcome<long double>(exact_case.truth(model).outcome,
-                                                     [&](const oracles::Rational& x) { return to_extended(x); });
+  ReportedOutcome outcome =
+      exact_case.with_truth(model, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
+        return map_outcome<long double>(truth.outcome, [](const T& x) { return to_extended(nearly(x)); });
+      });
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));

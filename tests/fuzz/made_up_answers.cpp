@@ -16,8 +16,7 @@ namespace {
 
 /// One of the twelve numbers of the exact outcome moved by a few units in the last place of binary64, all rounded.
 ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Model model, Input& input) {
-  auto outcome = map_outcome<double>(exact_case.truth(model).outcome,
-                                     [](const oracles::Rational& x) { return oracles::to_double(x); });
+  Outcome<double> outcome = exact_case.nearest_truth(model);
   const int which = input.byte() % 12;
   const int ulps = input.byte() - 128;
   double& number = (*vectors(outcome)[static_cast<OutcomeVector>(which / 3)])[which % 3];

@@ -77,6 +77,7 @@ oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model mod
       return oracles::equation::ReflectionPlane{}(c, y);
     case Model::sticking:
       return oracles::equation::Sticks{}(c, y);
+    case Model::rough:  // a combination of two laws, by what is no polynomial
     case Model::any:
       break;
   }
@@ -104,6 +105,7 @@ Rational energy_gain(const RationalCollision& c, Model model) {
       const Vector after = n * Rational(-c.restitution * normal_velocity / n.dot(n));
       return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
     }
+    case Model::rough:
     case Model::any:
       break;
   }

@@ -4,6 +4,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/rough.hpp>
 #include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/laws/equations.hpp>
@@ -233,6 +234,21 @@ TEST(Solvers, GiveTheSameForANormalOfAnyLength) {
   }
 }
 
+/// The solver of `rough` in ℚ(√s) against its truth.
+void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
+  using oracles::Radical;
+  const auto contact = make_contact<Radical>(
+      map_numbers<Radical>(exact_case.collision(), [](double number) { return Radical(number); }));
+  const Outcome<Radical> solved = rough<Ldlt, Radical>(contact);
+  exact_case.with_truth(Model::rough, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+    for (const OutcomeVector k : all_outcome_vectors) {
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ((*vectors(solved)[k])[i], Radical((*vectors(truth.outcome)[k])[i])) << family << ' ' << name_of(k);
+      }
+    }
+  });
+}
+
 TEST(Solvers, EqualTheOracleExactly) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     const oracles::ExactCase exact_case(one.collision);
@@ -241,6 +257,7 @@ TEST(Solvers, EqualTheOracleExactly) {
     EXPECT_TRUE(same(reflection<Ldlt>(contact), exact_case.truth(Model::reflection).outcome)) << family;
     EXPECT_TRUE(same(reflection<Adjugate>(contact), exact_case.truth(Model::reflection).outcome)) << family;
     EXPECT_TRUE(same(sticking<Ldlt>(contact), exact_case.truth(Model::sticking).outcome)) << family;
+    expect_same_rough(exact_case, std::string(family));
   }
 }
 

@@ -25,12 +25,20 @@ Outcome<double> struck_by(const Solution& sound, const Vector& impulse) {
   return impulse::apply_impulse(sound.contact, ContactImpulse{sound.impulse.colliding, impulse});
 }
 
+/// F on A, and whether it acts.
+template <class Impulse>
+ContactImpulse impulse_on_a(const Impulse& impulse) {
+  return {impulse.colliding, impulse.on_a};
+}
+ContactImpulse impulse_on_a(const impulse::RoughImpulse<double>& impulse) {
+  return {impulse.normal.colliding, impulse.has_friction ? impulse.on_a : impulse.normal.on_a};
+}
+
 /// The law's impulse on another contact with the same N·V⁻, applied to this one.
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
   impulse::with_law(sound.model, [&](const auto& law) {
-    const auto impulse = law(other, impulse::normal_velocity(sound.contact));
-    outcome = impulse::apply_impulse(sound.contact, ContactImpulse{impulse.colliding, impulse.on_a});
+    outcome = impulse::apply_impulse(sound.contact, impulse_on_a(law(other, impulse::normal_velocity(sound.contact))));
   });
   return outcome;
 }
@@ -119,7 +127,7 @@ Solution solved(Model model, const Collision& collision) {
   Solution solution{model, impulse::make_contact<double>(collision), {}, {}};
   impulse::with_law(model, [&](const auto& law) {
     const auto impulse = law(solution.contact);
-    solution.impulse = {impulse.colliding, impulse.on_a};
+    solution.impulse = impulse_on_a(impulse);
     solution.outcome = impulse::apply_impulse(solution.contact, impulse);
   });
   return solution;

@@ -93,6 +93,16 @@ enum class Defect {
   slip_stopped_as_of_spheres,
   slip_reversed,
   tangents_not_orthogonal,
+  cone_wider,
+  friction_multiplied,
+  friction_before_restitution,
+  friction_clamped_by_axis,
+  friction_in_pyramid,
+  friction_along_slip,
+  friction_kept_out_of_normal,
+  friction_along_rounded_tangents,
+  tangential_restitution_ignored,
+  tangential_restitution_reversed,
 
   // What the impulse does.
   normal_flipped_for_a,

@@ -10,6 +10,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/contact.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/rough.hpp>
 #include <carom/impulse/solve3.hpp>
 #include <carom/impulse/sticking.hpp>
 
@@ -143,7 +144,8 @@ class Solver {
   }
 
   [[nodiscard]] Contact read(const Collision& c) const {
-    Contact contact{{}, {}, impulse::without_extreme_length<double>(c.normal), c.restitution};
+    Contact contact{
+        {}, {}, impulse::without_extreme_length<double>(c.normal), c.restitution, c.friction, c.tangential_restitution};
     Vector point = c.point;
     if (has(Defect::contact_point_displaced)) {
       constexpr double displacement = 1e-3;  // [m]
@@ -320,8 +322,8 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// What the slip is by too much, that sticking takes away. Added to V⁻: the slip by itself has its rounding in all
-  /// components, where V⁻ may lie along an axis.
+  /// What the slip is by too much, that sticking and friction take away. Added to V⁻: the slip by itself has its
+  /// rounding in all components, where V⁻ may lie along an axis.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
@@ -346,6 +348,62 @@ class Solver {
     }
   }
 
+  /// κ D of the law `rough`, beside (1 + ε) P_I.
+  [[nodiscard]] Vector friction_impulse(const Contact& contact, const Vector& frictionless_impulse,
+                                        double normal_velocity) const {
+    const Vector& n = contact.normal;
+    const Matrix k = collision_matrix(contact);
+    const Vector stops_approach = n * (-normal_velocity / normal_response(contact));
+    const Vector velocity = relative_velocity(contact) + slip_added(contact);
+    Vector d = -solve(k, velocity) - stops_approach;
+    const Vector tangent = across_normal(contact, velocity + impulse::times(k, stops_approach));
+    if (has(Defect::friction_along_slip) && tangent.squaredNorm() > 0) {
+      d = -tangent * (across_normal(contact, d).norm() / tangent.norm());
+    }
+    if (has(Defect::friction_kept_out_of_normal)) {
+      d = across_normal(contact, d);
+    }
+    if (has(Defect::friction_along_rounded_tangents)) {
+      const Matrix basis = impulse::tangent_basis(contact);
+      d = basis * (basis.transpose() * d);
+    }
+    double whole = 1 + contact.tangential_restitution;
+    if (has(Defect::tangential_restitution_ignored)) {
+      whole = 1;
+    }
+    if (has(Defect::tangential_restitution_reversed)) {
+      whole = 1 - contact.tangential_restitution;
+    }
+    double friction = contact.friction;
+    if (has(Defect::cone_wider)) {
+      constexpr double wider = 1e-9;  // the defect itself
+      friction *= 1 + wider;
+    }
+    if (has(Defect::friction_multiplied)) {
+      friction *= friction;
+    }
+    const double limit =
+        friction * n.dot(has(Defect::friction_before_restitution) ? stops_approach : frictionless_impulse);
+    if (has(Defect::friction_clamped_by_axis) || has(Defect::friction_in_pyramid)) {
+      const Vector along = beside(n).normalized();
+      const Vector across = n.cross(along).normalized();
+      const double length = n.norm();
+      double x = whole * d.dot(along);
+      double y = whole * d.dot(across);
+      if (has(Defect::friction_in_pyramid)) {
+        const double share = std::min(1.0, limit / length / std::max(std::abs(x) + std::abs(y), limit / length));
+        x *= share;
+        y *= share;
+      } else {
+        x = std::clamp(x, -limit / length, limit / length);
+        y = std::clamp(y, -limit / length, limit / length);
+      }
+      return along * x + across * y;
+    }
+    const double divisor = impulse::detail::length<double>(impulse::cross(n, d)) - friction * n.dot(d);
+    return d * (whole * divisor <= limit ? whole : limit / divisor);
+  }
+
   [[nodiscard]] Vector lawful_impulse(const Contact& contact, double normal_velocity) const {
     const Vector& n = contact.normal;
     const double restitution = restitution_of(contact, normal_velocity);
@@ -368,6 +426,8 @@ class Solver {
         }
         return solve(collision_matrix(contact), -(relative_velocity(contact) + slip_added(contact) +
                                                   n * (restitution * normal_velocity / squared_length)));
+      case Model::rough:
+        return as_frictionless + friction_impulse(contact, as_frictionless, normal_velocity);
       case Model::frictionless:
       case Model::any:  // no mutant claims it
         break;

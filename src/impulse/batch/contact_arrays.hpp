@@ -32,6 +32,8 @@ struct ContactArrays {
   ContactBodyArrays<T> b;
   VectorArrays<T> normal;
   std::span<T> restitution;
+  std::span<T> friction;
+  std::span<T> tangential_restitution;
 
   [[nodiscard]] std::size_t size() const { return restitution.size(); }
 };
@@ -52,7 +54,7 @@ struct OutcomeArrays {
 };
 
 /// How many numbers, and so arrays, a contact and an outcome have.
-inline constexpr std::size_t contact_number_count = 48;
+inline constexpr std::size_t contact_number_count = 50;
 inline constexpr std::size_t outcome_number_count = 12;
 
 namespace detail {
@@ -85,6 +87,8 @@ void for_each_array(ContactArrays<T>& contacts, F&& f) {
   detail::for_each_of_body(contacts.b, f);
   detail::for_each_of(contacts.normal, f);
   f(contacts.restitution);
+  f(contacts.friction);
+  f(contacts.tangential_restitution);
 }
 
 template <class T, class F>

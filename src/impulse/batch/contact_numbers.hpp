@@ -67,7 +67,10 @@ template <class S, class Inertia = PrincipalInertia<S>, class Read>
 [[nodiscard]] Contact<S, Inertia> contact_of(const Read& read) {
   return {detail::contact_body_of<S, Inertia>(read, detail::first_number_of_a),
           detail::contact_body_of<S, Inertia>(read, detail::first_number_of_b),
-          Vector3<S>{read(44), read(45), read(46)}, read(47)};
+          Vector3<S>{read(44), read(45), read(46)},
+          read(47),
+          read(48),
+          read(49)};
 }
 
 /// Calls write(k, number) for the numbers of a contact.
@@ -77,6 +80,8 @@ void write_contact(const Contact<S>& contact, const Write& write) {
   detail::write_contact_body(write, detail::first_number_of_b, contact.b);
   detail::write_vector(write, 44, contact.normal);
   write(47, contact.restitution);
+  write(48, contact.friction);
+  write(49, contact.tangential_restitution);
 }
 
 /// The outcome whose numbers are read(0), read(1), ….

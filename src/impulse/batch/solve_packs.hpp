@@ -11,6 +11,7 @@
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/pack.hpp>
+#include <carom/impulse/rough.hpp>
 
 namespace carom::impulse {
 
@@ -96,6 +97,11 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
 
 template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const NormalImpulse<P>& impulse) {
+  write_outcome(apply_impulse(read_contact<P, Inertia>(task, i), impulse), writer<P>(task, i));
+}
+
+template <class P, class Inertia>
+void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const RoughImpulse<P>& impulse) {
   write_outcome(apply_impulse(read_contact<P, Inertia>(task, i), impulse), writer<P>(task, i));
 }
 
@@ -186,9 +192,9 @@ struct OnePack {
 }  // namespace detail
 
 /// Takes `law` over all contacts, two packs P of them at a time, or one where they come from memory. It makes a
-/// ContactImpulse<P> or a NormalImpulse<P> of a Contact<P>; or an Outcome<P>, which takes longer. What is written of a
-/// body has been read before, so that an array of outcomes may be the array of the velocities that it replaces;
-/// otherwise no two arrays overlap.
+/// ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> of a Contact<P>; or an Outcome<P>, which takes longer. What
+/// is written of a body has been read before, so that an array of outcomes may be the array of the velocities that it
+/// replaces; otherwise no two arrays overlap.
 template <class P, class Law>
 void solve_packs(const PackTask<typename P::value_type>& task, const Law& law) {
   constexpr std::size_t width = P::size();

@@ -61,6 +61,17 @@ class DoubleDouble {
   DoubleDouble& operator*=(const DoubleDouble& y) { return *this = *this * y; }
   DoubleDouble& operator/=(const DoubleDouble& y) { return *this = *this / y; }
 
+  /// SQRTDWtoDW of V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, ACM Trans. Math. Softw. 49 (2023):
+  /// relative error below 25/8 u². Precondition: x ≥ 0.
+  [[nodiscard]] friend DoubleDouble sqrt(const DoubleDouble& x) {
+    if (x.high_ == 0) {
+      return {};
+    }
+    const double root = std::sqrt(x.high_);
+    const double rest = x.low_ + std::fma(-root, root, x.high_);
+    return fast_two_sum(root, rest / (2 * root));
+  }
+
   [[nodiscard]] friend bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
     return x.high_ == y.high_ && x.low_ == y.low_;
   }

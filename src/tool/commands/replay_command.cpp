@@ -63,21 +63,42 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
   return text;
 }
 
-std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
-  const BasicCollision<Rational>& c = exact_case.exact();
-  const oracles::Truth<Rational>& truth = exact_case.truth(model);
-  const Vector3<Rational> after = oracles::relative_velocity<Rational>(c, truth.outcome);
-  std::string text = fmt::format("{}, exactly\n  F = {}\n", carom::name_of(model), in_words(truth.impulse));
+const char* name_of(oracles::Branch branch) {
+  switch (branch) {
+    case oracles::Branch::inside_cone:
+      return ", inside the friction cone";
+    case oracles::Branch::on_cone:
+      return ", on the friction cone";
+    case oracles::Branch::only:
+      break;
+  }
+  return "";
+}
+
+template <class T>
+std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& truth, Approach approach) {
+  const Vector3<T> after = oracles::relative_velocity<T>(c, truth.outcome);
+  std::string text = fmt::format("  F = {}\n", in_words(truth.impulse));
   const auto parts = vectors(truth.outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
     text += fmt::format("  {}⁺ = {}\n", carom::name_of(k), in_words(*parts[k]));
   }
-  text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(Rational(c.normal.dot(after))));
-  if (exact_case.approach() != Approach::inert) {
+  text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(T(c.normal.dot(after))));
+  if (approach != Approach::inert) {
     const auto energy = oracles::equation::Energy{}(c, truth.outcome);
-    text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(Rational(energy.left[0] - energy.right[0])));
+    text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(T(energy.left[0] - energy.right[0])));
   }
   return text;
+}
+
+std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
+  const Approach approach = exact_case.approach();
+  const bool collides = approach == Approach::colliding;
+  return fmt::format("{}, exactly{}\n", carom::name_of(model), collides ? name_of(exact_case.branch(model)) : "") +
+         exact_case.with_truth(model, approach, [&]<class T>(const oracles::Truth<T>& truth) {
+           const auto lifted = [](double number) { return T(number); };
+           return truth_steps<T>(map_numbers<T>(exact_case.collision(), lifted), truth, approach);
+         });
 }
 
 std::string judgement_text(const properties::Judgement& judgement, const Answer& answer, double unit_roundoff) {

@@ -171,15 +171,16 @@ json answer_record(const Answer& answer) {
 }
 
 json truth_record(const oracles::ExactCase& exact_case, Model model) {
-  const oracles::Truth<Rational>& truth = exact_case.truth(model);
-  json record = velocities_record(truth.outcome, [](const Rational& x) { return oracles::to_text(x); });
-  record["impulse"] = json::array();
-  for (int i = 0; i < 3; ++i) {
-    record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
-  }
-  record["nearest"] =
-      velocities_record(truth.outcome, [](const Rational& x) { return number_to_json(oracles::nearest_double(x)); });
-  return record;
+  return exact_case.with_truth(model, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
+    json record = velocities_record(truth.outcome, [](const T& x) { return oracles::to_text(x); });
+    record["impulse"] = json::array();
+    for (int i = 0; i < 3; ++i) {
+      record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
+    }
+    record["nearest"] =
+        velocities_record(truth.outcome, [](const T& x) { return number_to_json(oracles::nearest_double(x)); });
+    return record;
+  });
 }
 
 json verdict_record(const properties::Verdict& verdict) {

@@ -6,7 +6,8 @@
 /// A frictionless solver as in a textbook: j = −(1+ε) N·V / N·K N along the normal N.
 inline carom::Outcome<double> textbook(const carom::impulse::Contact<double>& contact) {
   using Vector = Eigen::Vector3d;
-  const auto& [a, b, normal, restitution] = contact;
+  const auto& [a, b, normal, restitution, friction, tangential_restitution] = contact;
+  static_cast<void>(friction + tangential_restitution);  // a textbook of smooth bodies
   carom::Outcome<double> after{{a.velocity, a.angular_velocity}, {b.velocity, b.angular_velocity}};
   const Vector velocity_of_a = a.velocity + a.angular_velocity.cross(a.lever_arm);
   const Vector velocity_of_b = b.velocity + b.angular_velocity.cross(b.lever_arm);

@@ -91,7 +91,7 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
   return sum;
 }
 
-/// (1), (3), (4). Masses and moments are in denominators alone, and so the smallest.
+/// (1), (3), (4), of the linear laws; `rough` is made of two of them, and case_bounds.hpp has the rest. Masses and moments are in denominators alone, and so the smallest.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -100,11 +100,11 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
       continue;
     }
     const auto inputs = differentiated(collision_at(corner));
-    for (const Model model : models_with_truth) {
+    for (const Model model : oracles::linear_models) {
       Magnitude::forget();
       // (1): N·K N ≥ N·N / M, where one component of N has this size.
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
-      const oracles::Truth<MagnitudeDual> truth = oracles::colliding_truth(inputs.collision, model);
+      const oracles::Truth<MagnitudeDual> truth = oracles::colliding_truth(inputs.collision, model, oracles::Branch::only);
       const Matrix3<MagnitudeDual> k = oracles::response_matrix(inputs.collision);
       largest.note_way();
       const Outcome<MagnitudeDual> at_rest = unchanged(inputs.collision);
@@ -136,7 +136,7 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
         map_numbers<Magnitude>(inputs.collision, [](const MagnitudeDual& x) { return x.value; });
     Magnitude::forget();
     const Magnitude::DivisorsAtLeast theorem(-3 * std::log2(oracles::largest_moderate_mass));
-    EXPECT_GT(oracles::cramer<Magnitude>(oracles::response_matrix(c), oracles::wanted_change(c, Model::reflection))[0]
+    EXPECT_GT(oracles::cramer<Magnitude>(oracles::response_matrix(c), oracles::wanted_change<oracles::Reflection>(c))[0]
                   .above(),
               0);
     EXPECT_LE(Magnitude::highest(), std::log2(oracles::largest_on_the_way_of_moderate));

@@ -81,7 +81,7 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
   for (const auto& [family, one] : unit::valid_cases(4)) {
     const ExactCase exact_case(one.collision);
-    for (const Model model : models_with_truth) {
+    for (const Model model : linear_models) {
       const Outcome<Rational>& y = exact_case.truth(model).outcome;
       const Outcome<Rational> d = small_outcome(stream);
       for_each_affine_equation(exact_case, model, [&, family = family](Relation relation, const auto& equation) {
@@ -180,9 +180,8 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
   for (const auto& [family, one] : unit::valid_cases(8)) {
     const ExactCase exact_case(one.collision);
     for (const Model model : models_with_truth) {
-      ReportedOutcome reported = map_outcome<long double>(exact_case.truth(model).outcome, [](const Rational& x) {
-        return static_cast<long double>(nearest_double(x));
-      });
+      ReportedOutcome reported = map_outcome<long double>(exact_case.nearest_truth(model),
+                                                          [](double x) { return static_cast<long double>(x); });
       for (Vector3<long double>* part : vectors(reported)) {
         const Vector3<double> step = stream.direction().normalized() * (stream.unit() * times * yardstick.allowance());
         *part += step.cast<long double>() * part->norm();

@@ -22,8 +22,8 @@ using unit::ratio;
 /// The exact outcome rounded to the precision, with one vector moved by so many times what is allowed of it, so that
 /// the verdicts come out both ways and close.
 ReportedOutcome perturbed(const ExactCase& exact_case, Model model, double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome = map_outcome<long double>(
-      exact_case.truth(model).outcome, [](const Rational& x) { return static_cast<long double>(nearest_double(x)); });
+  ReportedOutcome outcome =
+      map_outcome<long double>(exact_case.nearest_truth(model), [](double x) { return static_cast<long double>(x); });
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   // 0.01 to 1000, evenly by its logarithm.
   const double times = std::pow(10.0, stream.between(-2, 3));

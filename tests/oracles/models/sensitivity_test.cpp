@@ -18,14 +18,17 @@
 namespace carom::oracles {
 namespace {
 
-using ExactDual = Dual<Rational, collision_inputs>;
+using ExactDual = Dual<Radical, collision_inputs>;
+
+/// The branch that answers, as if the contact collided.
+Branch branch_of(const Collision& collision, Model model) { return ExactCase(collision).branch(model); }
 
 /// The law's answer with its exact derivatives, and the inputs that they are by.
 struct Differentiated {
   Differentiated(const Collision& collision, Model model)
       : truth(colliding_truth(
-            dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); }).collision,
-            model)) {
+            dual_inputs<Radical, collision_inputs>(collision, [](double x) { return Radical(x); }).collision, model,
+            branch_of(collision, model))) {
     for_each_number(
         [&](const FieldPath& path, const double& x) {
           paths.push_back(path);
@@ -36,22 +39,23 @@ struct Differentiated {
 
   /// Σ_j degree(path_j) x_j ∂y/∂x_j: by Euler d · y, where y is homogeneous of degree d under x_j → k^degree x_j.
   template <class Degree>
-  [[nodiscard]] Rational euler_sum(const ExactDual& y, const Degree& degree) const {
-    Rational sum(0);
+  [[nodiscard]] Radical euler_sum(const ExactDual& y, const Degree& degree) const {
+    Radical sum(0);
     for (std::size_t j = 0; j < numbers.size(); ++j) {
-      sum += degree(paths[j]) * numbers[j] * y.derivative[j];
+      sum += Radical(degree(paths[j])) * numbers[j] * y.derivative[j];
     }
     return sum;
   }
 
   Truth<ExactDual> truth;
   std::vector<FieldPath> paths;
-  std::vector<Rational> numbers;
+  std::vector<Radical> numbers;
 };
 
 /// Small dyadic numbers, one case with all 53 bits, and one with a driven wall.
 std::vector<Collision> binary64_collisions() {
-  std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision};
+  std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision,
+                                unit::case_of("sliding", 0).collision, unit::case_of("sticking", 0).collision};
   for (std::uint64_t i = 0; i < 6; ++i) {
     properties::Stream stream = properties::stream_from(600 + i);
     result.push_back(unit::small_collision(stream));
@@ -72,7 +76,7 @@ void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_ve
           const int expected = k == OutcomeVector::velocity_of_a || k == OutcomeVector::velocity_of_b
                                    ? of_velocity
                                    : of_angular_velocity;
-          EXPECT_EQ(differentiated.euler_sum(y, degree), expected * y.value)
+          EXPECT_EQ(differentiated.euler_sum(y, degree), Radical(expected) * y.value)
               << name_of(model) << ' ' << name_of(k) << '[' << i << ']';
         }
       }
@@ -151,9 +155,10 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   }
 }
 
-/// The quick way and the whole law differentiated, to what binary64 may lose where κ(K) < 2^20.
+/// The quick way and the whole law differentiated, to what binary64 may lose where κ(K) < 2^20, and where spins of
+/// slender bodies cancel.
 TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
-  constexpr double relative = 0x1p-26;
+  constexpr double relative = 0x1p-24;
   std::size_t compared = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const ExactCase exact_case(one.collision);
@@ -166,8 +171,12 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
       continue;
     }
     for (const Model model : models_with_truth) {
-      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model);
-      const std::optional<Sensitivity> whole = enclosed_sensitivity(one.collision, model);
+      const Branch branch = exact_case.branch(model);
+      if (branch == Branch::on_cone && !exact_case.bounds().has_clear_divisor()) {
+        continue;
+      }
+      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model, branch);
+      const std::optional<Sensitivity> whole = enclosed_sensitivity(one.collision, model, branch);
       ASSERT_TRUE(quick && whole) << family;
       ++compared;
       for (const OutcomeVector vector : all_outcome_vectors) {

@@ -19,8 +19,8 @@ using unit::same;
 
 void expect_same_truth(const Collision& collision, const std::string& what) {
   const BasicCollision<Rational> exact = lift(collision);
-  for (const Model model : models_with_truth) {
-    const Truth<Rational> fast = colliding_truth(exact, model);
+  for (const Model model : linear_models) {
+    const Truth<Rational> fast = colliding_truth(exact, model, Branch::only);
     const Truth<Rational> slow = truth_by_elimination(exact, model);
     EXPECT_TRUE(same(fast.impulse, slow.impulse)) << what << ", " << name_of(model);
     EXPECT_TRUE(same(fast.outcome, slow.outcome)) << what << ", " << name_of(model);
@@ -45,7 +45,7 @@ TEST(Truth, EqualsEliminationOnEveryFamily) {
 
 TEST(Truth, RefusesTheModelThatDeterminesNoOutcome) {
   const BasicCollision<Rational> exact = lift(unit::case_of("generic", 0).collision);
-  EXPECT_THROW((void)colliding_truth(exact, Model::any), std::invalid_argument);
+  EXPECT_THROW((void)colliding_truth(exact, Model::any, Branch::only), std::invalid_argument);
   EXPECT_THROW((void)truth_by_elimination(exact, Model::any), std::invalid_argument);
 }
 
@@ -75,7 +75,7 @@ TEST(Truth, IsTheVelocitiesBeforeWhereTheContactDoesNotCollide) {
   for (const char* family : {"separating", "resting", "both_immovable"}) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const ExactCase exact_case(unit::case_of(family, i).collision);
-      for (const Model model : models_with_truth) {
+      for (const Model model : linear_models) {
         EXPECT_TRUE(same(exact_case.truth(model).outcome, unchanged(exact_case.exact()))) << family;
         EXPECT_TRUE(same(exact_case.truth(model).impulse, unit::ExactVector(0, 0, 0))) << family;
       }
@@ -138,7 +138,7 @@ TEST(Certify, NoticesEachCorruptedComponent) {
   for (const Collision& collision : contacts_to_certify()) {
     const ExactCase exact_case(collision);
     ASSERT_EQ(exact_case.approach(), Approach::colliding);
-    for (const Model model : models_with_truth) {
+    for (const Model model : linear_models) {
       expect_every_corruption_noticed(exact_case.exact(), model, Approach::colliding, exact_case.truth(model).outcome);
     }
   }
@@ -164,7 +164,7 @@ std::string reproach(const BasicCollision<Rational>& exact, Model model, const O
 
 /// A spin about the lever arm does not move the contact point, so all other equations hold.
 TEST(Certify, NeedsTheAngularMomentumOfEachBody) {
-  for (const Model model : models_with_truth) {
+  for (const Model model : linear_models) {
     const ExactCase exact_case(unit::case_of("elastic", 0).collision);
     const BasicCollision<Rational>& c = exact_case.exact();
     Outcome<Rational> outcome = exact_case.truth(model).outcome;
@@ -181,7 +181,7 @@ TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
     const bool a_is_fixed = std::string(family) == "immovable_a";
     const ExactCase exact_case(unit::case_of(family, 0).collision);
     const BasicCollision<Rational>& c = exact_case.exact();
-    for (const Model model : models_with_truth) {
+    for (const Model model : linear_models) {
       Outcome<Rational> outcome = exact_case.truth(model).outcome;
       BodyVelocity<Rational>& wall = a_is_fixed ? outcome.a : outcome.b;
       wall.angular_velocity += lever_arm(a_is_fixed ? c.a : c.b, c.point);
@@ -196,8 +196,8 @@ TEST(Certify, NeedsLinearMomentum) {
   const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
   BasicCollision<Rational> against_a_wall = c;
   against_a_wall.b.immovable = true;
-  for (const Model model : models_with_truth) {
-    const Outcome<Rational> outcome = colliding_truth(against_a_wall, model).outcome;
+  for (const Model model : linear_models) {
+    const Outcome<Rational> outcome = colliding_truth(against_a_wall, model, Branch::only).outcome;
     EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy linear momentum");
   }
 }
@@ -215,8 +215,8 @@ TEST(Certify, NeedsTheTangentialLawOfTheModel) {
 TEST(Certify, NeedsRestitution) {
   BasicCollision<Rational> exact = lift(unit::case_of("elastic", 0).collision);
   exact.restitution = ratio(99, 100);
-  for (const Model model : models_with_truth) {
-    const Outcome<Rational> outcome = colliding_truth(exact, model).outcome;
+  for (const Model model : linear_models) {
+    const Outcome<Rational> outcome = colliding_truth(exact, model, Branch::only).outcome;
     BasicCollision<Rational> asked = exact;
     asked.restitution = 1;
     EXPECT_EQ(reproach(asked, model, outcome), "the truth does not satisfy restitution");

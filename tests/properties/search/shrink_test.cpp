@@ -113,7 +113,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
 /// Two vectors of one component each, and one body: what a textbook would print.
 TEST(Shrink, ReachesSmallDyadicNumbers) {
   int shrunk_cases = 0;
-  for (std::uint64_t i = 0; i < 20; ++i) {
+  for (std::uint64_t i = 0; i < 30; ++i) {
     const Collision c = unit::case_of("generic", i).collision;
     if (!collides_upward(c)) {
       continue;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <iosfwd>
+#include <string>
+#include <utility>
+
+#include <carom/oracles/exact/rational.hpp>
+
+namespace carom::oracles {
+
+class Radical;
+
+/// −1, 0 or 1.
+[[nodiscard]] int sign_of(const Radical& number);
+
+/// p + q √s with rational p, q and s ≥ 0, exactly: the numbers in which friction has its truth, ℚ(√s). Numbers whose
+/// roots differ by more than a rational factor cannot be combined; of a law there is one root a collision. √s is
+/// irrational wherever q is not zero.
+class Radical {
+ public:
+  Radical() = default;
+  template <std::same_as<int> Int>
+  Radical(Int whole) : rational_(whole) {}  // NOLINT(google-explicit-constructor): formulas say 0, 1 and 2
+  explicit Radical(const Rational& rational) : rational_(rational) {}
+  explicit Radical(double number) : rational_(number) {}
+
+  /// √x. Precondition: x ≥ 0.
+  [[nodiscard]] static Radical root_of(const Rational& x);
+
+  [[nodiscard]] const Rational& rational_part() const { return rational_; }     // p
+  [[nodiscard]] const Rational& coefficient() const { return coefficient_; }    // q
+  [[nodiscard]] const Rational& under_the_root() const { return under_root_; }  // s; of no account where q = 0
+  [[nodiscard]] bool is_rational() const { return sign_of(coefficient_) == 0; }
+
+  Radical operator-() const { return {-rational_, -coefficient_, under_root_}; }
+  Radical& operator+=(const Radical& other) { return *this = *this + other; }
+  Radical& operator-=(const Radical& other) { return *this = *this - other; }
+  Radical& operator*=(const Radical& other) { return *this = *this * other; }
+  Radical& operator/=(const Radical& other) { return *this = *this / other; }
+
+  /// These throw std::logic_error where the roots differ by more than a rational factor.
+  friend Radical operator+(const Radical& x, const Radical& y);
+  friend Radical operator-(const Radical& x, const Radical& y);
+  friend Radical operator*(const Radical& x, const Radical& y);
+  /// Precondition: the right side is not zero.
+  friend Radical operator/(const Radical& x, const Radical& y);
+  friend bool operator==(const Radical& x, const Radical& y) { return sign_of(x - y) == 0; }
+  friend std::strong_ordering operator<=>(const Radical& x, const Radical& y) { return sign_of(x - y) <=> 0; }
+  template <std::same_as<int> Int>
+  friend bool operator==(const Radical& x, Int whole) {
+    return x == Radical(whole);
+  }
+  template <std::same_as<int> Int>
+  friend std::strong_ordering operator<=>(const Radical& x, Int whole) {
+    return x <=> Radical(whole);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Radical& number);
+
+ private:
+  Radical(Rational rational, Rational coefficient, Rational under_root)
+      : rational_(std::move(rational)), coefficient_(std::move(coefficient)), under_root_(std::move(under_root)) {}
+  friend Radical conjugate(const Radical& number);
+
+  Rational rational_;
+  Rational coefficient_;
+  Rational under_root_;
+};
+
+/// √x. Precondition: x is rational and not negative.
+[[nodiscard]] inline Radical sqrt(const Radical& x) { return Radical::root_of(x.rational_part()); }
+
+/// Within 2⁻¹⁵⁰ of the number, relatively.
+[[nodiscard]] Rational approximately(const Radical& number);
+
+/// Within one unit in the last place: for scales and for print.
+[[nodiscard]] double to_double(const Radical& number);
+
+/// The binary64 number nearest to it, but for numbers within 2⁻¹⁵⁰ of the middle between two.
+[[nodiscard]] double nearest_double(const Radical& number);
+
+/// "p + q √(s)", "p" where it is rational.
+[[nodiscard]] std::string to_text(const Radical& number);
+
+}  // namespace carom::oracles
+
+template <>
+struct Eigen::NumTraits<carom::oracles::Radical> : carom::oracles::EigenScalar<carom::oracles::Radical, 18, 300, 500> {
+};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+
+#include <carom/oracles/laws/certify.hpp>
+
+/// What defines the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; mathematics in docs/guide/laws.md):
+/// by two other laws without restitution, of which it is a combination, and the friction cone.
+namespace carom::oracles {
+
+/// What a truth of the law `rough` is put together from.
+template <class T>
+struct RoughParts {
+  Outcome<T> approach_stopped;  // the answer of `frictionless` at ε = 0, by the impulse P_I
+  Outcome<T> point_stopped;     // the answer of `sticking` at ε = 0, by the impulse P_II
+  T friction_share;             // κ
+};
+
+/// Substitutes a truth and its parts into what defines them:
+///
+///   (1) the parts are the answers of their laws;
+///   (2) y − y⁻ = (1 + ε) (y_I − y⁻) + κ (y_II − y_I), so that F = (1 + ε) P_I + κ (P_II − P_I);
+///   (3) F lies in the cone, N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
+///   (4) κ = 1 + e_t; or else 0 ≤ κ ≤ 1 + e_t and F lies on the cone's surface.
+///
+/// T is an ordered exact field. Throws std::logic_error that names what does not hold. Preconditions: the contact
+/// collides; a body is movable.
+template <class T>
+void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) {
+      throw std::logic_error(std::string("the truth of `rough` does not satisfy ") + what);
+    }
+  };
+  BasicCollision<T> inelastic = collision;
+  inelastic.restitution = T(0);
+  certify(inelastic, Model::frictionless, Approach::colliding, parts.approach_stopped);
+  certify(inelastic, Model::sticking, Approach::colliding, parts.point_stopped);
+  const Outcome<T> before = unchanged(collision);
+  const auto y = vectors(outcome);
+  const auto y_before = vectors(before);
+  const auto y_approach = vectors(parts.approach_stopped);
+  const auto y_point = vectors(parts.point_stopped);
+  const T& share = parts.friction_share;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      const T& at_first = (*y_before[k])[i];
+      const T& stopped = (*y_approach[k])[i];
+      demand((*y[k])[i] - at_first ==
+                 (T(1) + collision.restitution) * (stopped - at_first) + share * ((*y_point[k])[i] - stopped),
+             "the combination of its parts");
+    }
+  }
+  const Vector3<T> impulse = impulse_on_a(collision, outcome, reads_impulse_off_a(collision));
+  const Sides<T, 1> cone = squared_cone(collision, impulse);
+  demand(!(collision.normal.dot(impulse) < T(0)) && !(cone.left[0] > cone.right[0]), "the friction cone");
+  const T whole = T(1) + collision.tangential_restitution;
+  demand(share == whole || (!(share < T(0)) && !(share > whole) && cone.left[0] == cone.right[0]),
+         "its share of friction");
+}
+
+}  // namespace carom::oracles

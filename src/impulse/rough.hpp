@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/solve3.hpp>
+#include <carom/impulse/sticking.hpp>
+
+namespace carom::impulse {
+
+/// What the law `rough` makes of a contact: an impulse, and the frictionless one where friction does nothing.
+template <class S>
+struct RoughImpulse {
+  NormalImpulse<S> normal;                                       // (1 + ε) P_I and how it turns the bodies
+  decltype(std::declval<S>() < std::declval<S>()) has_friction;  // κ ≠ 0 and colliding: a bool or a mask
+  Vector3<S> on_a;  // F = (1 + ε) P_I + κ D [N s]; of no account where without friction
+};
+
+namespace detail {
+
+/// ‖v‖, of a vector whose squares may leave the range of S.
+template <class S>
+[[nodiscard]] S length(const Vector3<S>& v) {
+  using std::sqrt;
+  const S size = sum_of_sizes(v);
+  const S unit = select(size > S(0), size, S(1));
+  const Vector3<S> scaled{v[0] / unit, v[1] / unit, v[2] / unit};
+  return unit * sqrt(dot(scaled, scaled));
+}
+
+}  // namespace detail
+
+/// The law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse space
+/// considerations", J. Appl. Mech. 65, 1998). With P_I the impulse along N that stops the approach, P_II = −K⁻¹ V⁻ the
+/// one that stops the contact point, and D = P_II − P_I:
+///
+///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t where ‖N × F‖ ≤ μ N·F then, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
+///
+/// Solve is one of solve3.hpp. Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
+template <class Solve, class S, class Inertia>
+[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+  const Vector3<S>& n = contact.normal;
+  const NormalImpulse<S> normal = frictionless_impulse(contact, approach);
+  if (none_of(normal.colliding)) {
+    return {normal, normal.colliding, n};
+  }
+  // P_II by itself: K⁻¹ (V⁻ + K P_I) would multiply what rounding leaves of K P_I by κ(K).
+  const Vector3<S> stops_point = -Solve::template solve<S>(
+      collision_matrix(contact), relative_velocity_along_normal(contact), inverse_mass(contact));
+  const Vector3<S> d = stops_point - normal.on_a * S(S(1) / (S(1) + contact.restitution));
+  const S whole = S(1) + contact.tangential_restitution;
+  const S limit = contact.friction * dot(n, normal.on_a);
+  const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
+  const auto is_outside = limit < whole * divisor;
+  const S share = select(is_outside, S(limit / select(is_outside, divisor, S(1))), whole);
+  return {normal, normal.colliding && share > S(0), normal.on_a + d * share};
+}
+template <class Solve, class S, class Inertia>
+[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact) {
+  return rough_impulse<Solve, S>(contact, normal_velocity(contact));
+}
+
+/// Without friction these are the bits of the frictionless law. With it both parts of F turn a body at once: what they
+/// do each may be far more than the sum, of which a slender body would keep the rounding.
+template <class S, class Inertia>
+[[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
+  const Outcome<S> without = apply_impulse(contact, impulse.normal);
+  if (none_of(impulse.has_friction)) {
+    return without;
+  }
+  const auto is_any_slender = has_slender(contact);
+  const auto struck = [&](const ContactBody<S, Inertia>& body, const BodyVelocity<S>& by_normal,
+                          const Vector3<S>& on_body) {
+    return select_called(
+        impulse.has_friction, [&] { return apply_impulse(body, on_body, is_any_slender); }, [&] { return by_normal; });
+  };
+  return {struck(contact.a, without.a, impulse.on_a), struck(contact.b, without.b, -impulse.on_a)};
+}
+
+/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+[[nodiscard]] Outcome<S> rough(const Contact<S, Inertia>& contact) {
+  return apply_impulse(contact, rough_impulse<Solve>(contact));
+}
+
+}  // namespace carom::impulse

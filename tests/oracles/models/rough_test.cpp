@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/elimination.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/rough.hpp>
+#include <carom/oracles/models/models.hpp>
+
+#include "support/exact.hpp"
+
+/// The truth of the law `rough`: what certifies it, and what it is on paper.
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using unit::same;
+
+/// A ball of mass 1, radius 1 and moments 2/5 falls with (−3, −4, 0) on a fixed plane: K = diag(7/2, 1, 7/2), so P_I =
+/// (0, 4, 0) and D = (6/7, 0, 0).
+Collision ball_on_a_plane() {
+  Collision c;
+  c.a.principal_inertia.setConstant(0.4);
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {-3, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  return c;
+}
+
+TEST(Rough, SticksWhereFrictionSuffices) {
+  Collision c = ball_on_a_plane();
+  c.a.principal_inertia.setConstant(0.5);  // K = diag(3, 1, 3), D = (1, 0, 0)
+  c.friction = 0.25;                       // of 6, the normal impulse: 3/2
+  c.tangential_restitution = 0.5;
+  const ExactCase exact_case(c);
+  EXPECT_EQ(exact_case.branch(Model::rough), Branch::inside_cone);
+  const Truth<Rational>& truth = exact_case.truth(Model::rough);
+  EXPECT_TRUE(same(truth.impulse, unit::ExactVector(ratio(3, 2), 6, 0)));
+  EXPECT_TRUE(same(truth.outcome.a.velocity, unit::ExactVector(ratio(-3, 2), 2, 0)));
+  EXPECT_TRUE(same(truth.outcome.a.angular_velocity, unit::ExactVector(0, 0, 3)));
+}
+
+TEST(Rough, SlidesWhereItDoesNot) {
+  Collision c = ball_on_a_plane();
+  c.a.principal_inertia.setConstant(0.5);
+  c.friction = 0.125;
+  c.tangential_restitution = 0.5;
+  const ExactCase exact_case(c);
+  EXPECT_EQ(exact_case.branch(Model::rough), Branch::on_cone);
+  const Truth<Radical>& truth = exact_case.truth_on_cone(Model::rough);
+  EXPECT_EQ(truth.impulse[0], Radical(ratio(3, 4)));
+  EXPECT_EQ(truth.impulse[1], Radical(6));
+  EXPECT_EQ(truth.outcome.a.velocity[0], Radical(ratio(-9, 4)));
+  EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
+}
+
+/// The parts by elimination, which shares no formula with them; the share from the outcome itself.
+TEST(Rough, IsCombinedOfWhatEliminationFinds) {
+  int inside = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding || exact_case.branch(Model::rough) != Branch::inside_cone) {
+      continue;
+    }
+    BasicCollision<Rational> inelastic = lift(one.collision);
+    inelastic.restitution = Rational(0);
+    const Vector3<Rational> approach = truth_by_elimination(inelastic, Model::frictionless).impulse;
+    const Vector3<Rational> point = truth_by_elimination(inelastic, Model::sticking).impulse;
+    const Rational whole = 1 + Rational(one.collision.tangential_restitution);
+    const Vector3<Rational> expected =
+        approach * Rational(1 + Rational(one.collision.restitution)) + Vector3<Rational>(point - approach) * whole;
+    EXPECT_TRUE(same(exact_case.truth(Model::rough).impulse, expected)) << family;
+    ++inside;
+  }
+  EXPECT_GT(inside, 100);
+}
+
+/// Certified, each case: residuals of what defines it are zero in ℚ(√s).
+TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
+  int on_cone = 0;
+  int irrational = 0;
+  for (const auto& [family, one] : unit::valid_cases(40)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding) {
+      continue;
+    }
+    exact_case.with_truth(Model::rough, Approach::colliding,
+                          []<class T>(const Truth<T>& truth) { EXPECT_NO_THROW((void)truth); });
+    if (exact_case.branch(Model::rough) == Branch::on_cone) {
+      ++on_cone;
+      irrational += exact_case.truth_on_cone(Model::rough).impulse[0].is_rational() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(on_cone, 100);
+  EXPECT_GT(irrational, 100);
+}
+
+/// What `certify_rough` rejects: each of its four demands on its own.
+class CertifiedRough : public testing::Test {
+ protected:
+  CertifiedRough() {
+    collision.a.principal_inertia.setConstant(0.5);
+    collision.friction = 0.125;
+    exact = lift(collision);
+    const Vector3<Rational> stop = -relative_velocity<Rational>(exact, unchanged(exact));
+    parts = {after({0, -stop[1] * -1, 0}), after(Sticking::impulse_for<Rational>(exact, stop, nullptr)),
+             Rational(3, 4)};
+  }
+  [[nodiscard]] Outcome<Rational> after(const Vector3<Rational>& impulse) const {
+    return sum(unchanged(exact), response<Rational>(exact, impulse));
+  }
+  /// What is said of the outcome of an impulse.
+  [[nodiscard]] std::string said_of(const Vector3<Rational>& impulse) const {
+    try {
+      certify_rough(exact, after(impulse), parts);
+    } catch (const std::logic_error& error) {
+      return error.what();
+    }
+    return "nothing";
+  }
+
+  Collision collision = ball_on_a_plane();
+  BasicCollision<Rational> exact;
+  RoughParts<Rational> parts;
+};
+
+TEST_F(CertifiedRough, IsTheTruth) { EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}), "nothing"); }
+
+TEST_F(CertifiedRough, IsNoOtherCombination) {
+  EXPECT_EQ(said_of({Rational(3, 4), Rational(7), Rational(0)}),
+            "the truth of `rough` does not satisfy the combination of its parts");
+}
+
+TEST_F(CertifiedRough, LiesInTheCone) {
+  parts.friction_share = 1;
+  EXPECT_EQ(said_of({Rational(1), Rational(6), Rational(0)}),
+            "the truth of `rough` does not satisfy the friction cone");
+}
+
+TEST_F(CertifiedRough, DoesNotStopShortOfItsSurface) {
+  parts.friction_share = Rational(1, 2);
+  EXPECT_EQ(said_of({Rational(1, 2), Rational(6), Rational(0)}),
+            "the truth of `rough` does not satisfy its share of friction");
+}
+
+TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
+  parts.point_stopped.a.velocity[0] += 1;
+  EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),
+            "the truth does not satisfy the angular momentum of A");
+}
+
+TEST(Radical, IsAFieldWithAnOrder) {
+  const Radical root = Radical::root_of(Rational(2));
+  const Radical x = Radical(3) - Radical(2) * root;  // 0.17…
+  EXPECT_EQ(x * (Radical(3) + Radical(2) * root), 1);
+  EXPECT_EQ(Radical(1) / x, Radical(3) + Radical(2) * root);
+  EXPECT_GT(x, 0);
+  EXPECT_LT(x, Radical(ratio(1, 5)));
+  EXPECT_LT(-root, 0);
+  EXPECT_EQ(root - root, 0);
+  EXPECT_DOUBLE_EQ(to_double(x), 0.1715728752538099);
+  EXPECT_EQ(to_text(x), "3 + -2 √(2)");
+}
+
+/// 665857/470832 misses √2 by 1.6 × 10⁻¹²: the digits that cancel are not lost.
+TEST(Radical, IsRoundedWithoutCancellation) {
+  const Radical near = Radical::root_of(Rational(2)) - Radical(ratio(665857, 470832));
+  const Rational product = near.rational_part() * near.rational_part() - Rational(2);
+  EXPECT_DOUBLE_EQ(to_double(near), to_double(Rational(-product)) / (std::sqrt(2.0) + 665857.0 / 470832.0));
+}
+
+TEST(Radical, KnowsSquares) {
+  EXPECT_TRUE(Radical::root_of(ratio(9, 4)).is_rational());
+  EXPECT_EQ(Radical::root_of(ratio(9, 4)), Radical(ratio(3, 2)));
+  EXPECT_EQ(Radical::root_of(Rational(0)), 0);
+  EXPECT_EQ(Radical::root_of(Rational(0x1p-1000) * Rational(0x1p-1000)), Radical(Rational(0x1p-1000)));
+}
+
+TEST(Radical, RefusesDifferentRoots) {
+  EXPECT_THROW((void)(Radical::root_of(Rational(2)) + Radical::root_of(Rational(3))), std::logic_error);
+  EXPECT_THROW((void)(Radical::root_of(Rational(2)) * Radical::root_of(Rational(3))), std::logic_error);
+}
+
+TEST(Radical, BringsRootsToOne) {
+  EXPECT_EQ(Radical::root_of(Rational(8)), Radical(2) * Radical::root_of(Rational(2)));
+  EXPECT_EQ(Radical::root_of(Rational(8)) * Radical::root_of(Rational(2)), 4);
+  EXPECT_EQ(Radical::root_of(ratio(1, 2)) / Radical::root_of(Rational(2)), Radical(ratio(1, 2)));
+}
+
+}  // namespace
+}  // namespace carom::oracles
