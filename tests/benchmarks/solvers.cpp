@@ -212,8 +212,8 @@ Operations operations_of(Model model) {
                                          counted(b.velocity),
                                          counted(b.angular_velocity)};
   };
-  const impulse::Contact<Counted> posed{body(contact.a), body(contact.b), counted(contact.normal), contact.restitution,
-                                         contact.friction, contact.tangential_restitution};
+  const impulse::Contact<Counted> posed{body(contact.a),     body(contact.b),  counted(contact.normal),
+                                        contact.restitution, contact.friction, contact.tangential_restitution};
   Counted::operations = {};
   impulse::with_law(model, [&](const auto& law) { static_cast<void>(impulse::apply_impulse(posed, law(posed))); });
   return Counted::operations;

@@ -91,7 +91,8 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
   return sum;
 }
 
-/// (1), (3), (4), of the linear laws; `rough` is made of two of them, and case_bounds.hpp has the rest. Masses and moments are in denominators alone, and so the smallest.
+/// (1), (3), (4), of the linear laws; `rough` is made of two of them, and case_bounds.hpp has the rest. Masses and
+/// moments are in denominators alone, and so the smallest.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -104,7 +105,8 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
       Magnitude::forget();
       // (1): N·K N ≥ N·N / M, where one component of N has this size.
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
-      const oracles::Truth<MagnitudeDual> truth = oracles::colliding_truth(inputs.collision, model, oracles::Branch::only);
+      const oracles::Truth<MagnitudeDual> truth =
+          oracles::colliding_truth(inputs.collision, model, oracles::Branch::only);
       const Matrix3<MagnitudeDual> k = oracles::response_matrix(inputs.collision);
       largest.note_way();
       const Outcome<MagnitudeDual> at_rest = unchanged(inputs.collision);
