@@ -56,7 +56,9 @@ template <class Solve, class S, class Inertia>
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
   const auto is_outside = limit < whole * divisor;
   const S share = select(is_outside, S(limit / select(is_outside, divisor, S(1))), whole);
-  return {normal, normal.colliding && share > S(0), normal.on_a + d * share};
+  // Where D lies along N but for rounding no friction is asked for, and whatever κ is, without μ there is none.
+  const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
+  return {normal, has_friction, normal.on_a + d * share};
 }
 template <class Solve, class S, class Inertia>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact) {

@@ -234,6 +234,25 @@ TEST(Solvers, GiveTheSameForANormalOfAnyLength) {
   }
 }
 
+template <class S>
+void expect_rough_to_be_frictionless(const Collision& collision, std::string_view family) {
+  const auto contact = make_contact<S>(collision);
+  const Outcome<S> with = rough<Ldlt>(contact);
+  const Outcome<S> without = frictionless(contact);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    EXPECT_EQ(*vectors(with)[k], *vectors(without)[k]) << family << ' ' << name_of(k);
+  }
+}
+
+TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
+  for (const auto& [family, one] : unit::valid_cases(40)) {
+    Collision c = one.collision;
+    c.friction = 0;
+    expect_rough_to_be_frictionless<float>(c, family);
+    expect_rough_to_be_frictionless<double>(c, family);
+  }
+}
+
 /// The solver of `rough` in ℚ(√s) against its truth.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;
