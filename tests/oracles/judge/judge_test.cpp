@@ -230,6 +230,10 @@ void judge_extreme_collisions(int most) {
                                                          [](double x) { return static_cast<long double>(x); }));
     expect_same_verdicts(exact_case, outcome, yardstick, counts);
     for (const Model model : models_with_truth) {
+      // Exact derivatives in ℚ(√s), of numbers with thousands of digits, take seconds.
+      if (model == Model::rough && i % 12 != 0) {
+        continue;
+      }
       Yardstick exact = yardstick;
       exact.filtered = false;
       EXPECT_EQ(accuracy(exact_case, model, outcome, yardstick).allowed,
