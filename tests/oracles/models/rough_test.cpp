@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/exact/elimination.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -151,6 +153,76 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   parts.point_stopped.a.velocity[0] += 1;
   EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),
             "the truth does not satisfy the angular momentum of A");
+}
+
+/// A body whose contact slips with (1, 0, 0) and approaches by the rounding of its own spin: V⁻ = (1, −2⁻⁵³, 0), and D
+/// = (−5/8, 3/8, 0) but for that, in the cone from μ = 5/3 on.
+Collision approached_by_rounding(double friction) {
+  Collision c;
+  c.a.principal_inertia.setConstant(1.0 / 6);
+  c.a.position = {-0.5, 0.5, 0};
+  c.a.velocity = {2, 1 - 0x1p-53, 0};
+  c.a.angular_velocity = {0, 0, -2};
+  c.b.immovable = true;
+  c.friction = friction;
+  return c;
+}
+
+Yardstick of_binary64() {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  return yardstick;
+}
+
+Accuracy accuracy_of(const ExactCase& exact_case, const Outcome<double>& outcome) {
+  const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+  return accuracy(exact_case, Model::rough, LiftedOutcome(reported), of_binary64());
+}
+
+TEST(Rough, HasTwoAnswersWhereFrictionActsAtOnce) {
+  const ExactCase exact_case(approached_by_rounding(2));
+  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  EXPECT_EQ(exact_case.branch(Model::rough), Branch::inside_cone);
+  EXPECT_TRUE(exact_case.has_two_answers(Model::rough, of_binary64().allowance()));
+  Outcome<double> between = exact_case.nearest_truth(Model::rough);
+  EXPECT_TRUE(accuracy_of(exact_case, between).is_allowed());
+  EXPECT_TRUE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_allowed());
+  between.a.velocity = (between.a.velocity + exact_case.collision().a.velocity) / 2;
+  EXPECT_FALSE(accuracy_of(exact_case, between).is_allowed());
+}
+
+TEST(Rough, HasOneAnswerWhereFrictionVanishesWithTheApproach) {
+  const ExactCase exact_case(approached_by_rounding(1));
+  EXPECT_EQ(exact_case.branch(Model::rough), Branch::on_cone);
+  EXPECT_FALSE(exact_case.has_two_answers(Model::rough, of_binary64().allowance()));
+  EXPECT_TRUE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_allowed());
+  EXPECT_FALSE(accuracy_of(exact_case, ExactCase(approached_by_rounding(2)).nearest_truth(Model::rough)).is_allowed());
+}
+
+TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
+  const ExactCase exact_case(approached_by_rounding(5.0 / 3));
+  EXPECT_TRUE(exact_case.is_open(Model::rough, of_binary64().allowance()));
+  EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
+}
+
+/// F lies on the surface exactly, at μ = 1/4: what either side is sensitive to is allowed.
+TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
+  const auto sensitivity_at = [](double friction) {
+    Collision c = ball_on_a_plane();
+    c.a.principal_inertia.setConstant(0.5);
+    c.friction = friction;
+    c.tangential_restitution = 0.5;
+    return ExactCase(c).sensitivity(Model::rough, of_binary64().allowance());
+  };
+  constexpr double beside = 0x1p-20;  // further than rounding, and too near for the sensitivities to change
+  const Sensitivity inside = sensitivity_at(0.25 * (1 + beside));
+  const Sensitivity on_cone = sensitivity_at(0.25 * (1 - beside));
+  const Sensitivity at_surface = sensitivity_at(0.25);
+  for (const OutcomeVector k : {OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a}) {
+    const double expected = std::max(inside[k], on_cone[k]);
+    EXPECT_NEAR(at_surface[k], expected, 16 * beside * expected) << name_of(k);
+    EXPECT_GT(std::abs(inside[k] - on_cone[k]), 64 * beside * expected) << name_of(k);
+  }
 }
 
 TEST(Radical, IsAFieldWithAnOrder) {
