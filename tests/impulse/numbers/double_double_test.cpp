@@ -70,5 +70,18 @@ TEST(DoubleDouble, ComparesByBothParts) {
   EXPECT_TRUE(DoubleDouble(-2) < one && DoubleDouble(2) > more);
 }
 
+/// |√x − r| ≤ e r, e = 25/8 u², by the squares of r (1 ± e).
+TEST(DoubleDouble, TakesSquareRootsAsThePaperSays) {
+  const Rational most = u2 * Rational(25, 8);
+  for_each_pair([&](const DoubleDouble& x, const DoubleDouble&) {
+    const Rational square = size(exact(x));
+    const Rational root = exact(sqrt(x.high() < 0 ? -x : x));
+    const Rational low = root * (1 - most);
+    const Rational high = root * (1 + most);
+    EXPECT_TRUE(low * low <= square && square <= high * high) << x.high();
+  });
+  EXPECT_TRUE(sqrt(DoubleDouble(0)) == DoubleDouble(0));
+}
+
 }  // namespace
 }  // namespace carom::impulse

@@ -27,8 +27,10 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   // By (4) |x̂ / ŷ| ≤ (1 + u) |q|: one more.
   const int of_quotient =
       approximation::radius_of_quotient(any_radius, any_radius, any_radius, any_radius).roundings() + 1;
+  // By (5) ẑ ≤ (1 + u) √x̂: one more.
+  const int of_root = approximation::radius_of_root(any_radius, any_radius).roundings() + 1;
   const int of_size = approximation::above(any_radius, any_radius).roundings();
-  const int most = std::max({of_sum, of_product, of_quotient, of_size});
+  const int most = std::max({of_sum, of_product, of_quotient, of_root, of_size});
   EXPECT_GE(most, 6);
   EXPECT_TRUE(covers(approximation::up - 1, most * u / (1 - most * u), 64));
   EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));

@@ -23,7 +23,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// What is doubled by (2) and (3) is rounded up twice, by above(x) and by `up`, and is counted from there on.
+/// What is doubled by (2) to (4) is rounded up twice, by above(x) and by `up`, and is counted from there on.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -31,9 +31,10 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
                                   any_part, 3)
           .roundings();
   const int of_quotient = enclosure::radius_of_quotient(any_part, any_part, any_part, any_part, any_part).roundings();
+  const int of_root = enclosure::radius_of_root(any_part, any_part, any_part).roundings();
   // q itself comes as a sum rounded up: its roundings count against a factor of its own.
   const int of_size = enclosure::above(any_part, any_part, any_part).roundings();
-  EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_size}) * u, 8));
+  EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_root, of_size}) * u, 8));
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
 }
 

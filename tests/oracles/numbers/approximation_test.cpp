@@ -150,5 +150,33 @@ TEST(RefinedTruth, ContainsTheTruth) {
   EXPECT_GT(good, all / 10 * 9);
 }
 
+/// low² ≤ x ≤ high² for every x that the radius leaves open, of which the ends decide.
+TEST(Approximation, ContainsSquareRoots) {
+  properties::Stream stream = properties::stream_from(61);
+  for (int i = 0; i < 2000; ++i) {
+    const Rational x =
+        ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30)) * two_to(stream.integer(-300, 300));
+    const double radius = stream.chance(2) ? 0 : to_double(x) * stream.power_of_ten(-30, -1);
+    const Approximation around = approximation_of(Enclosure(x)).widened_by(radius);
+    const Approximation root = sqrt(around);
+    for (const Rational& end : {Rational(x - Rational(radius)), x, Rational(x + Rational(radius))}) {
+      const Rational low = Rational(root.middle()) - Rational(root.radius());
+      const Rational high = Rational(root.middle()) + Rational(root.radius());
+      EXPECT_TRUE((low < 0 || low * low <= end) && end <= high * high) << to_double(x) << ' ' << radius;
+    }
+    if (radius == 0) {
+      EXPECT_LE(root.radius(), 0x1p-51 * root.middle()) << to_double(x);
+    }
+  }
+}
+
+TEST(Approximation, ContainsTheRootOfWhatMayBeZero) {
+  EXPECT_TRUE(sqrt(Approximation(0)).is_exactly_zero());
+  const Approximation root = sqrt(Approximation(0.25).widened_by(0.5));  // 0 to 3/4
+  EXPECT_LE(root.middle() - root.radius(), 0);
+  EXPECT_GE((root.middle() + root.radius()) * (root.middle() + root.radius()), 0.75);
+  EXPECT_LT(root.radius(), 1);
+}
+
 }  // namespace
 }  // namespace carom::oracles
