@@ -129,19 +129,30 @@ const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model, Branch 
   return *known;
 }
 
-std::optional<ConeSide> BoundedCase::cone_side() const {
+std::optional<bool> BoundedCase::is_inside_cone() const {
   const auto sign = [](const auto& x) { return x.sign(); };
-  const std::optional<ConeSide> roughly = oracles::cone_side(approximate(), &approximate_response().matrix, sign);
-  return roughly ? roughly : oracles::cone_side<Enclosure>(enclosed(), nullptr, sign);
+  const std::optional<bool> roughly = oracles::is_inside_cone(approximate(), &approximate_response().matrix, sign);
+  return roughly ? roughly : oracles::is_inside_cone<Enclosure>(enclosed(), nullptr, sign);
+}
+
+std::optional<bool> BoundedCase::reaches_cone() const {
+  const auto sign = [](const auto& x) { return x.sign(); };
+  const std::optional<bool> roughly = oracles::reaches_cone(approximate(), &approximate_response().matrix, sign);
+  return roughly ? roughly : oracles::reaches_cone<Enclosure>(enclosed(), nullptr, sign);
 }
 
 bool BoundedCase::has_clear_divisor() const {
-  const BasicCollision<Approximation>& c = approximate();
-  const Vector3<Approximation> d = detail::RoughImpulses<Approximation>(c, &approximate_response().matrix).difference();
-  const Vector3<Approximation> tangential = c.normal.cross(d);
-  const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
-                       (c.friction * c.normal.dot(d)).magnitude_above();
-  return Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
+  if (!has_clear_divisor_) {
+    const BasicCollision<Approximation>& c = approximate();
+    const Vector3<Approximation> d =
+        detail::RoughImpulses<Approximation>(c, &approximate_response().matrix).difference();
+    const Vector3<Approximation> tangential = c.normal.cross(d);
+    const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
+                         (c.friction * c.normal.dot(d)).magnitude_above();
+    has_clear_divisor_ =
+        Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
+  }
+  return *has_clear_divisor_;
 }
 
 bool BoundedCase::is_well_conditioned() const {

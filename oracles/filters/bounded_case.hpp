@@ -64,9 +64,10 @@ class BoundedCase {
   /// colliding_truth.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model, Branch branch) const;
 
-  /// On which side of the cone's surface the law `rough` answers, where bounds decide it. Precondition: a body is
-  /// movable.
-  [[nodiscard]] std::optional<ConeSide> cone_side() const;
+  /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp), where
+  /// bounds decide it. Precondition: a body is movable.
+  [[nodiscard]] std::optional<bool> is_inside_cone() const;
+  [[nodiscard]] std::optional<bool> reaches_cone() const;
 
   /// Whether on the cone's surface the sensitivity of `rough` is surely finite. Preconditions: is_moderate(); a body is
   /// movable.
@@ -112,6 +113,7 @@ class BoundedCase {
   mutable std::optional<Sensitivity> norms_before_;
   mutable PerAffineEquation<std::optional<PerVector<double>>> slopes_;
   mutable PerModel<OfModel> of_model_;
+  mutable std::optional<bool> has_clear_divisor_;
   mutable std::optional<double> collision_matrix_sensitivity_below_;
   mutable std::optional<Enclosure> enclosed_inverse_mass_;
   mutable std::optional<InertiaTensors> inertia_tensors_;

@@ -57,7 +57,7 @@ Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<
                                const BasicCollision<Approximation>& approximate, Model model, Branch branch,
                                const ApproximateResponse& approximate_response) {
   const Arithmetics of{collision, enclosed, approximate, approximate_response};
-  Truth<Enclosure> truth = with_law(model, [&]<class Law>(Law) -> Truth<Enclosure> {
+  Truth<Enclosure> truth = with_law(model, branch, [&]<class Law>(Law) -> Truth<Enclosure> {
     if constexpr (LinearLaw<Law>) {
       return refined<Law>(of, wanted_change<Law>(enclosed));
     } else {

@@ -74,6 +74,8 @@ double normal_velocity_sensitivity(const Collision& c) {
   return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), c.point);
 }
 
+std::optional<int> known_sign(const Rational& x) { return sign_of(x); }
+
 }  // namespace
 
 ExactCase::ExactCase(const Collision& collision, bool filtered) : bounds_(collision), filtered_(filtered) {}
@@ -115,15 +117,31 @@ bool ExactCase::is_grazing(double allowance) const {
   return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
 }
 
-const ConeSide& ExactCase::cone_side() const {
-  if (!cone_side_ && filtered_) {
-    cone_side_ = bounds_.cone_side();
+Branch ExactCase::branch(Model model) const {
+  if (model != Model::rough || collision().friction == 0) {
+    return Branch::only;
   }
-  if (!cone_side_) {
-    cone_side_ =
-        oracles::cone_side<Rational>(exact(), nullptr, [](const Rational& x) { return std::optional(sign_of(x)); });
+  return is_inside_cone() ? Branch::inside_cone : Branch::on_cone;
+}
+
+bool ExactCase::is_inside_cone() const {
+  if (!is_inside_cone_ && filtered_) {
+    is_inside_cone_ = bounds_.is_inside_cone();
   }
-  return *cone_side_;
+  if (!is_inside_cone_) {
+    is_inside_cone_ = oracles::is_inside_cone<Rational>(exact(), nullptr, &known_sign);
+  }
+  return *is_inside_cone_;
+}
+
+bool ExactCase::reaches_cone() const {
+  if (!reaches_cone_ && filtered_) {
+    reaches_cone_ = bounds_.reaches_cone();
+  }
+  if (!reaches_cone_) {
+    reaches_cone_ = oracles::reaches_cone<Rational>(exact(), nullptr, &known_sign);
+  }
+  return *reaches_cone_;
 }
 
 namespace {
@@ -147,7 +165,7 @@ const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
   std::optional<Truth<Rational>>& known = as == Approach::colliding ? of_model_[model].truth : unchanged_;
   if (!known) {
     if (as == Approach::colliding && model == Model::rough) {
-      known = certified_rough(exact(), Branch::inside_cone);
+      known = certified_rough(exact(), branch(model));
     } else {
       Truth<Rational> truth = truth_of(exact(), model, as, Branch::only);
       certify(exact(), model, as, truth.outcome);
@@ -176,15 +194,15 @@ bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
   if (branch(model) == Branch::only) {
     return false;
   }
-  if (!near_cone_surface_ || near_cone_surface_->allowance != allowance) {
-    const bool in_binary64 = bounds_.is_moderate() && bounds_.is_well_conditioned();
-    near_cone_surface_ = {allowance, oracles::is_near_cone_surface(collision(), allowance, in_binary64)};
+  if (!cone_distance_) {
+    cone_distance_ = bounds_.is_moderate() && bounds_.is_well_conditioned() ? cone_distance(collision())
+                                                                            : enclosed_cone_distance(collision());
   }
-  return near_cone_surface_->is_near;
+  return cone_distance_->is_within(allowance);
 }
 
 bool ExactCase::acts_at_once_here(Model model, double allowance) const {
-  return acts_at_once(model) && (branch(model) != Branch::on_cone || is_near_cone_surface(model, allowance));
+  return acts_at_once(model, branch(model)) || is_near_cone_surface(model, allowance);
 }
 
 bool ExactCase::is_open(Model model, double allowance) const {
@@ -226,9 +244,9 @@ Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
 
 Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance) const {
   const bool collides = as == Approach::colliding && (approach() == Approach::colliding ||
-                                                      branch(model) != Branch::on_cone || cone_side().has_surface);
+                                                      branch(model) != Branch::on_cone || reaches_cone());
   Sensitivity sum = collides ? colliding_first_order(model, branch(model)) : unchanged_sensitivity();
-  if (collides && branch(model) != Branch::only && cone_side().has_surface && is_near_cone_surface(model, allowance)) {
+  if (collides && is_near_cone_surface(model, allowance) && reaches_cone()) {
     const Sensitivity& beyond = colliding_first_order(model, other_side(branch(model)));
     for (const OutcomeVector k : all_outcome_vectors) {
       sum[k] = std::max(sum[k], beyond[k]);

@@ -28,7 +28,7 @@ class ExactCase {
 
   /// By which of its formulas the law answers where the contact collides. Preconditions: a body is movable; the model
   /// is one of `models_with_truth`.
-  [[nodiscard]] Branch branch(Model model) const { return model == Model::rough ? cone_side().branch : Branch::only; }
+  [[nodiscard]] Branch branch(Model model) const;
 
   /// The law's answer, certified: both sides of each of its defining equations are the same.
   /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`, and its answer
@@ -126,7 +126,8 @@ class ExactCase {
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
   [[nodiscard]] const Sensitivity& colliding_first_order(Model model, Branch branch) const;
-  [[nodiscard]] const ConeSide& cone_side() const;
+  [[nodiscard]] bool is_inside_cone() const;
+  [[nodiscard]] bool reaches_cone() const;
   /// Whether the impulse does not vanish with N·V⁻. On the cone it does.
   [[nodiscard]] bool acts_at_once_here(Model model, double allowance) const;
   /// Whether inputs that differ relatively by `allowance` are answered on both sides of the cone's surface.
@@ -142,13 +143,9 @@ class ExactCase {
   mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
   mutable PerModel<OfModel> of_model_;
-  struct NearSurface {
-    double allowance;
-    bool is_near;
-  };
-
-  mutable std::optional<ConeSide> cone_side_;
-  mutable std::optional<NearSurface> near_cone_surface_;  // as asked last
+  mutable std::optional<bool> is_inside_cone_;
+  mutable std::optional<bool> reaches_cone_;
+  mutable std::optional<ConeDistance> cone_distance_;
   mutable std::optional<Truth<Rational>> unchanged_;
   mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
   mutable std::optional<Sensitivity> unchanged_sensitivity_;

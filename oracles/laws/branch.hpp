@@ -7,9 +7,9 @@
 
 namespace carom::oracles {
 
-/// By which of its formulas a law answers to a contact that collides. Laws without friction have one.
+/// By which of its formulas a law answers to a contact that collides.
 enum class Branch {
-  only,
+  only,         // there is no friction: by the law, or since μ = 0
   inside_cone,  // friction does all that it is to do
   on_cone,      // ‖N × F‖ = μ N·F: friction does what it can
 };

@@ -33,6 +33,13 @@ decltype(auto) with_law(Model model, Use&& use) {
   determines_no_outcome(model);
 }
 
+/// use(law) of the law by which the model answers on this branch: where there is no friction, `rough` is frictionless.
+template <class Use>
+decltype(auto) with_law(Model model, Branch branch, Use&& use) {
+  return with_law(model == Model::rough && branch == Branch::only ? Model::frictionless : model,
+                  std::forward<Use>(use));
+}
+
 /// A law that asks for a change of relative velocity, and whose impulse is linear in it. The others are combinations of
 /// two such laws, by a share that is not linear.
 template <class Law>
@@ -74,7 +81,7 @@ struct RoughImpulses {
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Model model, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
-  return with_law(model, [&]<class Law>(Law) -> Vector3<T> {
+  return with_law(model, branch, [&]<class Law>(Law) -> Vector3<T> {
     if constexpr (LinearLaw<Law>) {
       return Law::template impulse_for<T>(c, wanted_change<Law>(c), matrix);
     } else {
@@ -100,31 +107,32 @@ template <class T>
                                          : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
-/// On which side of the cone's surface a law with friction answers.
-struct ConeSide {
-  Branch branch;
-  bool has_surface;  // whether some κ > 0 puts F on the surface, so that there is an answer by the other formula
-};
-
-/// The same where `sign`, of a number of type T → −1, 0, 1 or none, knows what decides it. Precondition: the model is
-/// `rough`.
+/// Whether `rough` answers inside the cone, where `sign`, of a number of type T → −1, 0, 1 or none, knows what decides
+/// it.
 template <class T, class Sign>
-[[nodiscard]] std::optional<ConeSide> cone_side(const BasicCollision<T>& c, const Matrix3<T>* matrix,
-                                                const Sign& sign) {
+[[nodiscard]] std::optional<bool> is_inside_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix,
+                                                 const Sign& sign) {
   const detail::RoughImpulses<T> of(c, matrix);
-  const auto cone = Rough::cone<T>(c, of.stops_approach, of.difference());
-  const std::optional<int> along_normal = sign(cone.along_normal);
-  const std::optional<int> slack = sign(cone.slack);
-  const std::optional<int> reach = sign(cone.reach);
-  const std::optional<int> friction_along_normal = sign(cone.friction_along_normal);
-  const bool is_inside = along_normal.value_or(-1) >= 0 && slack.value_or(-1) >= 0;
-  const bool is_outside = along_normal.value_or(1) < 0 || slack.value_or(1) < 0;
-  const bool has_surface = reach.value_or(0) > 0 || friction_along_normal.value_or(1) < 0;
-  const bool has_none = reach.value_or(1) <= 0 && friction_along_normal.value_or(-1) >= 0;
-  if ((!is_inside && !is_outside) || (!has_surface && !has_none)) {
-    return std::nullopt;
+  const auto whole = Rough::whole<T>(c, of.stops_approach, of.difference());
+  const std::optional<int> along_normal = sign(whole.along_normal);
+  const std::optional<int> slack = sign(whole.slack);
+  if (along_normal.value_or(1) < 0 || slack.value_or(1) < 0) {
+    return false;
   }
-  return ConeSide{is_inside ? Branch::inside_cone : Branch::on_cone, has_surface};
+  return along_normal && slack ? std::optional(true) : std::nullopt;
+}
+
+/// Whether some κ > 0 puts F on the cone's surface, so that there is an answer by that formula too. As
+/// `is_inside_cone`.
+template <class T, class Sign>
+[[nodiscard]] std::optional<bool> reaches_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix, const Sign& sign) {
+  const auto reach = Rough::reach<T>(c, detail::RoughImpulses<T>(c, matrix).difference());
+  const std::optional<int> along_normal = sign(reach.along_normal);
+  const std::optional<int> beyond = sign(reach.beyond);
+  if (along_normal.value_or(0) < 0 || beyond.value_or(0) > 0) {
+    return true;
+  }
+  return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
 /// The equations that the answer of every model satisfies to every contact that they speak of: `restitution` where it
@@ -159,10 +167,10 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<Law>
   return with_law(model, [&]<class Law>(Law) { return detail::kept_equations_of<Law>[equation]; });
 }
 
-/// Whether the impulse of the model does not vanish with N·V⁻. Where inputs within rounding include both colliding and
+/// Whether the impulse of the model on this branch does not vanish with N·V⁻. Where inputs within rounding include both colliding and
 /// separating contacts, its answers to both are then open to an outcome, and neither is asked of it alone.
-[[nodiscard]] inline bool acts_at_once(Model model) {
-  return with_law(model, []<class Law>(Law) { return Law::acts_at_once; });
+[[nodiscard]] inline bool acts_at_once(Model model, Branch branch) {
+  return with_law(model, branch, [&]<class Law>(Law) { return Law::acts_at_once && branch != Branch::on_cone; });
 }
 
 /// Whether the answer of the model never has more energy than before, beside the work of a driven wall.

@@ -18,21 +18,30 @@ struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;
 
-  /// Of what decides the branch.
+  /// Of what decides whether F with κ = 1 + e_t lies in the cone: where neither is negative.
   template <class T>
-  struct Cone {
-    T along_normal;  // N·F, F with κ = 1 + e_t
+  struct Whole {
+    T along_normal;  // N·F
     T slack;         // (μ N·F)² − ‖N × F‖²
-    T reach;  // ‖N × D‖² − (μ N·D)²: where N·D > 0 and this is not positive, no κ puts F on the surface
-    T friction_along_normal;  // N·D
   };
   template <class T>
-  [[nodiscard]] static Cone<T> cone(const BasicCollision<T>& c, const Vector3<T>& stops_approach, const Vector3<T>& d) {
-    const Vector3<T> whole = combined(c, stops_approach, d, T(T(1) + c.tangential_restitution));
-    const Sides<T, 1> of_whole = squared_cone(c, whole);
-    const Sides<T, 1> of_friction = squared_cone(c, d);
-    return {c.normal.dot(whole), of_whole.right[0] - of_whole.left[0], of_friction.left[0] - of_friction.right[0],
-            c.normal.dot(d)};
+  [[nodiscard]] static Whole<T> whole(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
+                                      const Vector3<T>& d) {
+    const Vector3<T> f = combined(c, stops_approach, d, T(T(1) + c.tangential_restitution));
+    const Sides<T, 1> cone = squared_cone(c, f);
+    return {c.normal.dot(f), cone.right[0] - cone.left[0]};
+  }
+
+  /// Of what decides whether some κ > 0 puts F on the surface: none does where N·D ≥ 0 and the other is not positive.
+  template <class T>
+  struct Reach {
+    T along_normal;  // N·D
+    T beyond;        // ‖N × D‖² − (μ N·D)²
+  };
+  template <class T>
+  [[nodiscard]] static Reach<T> reach(const BasicCollision<T>& c, const Vector3<T>& d) {
+    const Sides<T, 1> cone = squared_cone(c, d);
+    return {c.normal.dot(d), cone.left[0] - cone.right[0]};
   }
 
   /// ‖N × D‖ − μ N·D, by which κ is divided on the cone's surface.
@@ -43,10 +52,13 @@ struct Rough {
     return sqrt(T(tangential.dot(tangential))) - c.friction * c.normal.dot(d);
   }
 
-  /// κ.
+  /// κ; without μ friction does nothing.
   template <class T>
   [[nodiscard]] static T friction_share(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                         const Vector3<T>& d, Branch branch) {
+    if (branch == Branch::only) {
+      return T(0);
+    }
     if (branch == Branch::inside_cone) {
       return T(1) + c.tangential_restitution;
     }
@@ -70,7 +82,8 @@ struct Rough {
 
   // What happens where the contact only just collides.
 
-  /// Whether the impulse does not vanish with N·V⁻: where D itself lies in the cone it does not, for great friction.
+  /// Whether the impulse does not vanish with N·V⁻ inside the cone: it does not where D itself lies in it, for great
+  /// friction.
   static constexpr bool acts_at_once = true;
 };
 

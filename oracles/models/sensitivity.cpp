@@ -142,7 +142,7 @@ Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged
 std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model, Branch branch) {
   const Places places(c);
   PerVector<Jacobian> derivatives =
-      with_law(model, [&]<class Law>(Law) { return change_derivatives<Law>(c, places, branch); });
+      with_law(model, branch, [&]<class Law>(Law) { return change_derivatives<Law>(c, places, branch); });
   const PerVector<Eigen::Index> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
                                        places.b.angular_velocity()};
   Sensitivity result = norms_before(c);
@@ -169,10 +169,9 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
       }
     }
     result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
-    // Written so that what is no number is not known. On the cone, where exact derivatives take a hundred times as long
-    // and slips cancel, a thousandth does.
+    // Written so that what is no number is not known. Exact derivatives take a hundred times as long.
     constexpr double thousandth = 0x1p-10;
-    if (!(unknown <= (branch == Branch::on_cone ? thousandth : ten_digits) * result[k]) || !std::isfinite(result[k])) {
+    if (!(unknown <= thousandth * result[k]) || !std::isfinite(result[k])) {
       return std::nullopt;
     }
   }
@@ -221,27 +220,6 @@ Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
   return answer;
 }
 
-/// |g| ≤ allowance Σ_j ‖∂g/∂x_j‖ |x_j| for g = μ N·F − ‖N × F‖, F with κ = 1 + e_t, its parts differentiated each; none
-/// where it is not known in S.
-template <class S>
-std::optional<bool> is_near_surface(const Collision& collision, double allowance) {
-  using T = Dual<S, collision_inputs>;
-  const auto inputs = dual_inputs<S, collision_inputs>(collision, [](double x) { return S(x); });
-  const BasicCollision<T>& c = inputs.collision;
-  const detail::RoughImpulses<T> of(c, nullptr);
-  const Vector3<T> whole =
-      Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
-  const T limit = c.friction * c.normal.dot(whole);
-  const Vector3<T> tangential = c.normal.cross(whole);
-  const double scale = sensitivity_of({&limit}, inputs.magnitude) +
-                       sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude);
-  const double length = root_of_squares(
-      3, [&](std::size_t i) { return detail::as_double(tangential[static_cast<Eigen::Index>(i)].value); });
-  const double distance = std::abs(detail::as_double(limit.value) - length);
-  return std::isfinite(scale) && std::isfinite(distance) ? std::optional<bool>(distance <= allowance * scale)
-                                                         : std::nullopt;
-}
-
 }  // namespace
 
 Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch) {
@@ -252,10 +230,49 @@ Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch br
   return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.magnitude);
 }
 
-bool is_near_cone_surface(const Collision& collision, double allowance, bool in_binary64) {
-  const std::optional<bool> known =
-      in_binary64 ? is_near_surface<double>(collision, allowance) : is_near_surface<Enclosure>(collision, allowance);
-  return known.value_or(true);
+ConeDistance cone_distance(const Collision& c) {
+  const Places places(c);
+  using T = Dual<double, 7>;
+  const Differentiated approach = differentiated<Rough::StopsApproach>(c, places, T(0));
+  const Differentiated point = differentiated<Rough::StopsPoint>(c, places, T(0));
+  const Vector3<double> d = point.impulse - approach.impulse;
+  const double share = 1 + c.tangential_restitution;
+  const Vector3<double> whole = Rough::combined<double>(c, approach.impulse, d, share);
+  const Jacobian& d_approach = approach.derivatives.of_impulse;
+  Jacobian d_whole = (1 + c.restitution) * d_approach + share * (point.derivatives.of_impulse - d_approach);
+  d_whole.col(places.restitution()) += approach.impulse;
+  d_whole.col(places.tangential_restitution()) += d;
+  const Vector3<double>& n = c.normal;
+  Row d_limit = c.friction * n.transpose() * d_whole;
+  d_limit.segment<3>(places.normal) += c.friction * whole.transpose();
+  d_limit[places.friction()] += n.dot(whole);
+  Jacobian d_tangential = Jacobian::Zero();
+  for (Eigen::Index j = 0; j < d_whole.cols(); ++j) {
+    d_tangential.col(j) = n.cross(d_whole.col(j));
+  }
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    d_tangential.col(places.normal + i) += Vector3<double>::Unit(i).cross(whole);
+  }
+  Jacobian d_limit_alone = Jacobian::Zero();
+  d_limit_alone.row(0) = d_limit;
+  return {std::abs(c.friction * n.dot(whole) - n.cross(whole).norm()),
+          weighted_norm(d_limit_alone, places.magnitude) + weighted_norm(d_tangential, places.magnitude)};
+}
+
+ConeDistance enclosed_cone_distance(const Collision& collision) {
+  using T = Dual<Enclosure, collision_inputs>;
+  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
+  const BasicCollision<T>& c = inputs.collision;
+  const detail::RoughImpulses<T> of(c, nullptr);
+  const Vector3<T> whole =
+      Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
+  const T limit = c.friction * c.normal.dot(whole);
+  const Vector3<T> tangential = c.normal.cross(whole);
+  const double length = root_of_squares(
+      3, [&](std::size_t i) { return detail::as_double(tangential[static_cast<Eigen::Index>(i)].value); });
+  return {std::abs(detail::as_double(limit.value) - length),
+          sensitivity_of({&limit}, inputs.magnitude) +
+              sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude)};
 }
 
 }  // namespace carom::oracles

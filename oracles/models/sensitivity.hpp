@@ -41,17 +41,29 @@ inline constexpr double ten_digits = 0x1p-34;
 /// for all but the frictionless law κ(K) is well below 1/u, and on the cone the divisor of κ keeps some of its terms.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to ten digits,
-/// on the cone to a thousandth.
+/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to a
+/// thousandth.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch);
 
 /// The same with exact derivatives.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// Whether inputs that differ relatively by `allowance` have answers of `rough` on both sides of the cone's surface: to
-/// first order, and rounded, as the sensitivities are: in binary64, or by enclosures; true where these know nothing.
-/// Preconditions: a body is movable; in binary64 as of colliding_sensitivity.
-[[nodiscard]] bool is_near_cone_surface(const Collision& collision, double allowance, bool in_binary64);
+/// How far the law `rough` with κ = 1 + e_t answers from the cone's surface, and how far inputs move that, to first
+/// order, both rounded as the sensitivities are; no numbers where they are not known.
+struct ConeDistance {
+  double distance;     // |μ N·F − ‖N × F‖|
+  double sensitivity;  // Σ_j |∂(μ N·F)/∂x_j| |x_j| + Σ_j ‖∂(N × F)/∂x_j‖ |x_j|
+
+  /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface; true where it is
+  /// not known.
+  [[nodiscard]] bool is_within(double allowance) const { return !(distance > allowance * sensitivity); }
+};
+
+/// In binary64. Preconditions: those of colliding_sensitivity.
+[[nodiscard]] ConeDistance cone_distance(const Collision& collision);
+
+/// The same with the whole law differentiated, in enclosures. Precondition: a body is movable.
+[[nodiscard]] ConeDistance enclosed_cone_distance(const Collision& collision);
 
 namespace detail {
 

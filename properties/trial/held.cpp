@@ -23,14 +23,12 @@ class Range {
 
   /// Zero, or within the range.
   void require(double size) {
-    if (exponent_ == 0) {
-      return;
-    }
     int exponent = 0;
     std::frexp(size, &exponent);
     holds_ = holds_ && std::isfinite(size) && (size == 0 || std::abs(exponent) <= exponent_);
   }
   [[nodiscard]] bool holds() const { return holds_; }
+  [[nodiscard]] bool has_ends() const { return exponent_ != 0; }
 
  private:
   int exponent_;  // 0: no end is near
@@ -71,23 +69,12 @@ Roundings roundings_of_approach(const Collision& c) {
   return roundings;
 }
 
-}  // namespace
-
-std::string_view why_not_held(const Collision& collision, double unit_roundoff) {
-  Range range(unit_roundoff);
+/// What any law makes of a contact.
+void require_all(const Collision& collision, const Roundings& approach, double unit_roundoff, Range& range) {
   double lightest = 0;  // the smaller mass, by which the impulse is bounded
   double fastest = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
-    const Vector3<double> r = oracles::lever_arm<double>(*body, collision.point);
-    const double length = largest(r);
-    const double lost =
-        ulps_that_a_size_keeps * unit_roundoff * std::max(largest(collision.point), largest(body->position));
-    if (length > 0 && lost > length) {
-      return "the lever arm is lost in the places that it is the difference of";
-    }
-    if (!body->immovable && length > 0 && lost > std::sqrt(body->principal_inertia.minCoeff() / body->mass)) {
-      return "a slender body is thinner than what its place and that of the contact are rounded by";
-    }
+    const double length = largest(oracles::lever_arm<double>(*body, collision.point));
     const double spin = largest(body->angular_velocity);
     fastest = std::max({fastest, largest(body->velocity), spin * length});
     range.require(largest(body->velocity));
@@ -104,10 +91,6 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
       range.require(length / moment * length);
     }
   }
-  const Roundings approach = roundings_of_approach(collision);
-  if (approach.of_products > 32 * approach.of_inputs) {
-    return "the rounding of w × r is more than inputs account for";
-  }
   // What the impulse is made of, or what rounding leaves of that, and what it is at most.
   const double rounding = unit_roundoff * approach.of_inputs / largest(collision.normal);
   for (const double speed : {std::max(approach.speed, rounding), fastest}) {
@@ -121,6 +104,30 @@ std::string_view why_not_held(const Collision& collision, double unit_roundoff) 
         range.require(torque / body->principal_inertia.maxCoeff());
       }
     }
+  }
+}
+
+}  // namespace
+
+std::string_view why_not_held(const Collision& collision, double unit_roundoff) {
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const double length = largest(oracles::lever_arm<double>(*body, collision.point));
+    const double lost =
+        ulps_that_a_size_keeps * unit_roundoff * std::max(largest(collision.point), largest(body->position));
+    if (length > 0 && lost > length) {
+      return "the lever arm is lost in the places that it is the difference of";
+    }
+    if (!body->immovable && length > 0 && lost > std::sqrt(body->principal_inertia.minCoeff() / body->mass)) {
+      return "a slender body is thinner than what its place and that of the contact are rounded by";
+    }
+  }
+  const Roundings approach = roundings_of_approach(collision);
+  if (approach.of_products > 32 * approach.of_inputs) {
+    return "the rounding of w × r is more than inputs account for";
+  }
+  Range range(unit_roundoff);
+  if (range.has_ends()) {
+    require_all(collision, approach, unit_roundoff, range);
   }
   return range.holds() ? std::string_view() : "masses, moments, impulse or torque leave the range of numbers";
 }

@@ -34,6 +34,20 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                     : oracles::Closeness();
 }
 
+/// `work_out()` where the unit roundoff is new.
+template <class T, class WorkOut>
+T remembered(std::vector<std::pair<double, T>>& known, double unit_roundoff, const WorkOut& work_out) {
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == unit_roundoff; });
+  return found != known.end() ? found->second : known.emplace_back(unit_roundoff, work_out()).second;
+}
+
+bool are_held(std::span<const oracles::ExactCase> questions, double unit_roundoff) {
+  return std::all_of(questions.begin(), questions.end(), [&](const oracles::ExactCase& question) {
+    return why_not_held(question.collision(), unit_roundoff).empty();
+  });
+}
+
 }  // namespace
 
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
@@ -60,9 +74,20 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
   const auto [known, is_new] = questions_.try_emplace(&invariant);
   if (is_new) {
     const auto& relation = std::get<AboutRelation>(invariant.about);
-    known->second = exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(generated_.collision), filtered_);
+    known->second.cases =
+        exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(generated_.collision), filtered_);
   }
-  return known->second;
+  return known->second.cases;
+}
+
+std::string_view JudgedCase::why_not_held_in(double unit_roundoff) const {
+  return remembered(why_not_held_, unit_roundoff, [&] { return why_not_held(generated_.collision, unit_roundoff); });
+}
+
+bool JudgedCase::are_questions_held_in(double unit_roundoff, const Invariant& invariant) const {
+  const std::span<const oracles::ExactCase> questions = questions_of(invariant);
+  return remembered(questions_.at(&invariant).are_held, unit_roundoff,
+                    [&] { return are_held(questions, unit_roundoff); });
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
@@ -156,7 +181,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     return judgement;
   }
   if (judged_case_->is_valid()) {
-    judgement.not_held = why_not_held(judged_case_->generated().collision, claim_->yardstick.unit_roundoff);
+    judgement.not_held = judged_case_->why_not_held_in(claim_->yardstick.unit_roundoff);
     if (!judgement.not_held.empty()) {
       return judgement;
     }
@@ -201,10 +226,11 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       judgement.verdicts.push_back({&invariant, outside_domain("the related collision is out of range")});
       continue;
     }
-    const bool is_held =
-        std::all_of(questions_[i].begin(), questions_[i].end(), [&](const oracles::ExactCase& question) {
-          return why_not_held(question.collision(), claim_->yardstick.unit_roundoff).empty();
-        });
+    const auto& relation = std::get<AboutRelation>(invariant.about);
+    const double unit_roundoff = claim_->yardstick.unit_roundoff;
+    const bool is_held = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
+                             ? judged_case_->are_questions_held_in(unit_roundoff, invariant)
+                             : are_held(questions_[i], unit_roundoff);
     const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
     next_question += questions_[i].size();
     if (!is_held) {
@@ -216,7 +242,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     for (std::size_t question = 0; question < answers.size(); ++question) {
       related.push_back({questions_[i][question], answers[question]});
     }
-    judgement.verdicts.push_back({&invariant, std::get<AboutRelation>(invariant.about).check(*evidence, related)});
+    judgement.verdicts.push_back({&invariant, relation.check(*evidence, related)});
   }
   return judgement;
 }

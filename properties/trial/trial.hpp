@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <carom/properties/families/family.hpp>
@@ -42,11 +44,25 @@ class JudgedCase {
   /// relation takes out of range). Preconditions: is_valid(); the invariant has `questions`.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
+  /// `why_not_held` of the collision, and whether it is empty for each of those questions; remembered for each
+  /// precision. Preconditions: is_valid(); as of `questions_of`.
+  [[nodiscard]] std::string_view why_not_held_in(double unit_roundoff) const;
+  [[nodiscard]] bool are_questions_held_in(double unit_roundoff, const Invariant& invariant) const;
+
  private:
+  /// What was worked out for each unit roundoff: there are few.
+  template <class T>
+  using PerRoundoff = std::vector<std::pair<double, T>>;
+  struct Questions {
+    std::vector<oracles::ExactCase> cases;
+    PerRoundoff<bool> are_held;
+  };
+
   Case generated_;
   bool filtered_;
   std::optional<oracles::ExactCase> exact_;
-  mutable std::map<const Invariant*, std::vector<oracles::ExactCase>> questions_;
+  mutable std::map<const Invariant*, Questions> questions_;
+  mutable PerRoundoff<std::string_view> why_not_held_;
 };
 
 /// The verdict of one invariant.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -223,6 +224,58 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
     EXPECT_NEAR(at_surface[k], expected, 16 * beside * expected) << name_of(k);
     EXPECT_GT(std::abs(inside[k] - on_cone[k]), 64 * beside * expected) << name_of(k);
   }
+}
+
+/// μ = 0: P_II is not asked, though it turns the body, nor is the cone.
+TEST(Rough, IsFrictionlessWithoutFriction) {
+  Collision c = ball_on_a_plane();
+  c.tangential_restitution = 0.5;
+  c.friction = 0;
+  const ExactCase exact_case(c);
+  const double allowance = of_binary64().allowance();
+  EXPECT_EQ(exact_case.branch(Model::rough), Branch::only);
+  EXPECT_TRUE(same(exact_case.truth(Model::rough).impulse, exact_case.truth(Model::frictionless).impulse));
+  EXPECT_EQ(exact_case.sensitivity(Model::rough, allowance), exact_case.sensitivity(Model::frictionless, allowance));
+  Collision grazing = approached_by_rounding(2);
+  grazing.friction = 0;
+  EXPECT_FALSE(ExactCase(grazing).has_two_answers(Model::rough, allowance));
+}
+
+/// F = (3/2, 6, 0) with κ = 1 + e_t, μ = 1/8.
+TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
+  Collision c = ball_on_a_plane();
+  c.a.principal_inertia.setConstant(0.5);
+  c.friction = 0.125;
+  c.tangential_restitution = 0.5;
+  EXPECT_DOUBLE_EQ(cone_distance(c).distance, 0.75);
+  EXPECT_DOUBLE_EQ(enclosed_cone_distance(c).distance, 0.75);
+  EXPECT_TRUE(cone_distance(c).is_within(1));
+  EXPECT_FALSE(cone_distance(c).is_within(0x1p-10));
+}
+
+/// By implicit differentiation and with the whole law differentiated; the tolerance is that of the sensitivities.
+TEST(ConeDistance, IsTheSameBothWays) {
+  int compared = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.approach() != Approach::colliding || !exact_case.bounds().is_moderate() ||
+        !exact_case.bounds().is_well_conditioned()) {
+      continue;
+    }
+    const ConeDistance quick = cone_distance(one.collision);
+    const ConeDistance whole = enclosed_cone_distance(one.collision);
+    EXPECT_NEAR(quick.sensitivity, whole.sensitivity, 0x1p-24 * whole.sensitivity) << family;
+    EXPECT_NEAR(quick.distance, whole.distance, 0x1p-24 * whole.sensitivity) << family;
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+TEST(ConeDistance, IsWithinWhereItIsNotKnown) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE((ConeDistance{1, unknown}.is_within(0x1p-48)));
+  EXPECT_TRUE((ConeDistance{unknown, 1}.is_within(0x1p-48)));
+  EXPECT_FALSE((ConeDistance{1, 1}.is_within(0x1p-48)));
 }
 
 TEST(Radical, IsAFieldWithAnOrder) {
