@@ -243,8 +243,8 @@ Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
 }
 
 Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance) const {
-  const bool collides = as == Approach::colliding && (approach() == Approach::colliding ||
-                                                      branch(model) != Branch::on_cone || reaches_cone());
+  const bool collides = as == Approach::colliding &&
+                        (approach() == Approach::colliding || branch(model) != Branch::on_cone || reaches_cone());
   Sensitivity sum = collides ? colliding_first_order(model, branch(model)) : unchanged_sensitivity();
   if (collides && is_near_cone_surface(model, allowance) && reaches_cone()) {
     const Sensitivity& beyond = colliding_first_order(model, other_side(branch(model)));

@@ -268,9 +268,12 @@ ConeDistance enclosed_cone_distance(const Collision& collision) {
       Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
   const T limit = c.friction * c.normal.dot(whole);
   const Vector3<T> tangential = c.normal.cross(whole);
-  const double length = root_of_squares(
-      3, [&](std::size_t i) { return detail::as_double(tangential[static_cast<Eigen::Index>(i)].value); });
-  return {std::abs(detail::as_double(limit.value) - length),
+  const double length = norm_of(Vector3<double>(tangential.unaryExpr([](const T& x) { return x.value.middle(); })));
+  double unknown = limit.value.radius();
+  for (int i = 0; i < 3; ++i) {
+    unknown += tangential[i].value.radius();
+  }
+  return {std::abs(limit.value.middle() - length) - unknown,
           sensitivity_of({&limit}, inputs.magnitude) +
               sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude)};
 }

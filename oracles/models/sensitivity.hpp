@@ -62,7 +62,7 @@ struct ConeDistance {
 /// In binary64. Preconditions: those of colliding_sensitivity.
 [[nodiscard]] ConeDistance cone_distance(const Collision& collision);
 
-/// The same with the whole law differentiated, in enclosures. Precondition: a body is movable.
+/// The same with the whole law differentiated, in enclosures: the distance from below. Precondition: a body is movable.
 [[nodiscard]] ConeDistance enclosed_cone_distance(const Collision& collision);
 
 namespace detail {
