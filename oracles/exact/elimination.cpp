@@ -129,6 +129,7 @@ void write_tangential_law(System& system, std::size_t row, const BasicCollision<
       return;
     case Model::rough:
       throw std::invalid_argument("the law `rough` is no linear system");
+    case Model::coulomb:
     case Model::any:
       break;
   }

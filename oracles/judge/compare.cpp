@@ -124,6 +124,31 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
+/// Friction and slip are known to a times what they are read off, and their product to the product of both, where their
+/// slopes vanish.
+double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                                      double allowance) {
+  const Collision& c = exact_case.collision();
+  const PerVector<double> norms = outcome.norms();
+  const auto size = [&](OutcomeVector k) { return norms[k] + exact_case.bounds().norms_before()[k]; };
+  const double impulse =
+      read_off_a ? c.a.mass * size(OutcomeVector::velocity_of_a) : c.b.mass * size(OutcomeVector::velocity_of_b);
+  const auto at_point = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
+    return size(velocity) + norm_of(Vector3<double>(c.point - body.position)) * size(spin);
+  };
+  const double velocity = at_point(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a) +
+                          at_point(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
+  return allowance * impulse * velocity * norm_of(c.normal) * norm_of(c.normal);
+}
+double part_by_curvature(const equation::FrictionAlongSlip& along, const ExactCase& exact_case,
+                         const LiftedOutcome& outcome, double allowance) {
+  return curvature_of_friction_and_slip(along.read_off_a, exact_case, outcome, allowance);
+}
+double part_by_curvature(const equation::FrictionAgainstSlip& against, const ExactCase& exact_case,
+                         const LiftedOutcome& outcome, double allowance) {
+  return curvature_of_friction_and_slip(against.read_off_a, exact_case, outcome, allowance);
+}
+
 /// All parts; none where the sum leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,

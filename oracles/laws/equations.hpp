@@ -214,6 +214,39 @@ struct FrictionCone {
   }
 };
 
+/// (N × F) × (N × V⁺) = 0: friction acts along the slip after the impulse. F is read off A or off B. Not affine.
+/// Precondition: that body is movable.
+struct FrictionAlongSlip {
+  bool read_off_a;
+
+  static constexpr bool slopes_may_cancel = true;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const Vector3<T> friction = c.normal.cross(impulse_on_a(c, after, read_off_a));
+    const Vector3<T> slip = c.normal.cross(relative_velocity<T>(c, after));
+    return {friction.cross(slip), Vector3<T>{T(0), T(0), T(0)}};
+  }
+};
+
+/// (N × F)·(N × V⁺) ≤ 0: friction does not push the slip on. As FrictionAlongSlip.
+struct FrictionAgainstSlip {
+  bool read_off_a;
+
+  static constexpr bool slopes_may_cancel = true;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const Vector3<T> friction = c.normal.cross(impulse_on_a(c, after, read_off_a));
+    const Vector3<T> slip = c.normal.cross(relative_velocity<T>(c, after));
+    return {Scalar1<T>(friction.dot(slip)), Scalar1<T>(T(0))};
+  }
+};
+
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
 /// its contact point's velocity. Not affine, but convex in the outcome. Precondition: a body is movable.
 struct Energy {
@@ -245,10 +278,11 @@ struct Energy {
 }  // namespace equation
 
 /// What the judge holds an outcome against.
-using Equation = std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
-                              equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
-                              equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks,
-                              equation::FrictionCone, equation::Energy>;
+using Equation =
+    std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
+                 equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
+                 equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::FrictionCone,
+                 equation::FrictionAlongSlip, equation::FrictionAgainstSlip, equation::Energy>;
 
 /// Those that are affine in the outcome, in the order of their names.
 inline constexpr std::array<Equation, 14> affine_equations{equation::LinearMomentum{},
@@ -326,6 +360,7 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
     case Model::rough:  // the rest is no equation of the outcome alone: certify_rough
       visit("restitution", equation::Restitution{});
       return;
+    case Model::coulomb:
     case Model::any:
       break;
   }

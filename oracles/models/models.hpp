@@ -27,6 +27,7 @@ decltype(auto) with_law(Model model, Use&& use) {
       return std::forward<Use>(use)(Sticking{});
     case Model::rough:
       return std::forward<Use>(use)(Rough{});
+    case Model::coulomb:
     case Model::any:
       break;
   }

@@ -18,11 +18,15 @@ Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, 
   return {};
 }
 
-/// Whether a collision is invalid only by fields that laws without friction do not read.
-bool is_invalid_by_friction_alone(const Collision& collision) {
+/// Whether a collision is invalid only by fields that the law does not read.
+bool is_invalid_by_unread_fields(const Collision& collision, Model model) {
   Collision without = collision;
-  without.friction = 0;
-  without.tangential_restitution = 0;
+  if (model != Model::rough && model != Model::coulomb) {
+    without.friction = 0;
+  }
+  if (model != Model::rough) {
+    without.tangential_restitution = 0;
+  }
   return validate(without).empty();
 }
 
@@ -31,7 +35,7 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
   if (std::holds_alternative<Refused>(answer)) {
     return {};
   }
-  if (model != Model::rough && is_invalid_by_friction_alone(collision)) {
+  if (is_invalid_by_unread_fields(collision, model)) {
     return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
   }
   return violated("an invalid collision was answered");

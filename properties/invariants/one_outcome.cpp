@@ -134,8 +134,8 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (collides(e)) {
     return outside_domain("the contact is colliding");
   }
-  if (e.model == Model::any) {
-    // Within rounding of a colliding contact an unknown law may act, and what it allows is not known.
+  if (!determines_outcome(e.model)) {
+    // Within rounding of a colliding contact the law may act, and what it allows is not known.
     if (e.exact_case.is_grazing(e.allowance())) {
       return outside_domain("within rounding of a colliding contact");
     }
@@ -198,6 +198,20 @@ Verdict check_friction_cone(const Evidence& e) {
                                    equation::FrictionCone{oracles::reads_impulse_off_a(e.exact_case.collision())}));
 }
 
+Verdict check_slip_opposed(const Evidence& e) {
+  if (!collides(e)) {
+    return outside_domain("the contact is not colliding");
+  }
+  if (holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{}).status == Status::holds) {
+    return {};
+  }
+  const bool off_a = oracles::reads_impulse_off_a(e.exact_case.collision());
+  return both(both(holds(e, Relation::equal, "‖N × F‖² and (μ N·F)², where the contact point slips",
+                         equation::FrictionCone{off_a}),
+                   holds(e, Relation::equal, "(N × F) × (N × V⁺) and 0", equation::FrictionAlongSlip{off_a})),
+              holds(e, Relation::at_most, "(N × F)·(N × V⁺) and 0", equation::FrictionAgainstSlip{off_a}));
+}
+
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
@@ -233,7 +247,7 @@ std::vector<Invariant> outcome_invariants() {
                 "note §1, after eq. 4", "a movable body", every_model(), AboutOutcome{check_non_penetration}},
       Invariant{"push", "The impulse pushes the bodies apart, it never pulls.", R"(N \cdot F \ge 0)",
                 "note eq. 18, with C positive definite", "a movable body",
-                std::vector{Model::frictionless, Model::reflection, Model::rough, Model::any},
+                std::vector{Model::frictionless, Model::reflection, Model::rough, Model::coulomb, Model::any},
                 AboutOutcome{check_push}},
       Invariant{"separating_untouched", "A contact that is not colliding keeps its velocities.",
                 R"(N \cdot V^- \ge 0 \Rightarrow y = (v_A^-, w_A^-, v_B^-, w_B^-))", "note §1, after eq. 2",
@@ -268,8 +282,15 @@ std::vector<Invariant> outcome_invariants() {
                 R"(\lVert N \times F \rVert \le \mu\, N \cdot F)",
                 "Coulomb friction; A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998)",
                 "a movable body",
-                {Model::rough},
+                {Model::rough, Model::coulomb},
                 AboutOutcome{check_friction_cone}},
+      Invariant{"slip_opposed",
+                "The contact point sticks, or friction is on its cone and opposed to the slip after the impulse.",
+                R"(N \times V^+ = 0 \ \lor\ \lVert V_T^+ \rVert F_T = -\mu\, (N \cdot F)\, V_T^+)",
+                "Coulomb friction; docs: the laws",
+                "colliding contacts",
+                {Model::coulomb},
+                AboutOutcome{check_slip_opposed}},
       Invariant{
           "energy",
           "The kinetic energy grows by no more than the work of a driven wall.",

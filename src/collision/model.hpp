@@ -16,18 +16,20 @@ enum class Model {
   reflection,    // the tangential velocity of the contact point is kept (Eberly's note, eq. 17, 20, 21)
   sticking,      // the contact point stops, but for ε times the approach: N·V⁺ = −ε N·V⁻, N × V⁺ = 0
   rough,         // Coulomb friction and a tangential restitution e_t (A. Chatterjee, A. Ruina 1998)
+  coulomb,       // N·V⁺ = −ε N·V⁻, and friction in its cone, opposed to the slip after the impulse, or enough to stop it
   any,           // no law in particular: only what holds for every model is judged
 };
 
 inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking, Model::rough,
-                                       Model::any};
+                                       Model::coulomb, Model::any};
 static_assert(counts_from_zero_to(all_models, Model::any));
 
 /// A value for each model.
 template <class T>
 using PerModel = EnumArray<Model, T, all_models.size()>;
 
-/// The models that determine one outcome, so that there is a truth to compare with.
+/// The models that determine one outcome, by a formula, so that there is a truth to compare with. The others are judged
+/// by the equations that hold for them.
 inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection, Model::sticking, Model::rough};
 
 [[nodiscard]] constexpr bool determines_outcome(Model model) {
@@ -44,6 +46,8 @@ inline constexpr std::array models_with_truth{Model::frictionless, Model::reflec
       return "sticking";
     case Model::rough:
       return "rough";
+    case Model::coulomb:
+      return "coulomb";
     case Model::any:
       break;
   }

@@ -30,6 +30,7 @@ constexpr void with_law(Model model, const Use& use) {
     case Model::rough:
       use([](const auto& contact, const auto&... approach) { return rough_impulse<Ldlt>(contact, approach...); });
       return;
+    case Model::coulomb:
     case Model::any:
       return;
   }
@@ -52,6 +53,8 @@ struct Description {
       return {"the contact point stops but for ε", "LDLᵀ", ""};
     case Model::rough:
       return {"Coulomb friction with tangential restitution", "LDLᵀ", "Chatterjee and Ruina 1998"};
+    case Model::coulomb:
+      return {"Coulomb friction opposed to the slip after the impulse", "LDLᵀ", ""};
     case Model::any:
       break;
   }

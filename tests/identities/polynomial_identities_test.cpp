@@ -78,6 +78,7 @@ oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model mod
     case Model::sticking:
       return oracles::equation::Sticks{}(c, y);
     case Model::rough:  // a combination of two laws, by what is no polynomial
+    case Model::coulomb:
     case Model::any:
       break;
   }
@@ -106,6 +107,7 @@ Rational energy_gain(const RationalCollision& c, Model model) {
       return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
     }
     case Model::rough:
+    case Model::coulomb:
     case Model::any:
       break;
   }

@@ -11,6 +11,7 @@
 
 #include <carom/impulse/guaranteed.hpp>
 #include <carom/impulse/laws.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>

@@ -103,6 +103,8 @@ enum class Defect {
   friction_along_rounded_tangents,
   tangential_restitution_ignored,
   tangential_restitution_reversed,
+  rough_for_coulomb,
+  cone_not_asked,
 
   // What the impulse does.
   normal_flipped_for_a,

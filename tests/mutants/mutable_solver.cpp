@@ -9,6 +9,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/contact.hpp>
+#include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/impulse/rough.hpp>
 #include <carom/impulse/solve3.hpp>
@@ -348,6 +349,48 @@ class Solver {
     }
   }
 
+  [[nodiscard]] double friction_of(const Contact& contact) const {
+    if (has(Defect::cone_wider)) {
+      constexpr double wider = 1e-9;  // the defect itself
+      return contact.friction * (1 + wider);
+    }
+    return has(Defect::friction_multiplied) ? contact.friction * contact.friction : contact.friction;
+  }
+
+  /// F of the law `coulomb`.
+  [[nodiscard]] Vector coulomb_impulse(const Contact& contact, double normal_velocity,
+                                       const Vector& frictionless_impulse) const {
+    const double friction = friction_of(contact);
+    if (friction == 0) {
+      return frictionless_impulse;
+    }
+    const Matrix basis = impulse::stable_tangent_basis(contact);
+    const Matrix matrix = impulse::in_basis<double>(collision_matrix(contact), basis);
+    const Vector velocity =
+        basis.transpose() * (impulse::relative_velocity_along_normal(contact) + slip_added(contact));
+    const Vector change{-(1 + restitution_of(contact, normal_velocity)) * normal_velocity / contact.normal.norm(),
+                        -velocity[1], -velocity[2]};
+    const impulse::detail::SlipResistance<double> law(matrix, change, lambda(contact), friction);
+    Vector impulse = law.impulse(0);
+    if (has(Defect::cone_not_asked) || law.is_in_cone(impulse)) {
+      return impulse::times(basis, impulse);
+    }
+    const Vector slip{0, velocity[1], velocity[2]};
+    const auto with_tangents = [&](double x, double y) -> Vector {
+      return {(change[0] - matrix(0, 1) * x - matrix(0, 2) * y) / matrix(0, 0), x, y};
+    };
+    if (has(Defect::friction_along_slip) && slip.norm() > 0) {
+      const Vector along = Vector::UnitX() - slip * (friction / slip.norm());
+      impulse = along * (change[0] / matrix.row(0).dot(along));
+    } else if (has(Defect::friction_clamped_by_axis)) {
+      const double limit = friction * std::abs(impulse[0]);
+      impulse = with_tangents(std::clamp(impulse[1], -limit, limit), std::clamp(impulse[2], -limit, limit));
+    } else {
+      impulse = law.impulse_on_cone();
+    }
+    return impulse::times(basis, impulse);
+  }
+
   /// κ D of the law `rough`, beside (1 + ε) P_I.
   [[nodiscard]] Vector friction_impulse(const Contact& contact, const Vector& frictionless_impulse,
                                         double normal_velocity) const {
@@ -374,14 +417,7 @@ class Solver {
     if (has(Defect::tangential_restitution_reversed)) {
       whole = 1 - contact.tangential_restitution;
     }
-    double friction = contact.friction;
-    if (has(Defect::cone_wider)) {
-      constexpr double wider = 1e-9;  // the defect itself
-      friction *= 1 + wider;
-    }
-    if (has(Defect::friction_multiplied)) {
-      friction *= friction;
-    }
+    const double friction = friction_of(contact);
     const double limit =
         friction * n.dot(has(Defect::friction_before_restitution) ? stops_approach : frictionless_impulse);
     if (has(Defect::friction_clamped_by_axis) || has(Defect::friction_in_pyramid)) {
@@ -428,6 +464,10 @@ class Solver {
                                                   n * (restitution * normal_velocity / squared_length)));
       case Model::rough:
         return as_frictionless + friction_impulse(contact, as_frictionless, normal_velocity);
+      case Model::coulomb:
+        return has(Defect::rough_for_coulomb)
+                   ? as_frictionless + friction_impulse(contact, as_frictionless, normal_velocity)
+                   : coulomb_impulse(contact, normal_velocity, as_frictionless);
       case Model::frictionless:
       case Model::any:  // no mutant claims it
         break;

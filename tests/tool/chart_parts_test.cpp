@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/subjects/methods.hpp>
+
 #include "chart/canvas.hpp"
 #include "chart/diagrams.hpp"
+#include "chart/exactness.hpp"
 #include "chart/measurement.hpp"
 
 namespace carom::tool::chart {
@@ -41,6 +44,23 @@ TEST(ChartParts, NoMethodOnTheParetoLineIsBeaten) {
       nanoseconds.size(), [&](std::size_t i) { return nanoseconds[i]; }, [&](std::size_t i) { return digits[i]; },
       [&](std::size_t i) { return sound[i]; });
   EXPECT_EQ(line, (std::vector<std::size_t>{0, 1, 5}));
+}
+
+/// A lever arm of 1 m at 10⁶ m from the origin: binary32 holds places there to 1/16 m.
+TEST(ChartParts, LeaveOutWhatAPrecisionCannotHold) {
+  std::vector<subjects::Method> methods = subjects::methods();
+  std::erase_if(methods, [](const subjects::Method& one) {
+    return one.subject.name != "frictionless-float" && one.subject.name != "frictionless-double";
+  });
+  ASSERT_EQ(methods.size(), 2U);
+  Collision c;
+  c.point = {1e6, 0, 0};
+  c.a.position = {1e6, 1, 0};
+  c.a.velocity = {0, -1, 0};
+  c.b.position = {1e6, -1, 0};
+  const std::vector<Exactness> measured = measured_exactness(methods, std::vector{c}, 32, 1);
+  EXPECT_EQ(measured[0].cases, 0U);
+  EXPECT_EQ(measured[1].cases, 1U);
 }
 
 MethodMeasurement method(const std::string& name, double nanoseconds, const std::vector<double>& digits) {

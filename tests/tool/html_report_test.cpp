@@ -118,6 +118,14 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
 }
 
+/// Where friction is on its cone the exact velocities have square roots.
+TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
+  const auto page =
+      page_of({"gate", "rough-double", "--families", "great_friction", "--cases", "100", "--limit-ulps", "0.001"});
+  EXPECT_NE(page->text.find("√"), std::string::npos);
+  EXPECT_NE(page->text.find("violated"), std::string::npos);
+}
+
 TEST(HtmlReport, EveryFormulaIsUnderstood) {
   const auto page =
       page_of({"gate", "ode-double-as-shipped", "reflection-in-basis-float", "--cases", "30", "--limit-ulps", "0.001"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/impulse/world_inertia.hpp>
@@ -88,6 +89,13 @@ template <class S>
       [](const impulse::Contact<S>& contact) { return impulse::reflection_in_stable_basis(contact); });
 }
 
+template <class S>
+[[nodiscard]] Method coulomb_method() {
+  return solver_method<S>(
+      {"coulomb", "Coulomb friction opposed to the slip after the impulse, by bisection", Model::coulomb},
+      [](const impulse::Contact<S>& contact) { return impulse::coulomb(contact); });
+}
+
 /// What every scalar type has.
 template <class S>
 [[nodiscard]] std::vector<Method> scalar_methods() {
@@ -100,6 +108,7 @@ template <class S>
   methods.push_back(std::move(adjugate));
   methods.push_back(reflection_in_basis_method<S>());
   methods.push_back(reflection_in_stable_basis_method<S>());
+  methods.push_back(coulomb_method<S>());
   std::ranges::move(world_methods<S>(), std::back_inserter(methods));
   return methods;
 }

@@ -54,11 +54,7 @@ Precision precision_named(const std::string& name) {
   throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
 }
 
-/// The law `coulomb` is part of the protocol; it is judged by what holds for every model.
 Model model_claimed(const std::string& name) {
-  if (name == "coulomb") {
-    return Model::any;
-  }
   if (const std::optional<Model> model = model_named(name)) {
     return *model;
   }

@@ -10,6 +10,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/held.hpp>
 
 namespace carom::tool::chart {
 namespace {
@@ -31,6 +32,9 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
 
 void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
                 const Answer& answer, double limit_ulps) {
+  if (!properties::why_not_held(exact_case.collision(), unit_roundoff(subject.precision)).empty()) {
+    return;
+  }
   const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
   if (outcome == nullptr || !oracles::is_finite(*outcome)) {
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
@@ -40,6 +44,9 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
   yardstick.limit_ulps = limit_ulps;
+  if (exact_case.is_open(subject.model, yardstick.allowance())) {
+    return;
+  }
   const oracles::Accuracy accuracy =
       oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);
   if (!accuracy.is_decided) {  // nothing passes by what is not known

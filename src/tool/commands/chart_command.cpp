@@ -24,8 +24,10 @@ using chart::Exactness;
 using chart::MethodMeasurement;
 using subjects::Method;
 
+/// Of laws that determine an outcome: of the others no error can be drawn.
 std::vector<Method> methods_of(const std::vector<std::string>& names) {
   std::vector<Method> all = subjects::methods();
+  std::erase_if(all, [](const Method& method) { return !determines_outcome(method.subject.model); });
   if (names.empty()) {
     return all;
   }

@@ -56,7 +56,7 @@ std::string error_anchor(std::size_t subject) { return fmt::format("error-{}", s
 void add_subject_cells(pugi::xml_node row, const SubjectResult& result, const properties::GateOptions& options,
                        std::size_t subject) {
   const auto worst = result.worst_backward_error(options);
-  const bool has_truth = result.subject.model != Model::any;
+  const bool has_truth = determines_outcome(result.subject.model);
   const pugi::xml_node verdict = add(row, "td", {{"class", "verdict " + status_of(result)}});
   if (result.error.empty()) {
     add_text(verdict, verdict_in_words(result));
@@ -264,7 +264,7 @@ void add_families(pugi::xml_node section, const GateRun& run) {
     const SubjectResult& result = run.report.results[s];
     const pugi::xml_node row = add_subject_row(body, result.subject.name);
     for (const properties::FamilyResult& family : result.families) {
-      if (family.cases == family.skipped || result.subject.model == Model::any) {
+      if (family.cases == family.skipped || !determines_outcome(result.subject.model)) {
         const pugi::xml_node cell = add(row, "td", {{"class", "unclaimed"}});
         add(cell, "span", {{"aria-hidden", "true"}}, none);
         add(cell, "span", {{"class", "spoken"}}, "nothing to compare");

@@ -73,11 +73,22 @@ void add_collision(pugi::xml_node section, const Collision& c) {
 std::vector<Model> models_shown(Model claimed) {
   std::vector<Model> models;
   for (const Model model : models_with_truth) {
-    if (claimed == model || claimed == Model::any) {
+    if (claimed == model || !determines_outcome(claimed)) {
       models.push_back(model);
     }
   }
   return models;
+}
+
+PerVector<std::string> truth_in_words(const oracles::ExactCase& exact_case, Model model) {
+  PerVector<std::string> words;
+  exact_case.with_truth(model, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+    const auto of_bodies = vectors(truth.outcome);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      words[k] = in_words<T>(*of_bodies[k]);
+    }
+  });
+  return words;
 }
 
 void add_outcome(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
@@ -88,14 +99,14 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
   }
   const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
   std::vector<std::string> columns{""};
-  std::vector<PerVector<const Vector3<Rational>*>> exact;
+  std::vector<PerVector<std::string>> exact;
   if (computed != nullptr) {
     columns.emplace_back("computed");
   }
   if (judged_case.is_valid()) {
     for (const Model model : models_shown(claimed)) {
-      columns.push_back(claimed == Model::any ? fmt::format("exact, {}", name_of(model)) : "exact");
-      exact.push_back(vectors(judged_case.exact().truth(model).outcome));
+      columns.push_back(determines_outcome(claimed) ? "exact" : fmt::format("exact, {}", name_of(model)));
+      exact.push_back(truth_in_words(judged_case.exact(), model));
     }
   }
   if (columns.size() == 1) {
@@ -110,7 +121,7 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
       cells.push_back(in_words(*vectors(*computed)[k]));
     }
     for (const auto& truth : exact) {
-      cells.push_back(in_words(*truth[k]));
+      cells.push_back(truth[k]);
     }
     rows.add_row(names[k], cells);
   }
@@ -128,9 +139,11 @@ void add_sides(pugi::xml_node section, const properties::Verdict& verdict) {
   rows.add_row("allowed", {fmt::format("{:.3g}", verdict.allowed)});
 }
 
-Motion motion_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& outcome) {
-  const Vector3<Rational> relative = oracles::relative_velocity<Rational>(collision, outcome);
-  Motion motion{map_outcome<double>(outcome, [](const Rational& x) { return oracles::nearest_double(x); }), {}};
+template <class T>
+Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
+  const auto exact = map_numbers<T>(collision, [](double x) { return T(x); });
+  const Vector3<T> relative = oracles::relative_velocity<T>(exact, outcome);
+  Motion motion{map_outcome<double>(outcome, [](const T& x) { return oracles::nearest_double(x); }), {}};
   for (int i = 0; i < 3; ++i) {
     motion.relative_velocity[i] = oracles::nearest_double(relative[i]);
   }
@@ -144,15 +157,15 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
     return;
   }
   const oracles::ExactCase& exact_case = judged_case.exact();
-  const BasicCollision<Rational>& collision = exact_case.exact();
-  ContactPicture picture{witness.shrunk.collision, motion_of(collision, unchanged(collision)), std::nullopt,
-                         std::nullopt};
+  const Collision& collision = witness.shrunk.collision;
+  ContactPicture picture{collision, motion_of(collision, unchanged(exact_case.exact())), std::nullopt, std::nullopt};
   const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
   if (computed != nullptr && oracles::is_finite(*computed)) {
     picture.computed = motion_of(collision, oracles::lift(*computed));
   }
-  if (claimed != Model::any) {
-    picture.exact = motion_of(collision, exact_case.truth(claimed).outcome);
+  if (determines_outcome(claimed)) {
+    exact_case.with_truth(claimed, exact_case.approach(),
+                          [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
   }
   add_contact_figure(section, picture, anchor, title);
 }

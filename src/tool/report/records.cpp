@@ -221,7 +221,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   if (judged_case.is_valid()) {
     record["truth"] = json::object();
     for (const Model model : models_with_truth) {
-      if (subject.model == model || subject.model == Model::any) {
+      if (subject.model == model || !determines_outcome(subject.model)) {
         record["truth"][std::string(name_of(model))] = truth_record(judged_case.exact(), model);
       }
     }

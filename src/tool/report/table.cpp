@@ -56,8 +56,11 @@ std::string families_text(const SubjectResult& result, const GateReport& report)
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const properties::FamilyResult& family = result.families[f];
     if (family.violated > 0) {
-      text += fmt::format("{}{} {} % ({:.2g})", text.empty() ? "" : ", ", report.options.families[f]->name,
-                          (100 * family.violated + family.cases - 1) / family.cases, family.worst_backward_error);
+      text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", report.options.families[f]->name,
+                          (100 * family.violated + family.cases - 1) / family.cases);
+      if (determines_outcome(result.subject.model)) {
+        text += fmt::format(" ({:.2g})", family.worst_backward_error);
+      }
     }
   }
   return text;
@@ -86,9 +89,11 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   const std::size_t violated = result.violated_invariants().size();
   const std::string status = status_of(result);
   const std::string verdict = status == "violated" ? fmt::format("{} violated", violated) : status;
+  const std::string error =
+      determines_outcome(result.subject.model) ? fmt::format("{:.3g}", worst.backward_error) : std::string("–");
   std::string line =
-      fmt::format("{:40} {:>8} {:>12} {:>10.3g} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
-                  worst.backward_error, worst.family, digits_text(result), result.nanoseconds_per_solve);
+      fmt::format("{:40} {:>8} {:>12} {:>10} {:18} {:>22} {:>8.0f}\n", result.subject.name, result.cases(), verdict,
+                  error, worst.family, digits_text(result), result.nanoseconds_per_solve);
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }

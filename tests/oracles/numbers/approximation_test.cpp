@@ -155,7 +155,7 @@ TEST(Approximation, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {
     const Rational x =
-        ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30)) * two_to(stream.integer(-300, 300));
+        ratio(stream.integer(1, 1 << 30), stream.integer(1, 1 << 30)) * unit::two_to(stream.integer(-300, 300));
     const double radius = stream.chance(2) ? 0 : to_double(x) * stream.power_of_ten(-30, -1);
     const Approximation around = approximation_of(Enclosure(x)).widened_by(radius);
     const Approximation root = sqrt(around);

@@ -44,7 +44,7 @@ TEST(Introduction, MayClaimEveryModelOfTheProtocol) {
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).model, Model::any);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "sticking")).model, Model::sticking);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "rough")).model, Model::rough);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "coulomb")).model, Model::any);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "coulomb")).model, Model::coulomb);
 }
 
 TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/laws/truth.hpp>
+
+namespace carom::oracles {
+
+/// An answer of the law `coulomb`, which may have several to one collision.
+struct CoulombAnswer {
+  bool sticks;            // N × V⁺ = 0
+  Truth<Rational> truth;  // exact where it sticks or μ = 0; else of a slip resistance within 2⁻¹²⁰ of the exact one
+};
+
+/// All answers of the law `coulomb` to a contact that collides:
+///
+///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
+///
+/// With M(ν) = K + ν P, P the projection across N, F = M(ν)⁻¹ b for b = −(V⁻ + ε (N·V⁻)/(N·N) N): sticking at ν = 0.
+/// By Cramer's rule F = n(ν) / det M(ν), n quadratic and the determinant positive, so that the answers that slip are
+/// the positive roots of the quartic ‖N × n‖² − (μ N·n)² with N·n > 0: isolated, and so counted, exactly. There is at
+/// least one answer: where F(0) is not in the cone, F(ν) is on its surface on the way to the frictionless F(∞), which
+/// is. Precondition: the contact collides.
+[[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& collision);
+
+}  // namespace carom::oracles

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/contact_impulse.hpp>
+#include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/solve3.hpp>
+#include <carom/impulse/sticking.hpp>
+
+namespace carom::impulse {
+
+namespace detail {
+
+/// The impulses of the law `coulomb` in a basis {N, T0, T1}, by the resistance to slip ν: V_T⁺ + ν F_T = 0.
+template <class S>
+class SlipResistance {
+ public:
+  /// C in the basis, the change of velocity that is asked for, and a lower bound of the eigenvalues of C.
+  SlipResistance(const Matrix3<S>& matrix, const Vector3<S>& change, const S& least, const S& friction)
+      : matrix_(matrix), change_(change), least_(least), friction_(friction) {}
+
+  [[nodiscard]] Vector3<S> impulse(const S& resistance) const {
+    Matrix3<S> resisting = matrix_;
+    resisting(1, 1) += resistance;
+    resisting(2, 2) += resistance;
+    return Ldlt::solve<S>(resisting, change_, least_);
+  }
+  [[nodiscard]] bool is_in_cone(const Vector3<S>& impulse) const {
+    return std::hypot(impulse[1], impulse[2]) <= friction_ * impulse[0];
+  }
+
+  /// Precondition: the impulse without resistance is not in the cone, and μ > 0.
+  [[nodiscard]] Vector3<S> impulse_on_cone() const {
+    constexpr S step = 256;
+    S inside = matrix_.trace();
+    while (!is_in_cone(impulse(inside)) && inside < std::numeric_limits<S>::max() / step) {
+      inside *= step;
+    }
+    S outside = inside / step;
+    while (outside > S(0) && is_in_cone(impulse(outside))) {
+      inside = outside;
+      outside /= step;
+    }
+    for (S middle = (inside + outside) / 2; outside < middle && middle < inside; middle = (inside + outside) / 2) {
+      (is_in_cone(impulse(middle)) ? inside : outside) = middle;
+    }
+    return impulse(inside);
+  }
+
+ private:
+  Matrix3<S> matrix_;
+  Vector3<S> change_;
+  S least_;
+  S friction_;
+};
+
+}  // namespace detail
+
+/// The law `coulomb`, what engines aim at: Newton's restitution, and friction opposed to the slip after the impulse,
+///
+///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
+///
+/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), P the projection across N: the contact point
+/// sticks at ν = 0, and slips without friction as ν → ∞. There F lies in the cone. So where it does not at ν = 0, some
+/// ν > 0 in between puts it on the surface: there always is an answer (docs/guide/laws.md), and bisection finds one.
+///
+/// S is a floating-point type. Precondition: the contact was made from a valid collision.
+template <class S>
+[[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact) {
+  const S approach = normal_velocity(contact);
+  if (!is_colliding(contact, approach)) {
+    return {false, contact.normal};
+  }
+  const Matrix3<S> basis = stable_tangent_basis(contact);
+  const Vector3<S> velocity = relative_velocity_along_normal(contact);
+  const Vector3<S> change{-(S(1) + contact.restitution) * approach / std::sqrt(dot(contact.normal, contact.normal)),
+                          -basis.col(1).dot(velocity), -basis.col(2).dot(velocity)};
+  const detail::SlipResistance<S> law(in_basis<S>(collision_matrix(contact), basis), change, inverse_mass(contact),
+                                      contact.friction);
+  const Vector3<S> sticking = law.impulse(S(0));
+  return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
+}
+
+/// A contact that is not colliding keeps its velocities; without friction the answer is the frictionless one.
+/// Precondition: the contact was made from a valid collision.
+template <class S>
+[[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact) {
+  return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact)) : frictionless(contact);
+}
+
+}  // namespace carom::impulse

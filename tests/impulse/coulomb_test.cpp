@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/impulse/coulomb.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/coulomb.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::impulse {
+namespace {
+
+/// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
+Collision ball_on_a_plane(double friction) {
+  Collision c;
+  c.a.principal_inertia.setConstant(0.5);
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {-3, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  c.friction = friction;
+  return c;
+}
+
+TEST(Coulomb, SticksWhereFrictionSuffices) {
+  const Outcome<double> after = coulomb(make_contact<double>(ball_on_a_plane(0.25)));
+  EXPECT_TRUE(after.a.velocity.isApprox(Vector3<double>(-2, 2, 0), 0x1p-50)) << after.a.velocity;
+  EXPECT_TRUE(after.a.angular_velocity.isApprox(Vector3<double>(0, 0, 2), 0x1p-50)) << after.a.angular_velocity;
+}
+
+TEST(Coulomb, SlidesWhereItDoesNot) {
+  const Outcome<double> after = coulomb(make_contact<double>(ball_on_a_plane(0.125)));
+  EXPECT_TRUE(after.a.velocity.isApprox(Vector3<double>(-2.25, 2, 0), 0x1p-50)) << after.a.velocity;
+  EXPECT_TRUE(after.a.angular_velocity.isApprox(Vector3<double>(0, 0, 1.5), 0x1p-50)) << after.a.angular_velocity;
+}
+
+TEST(Coulomb, HasTheBitsOfFrictionlessWithoutFriction) {
+  const auto contact = make_contact<double>(ball_on_a_plane(0));
+  const Outcome<double> after = coulomb(contact);
+  EXPECT_EQ(after.a.velocity, frictionless(contact).a.velocity);
+  EXPECT_EQ(after.a.angular_velocity, frictionless(contact).a.angular_velocity);
+}
+
+TEST(Coulomb, KeepsWhatSeparates) {
+  Collision c = ball_on_a_plane(0.5);
+  c.a.velocity[1] = 4;
+  EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
+}
+
+/// Of real bodies, whose K is well conditioned: F is one of the exact answers, to κ(K) ≤ 16 and the steps of a solve.
+TEST(Coulomb, FindsAnAnswer) {
+  int slides = 0;
+  for (const char* family : {"physical", "collinear_spheres"}) {
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Collision collision = unit::case_of(family, i).collision;
+      if (oracles::ExactCase(collision).approach() != oracles::Approach::colliding) {
+        continue;
+      }
+      const auto contact = make_contact<double>(collision);
+      const Outcome<double> found = coulomb(contact);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(oracles::lift(collision))) {
+        const Vector3<double> exact = answer.truth.outcome.a.velocity.unaryExpr(
+            [](const oracles::Rational& x) { return oracles::nearest_double(x); });
+        nearest = std::min(nearest, (found.a.velocity - exact).norm());
+        slides += answer.sticks ? 0 : 1;
+      }
+      const double speed = collision.a.velocity.norm() + collision.b.velocity.norm();
+      EXPECT_LE(nearest, 0x1p-40 * speed) << family << ' ' << i;
+    }
+  }
+  EXPECT_GT(slides, 20);
+}
+
+}  // namespace
+}  // namespace carom::impulse

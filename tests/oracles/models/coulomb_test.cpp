@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/coulomb.hpp>
+
+#include "support/exact.hpp"
+
+/// The answers of the law `coulomb`, counted.
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using unit::same;
+
+/// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
+Collision ball_on_a_plane(double friction) {
+  Collision c;
+  c.a.principal_inertia.setConstant(0.5);
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {-3, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  c.friction = friction;
+  return c;
+}
+
+TEST(CoulombAnswers, StickWhereFrictionSuffices) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0.25)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_TRUE(answers[0].sticks);
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(1, 6, 0)));
+}
+
+/// F = (3/4, 6, 0), V⁺ = (−3/4, 2, 0), so ν = 1.
+TEST(CoulombAnswers, SlideWhereItDoesNot) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_FALSE(answers[0].sticks);
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(ratio(3, 4), 6, 0)));
+}
+
+TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
+}
+
+/// The impulse of an answer satisfies what defines the law, to what its slip resistance is isolated to.
+void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
+  const BasicCollision<Rational> c = lift(collision);
+  const Vector3<Rational>& f = answer.truth.impulse;
+  const Vector3<Rational> after = relative_velocity<Rational>(c, answer.truth.outcome);
+  EXPECT_EQ(c.normal.dot(after), -c.restitution * normal_velocity_before(c));
+  const Vector3<Rational> friction = c.normal.cross(f);
+  const Vector3<Rational> slip = c.normal.cross(after);
+  const Rational limit = c.friction * c.normal.dot(f);
+  EXPECT_GE(limit, 0);
+  if (answer.sticks) {
+    EXPECT_TRUE(slip.isZero(0));
+    EXPECT_LE(friction.dot(friction), limit * limit);
+    return;
+  }
+  EXPECT_TRUE(friction.cross(slip).isZero(0));
+  EXPECT_LE(friction.dot(slip), 0);
+  EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
+}
+
+/// There always is one, whatever the bodies: the theorem above coulomb_answers.
+TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
+  int slides = 0;
+  int several = 0;
+  for (const auto& [family, one] : unit::valid_cases(6)) {
+    if (ExactCase(one.collision).approach() != Approach::colliding) {
+      continue;
+    }
+    const std::vector<CoulombAnswer> answers = coulomb_answers(lift(one.collision));
+    EXPECT_GE(answers.size(), 1U) << family;
+    EXPECT_TRUE(!one.convex_uniform || answers.size() == 1) << family;
+    several += answers.size() > 1 ? 1 : 0;
+    for (const CoulombAnswer& answer : answers) {
+      expect_lawful(one.collision, answer);
+      slides += answer.sticks ? 0 : 1;
+    }
+  }
+  EXPECT_GT(slides, 30);
+  RecordProperty("several", several);
+}
+
+}  // namespace
+}  // namespace carom::oracles
