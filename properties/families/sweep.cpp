@@ -4,6 +4,7 @@
 
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/sweep.hpp>
 
 namespace carom::properties {
@@ -140,6 +141,12 @@ constexpr std::array sweeps{
 };
 
 }  // namespace
+
+Collision Sweep::generate(Stream& stream, double at_quantity) const {
+  Collision collision = draw(stream, at_quantity);
+  set_friction(stream, collision);
+  return collision;
+}
 
 std::span<const Sweep> all_sweeps() { return sweeps; }
 

@@ -17,7 +17,10 @@ struct Sweep {
   std::string_view summary;
   int first_exponent;  // of the easy end
   int last_exponent;   // of the hard end; may be the smaller one
-  Collision (*generate)(Stream&, double quantity);
+  Collision (*draw)(Stream&, double quantity);
+
+  /// With friction and a tangential restitution, as families have them.
+  [[nodiscard]] Collision generate(Stream& stream, double at_quantity) const;
 };
 
 [[nodiscard]] std::span<const Sweep> all_sweeps();

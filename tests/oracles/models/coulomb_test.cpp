@@ -89,5 +89,18 @@ TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   RecordProperty("several", several);
 }
 
+/// A general K and great friction: one answer sticks, two slip (docs/findings/friction.md).
+TEST(CoulombAnswers, MayBeThree) {
+  properties::Stream stream = properties::case_stream(1, "structured", 181);
+  Collision c = properties::family_named("structured")->generate(stream).collision;
+  c.friction = 5;
+  const std::vector<CoulombAnswer> answers = coulomb_answers(lift(c));
+  ASSERT_EQ(answers.size(), 3U);
+  for (const CoulombAnswer& answer : answers) {
+    expect_lawful(c, answer);
+  }
+  EXPECT_FALSE(same(answers[1].truth.impulse, answers[2].truth.impulse));
+}
+
 }  // namespace
 }  // namespace carom::oracles
