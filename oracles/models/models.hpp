@@ -168,8 +168,9 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<Law>
   return with_law(model, [&]<class Law>(Law) { return detail::kept_equations_of<Law>[equation]; });
 }
 
-/// Whether the impulse of the model on this branch does not vanish with N·V⁻. Where inputs within rounding include both colliding and
-/// separating contacts, its answers to both are then open to an outcome, and neither is asked of it alone.
+/// Whether the impulse of the model on this branch does not vanish with N·V⁻. Where inputs within rounding include both
+/// colliding and separating contacts, its answers to both are then open to an outcome, and neither is asked of it
+/// alone.
 [[nodiscard]] inline bool acts_at_once(Model model, Branch branch) {
   return with_law(model, branch, [&]<class Law>(Law) { return Law::acts_at_once && branch != Branch::on_cone; });
 }

@@ -230,6 +230,19 @@ Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch br
   return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.magnitude);
 }
 
+namespace {
+
+/// |μ N·F − ‖N × F‖|, F with κ = 1 + e_t, from below: near the surface it is what rounding would leave.
+double distance_from_cone(const BasicCollision<Enclosure>& c) {
+  const detail::RoughImpulses<Enclosure> of(c, nullptr);
+  const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
+                                                              Enclosure(Enclosure(1.0) + c.tangential_restitution));
+  const Vector3<Enclosure> tangential = c.normal.cross(whole);
+  return Enclosure(c.friction * c.normal.dot(whole) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
+}
+
+}  // namespace
+
 ConeDistance cone_distance(const Collision& c) {
   const Places places(c);
   using T = Dual<double, 7>;
@@ -255,7 +268,7 @@ ConeDistance cone_distance(const Collision& c) {
   }
   Jacobian d_limit_alone = Jacobian::Zero();
   d_limit_alone.row(0) = d_limit;
-  return {std::abs(c.friction * n.dot(whole) - n.cross(whole).norm()),
+  return {distance_from_cone(map_numbers<Enclosure>(c, [](double x) { return Enclosure(x); })),
           weighted_norm(d_limit_alone, places.magnitude) + weighted_norm(d_tangential, places.magnitude)};
 }
 
@@ -268,12 +281,8 @@ ConeDistance enclosed_cone_distance(const Collision& collision) {
       Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
   const T limit = c.friction * c.normal.dot(whole);
   const Vector3<T> tangential = c.normal.cross(whole);
-  const double length = norm_of(Vector3<double>(tangential.unaryExpr([](const T& x) { return x.value.middle(); })));
-  double unknown = limit.value.radius();
-  for (int i = 0; i < 3; ++i) {
-    unknown += tangential[i].value.radius();
-  }
-  return {std::abs(limit.value.middle() - length) - unknown,
+  const auto enclosed = map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); });
+  return {distance_from_cone(enclosed),
           sensitivity_of({&limit}, inputs.magnitude) +
               sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude)};
 }

@@ -49,9 +49,9 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
 
 /// How far the law `rough` with κ = 1 + e_t answers from the cone's surface, and how far inputs move that, to first
-/// order, both rounded as the sensitivities are; no numbers where they are not known.
+/// order, rounded as the sensitivities are; no number where it is not known.
 struct ConeDistance {
-  double distance;     // |μ N·F − ‖N × F‖|
+  double distance;     // |μ N·F − ‖N × F‖|, from below, by enclosures
   double sensitivity;  // Σ_j |∂(μ N·F)/∂x_j| |x_j| + Σ_j ‖∂(N × F)/∂x_j‖ |x_j|
 
   /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface; true where it is
@@ -62,7 +62,7 @@ struct ConeDistance {
 /// In binary64. Preconditions: those of colliding_sensitivity.
 [[nodiscard]] ConeDistance cone_distance(const Collision& collision);
 
-/// The same with the whole law differentiated, in enclosures: the distance from below. Precondition: a body is movable.
+/// The same with the whole law differentiated, in enclosures. Precondition: a body is movable.
 [[nodiscard]] ConeDistance enclosed_cone_distance(const Collision& collision);
 
 namespace detail {

@@ -202,8 +202,9 @@ Verdict check_slip_opposed(const Evidence& e) {
   if (!collides(e)) {
     return outside_domain("the contact is not colliding");
   }
-  if (holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{}).status == Status::holds) {
-    return {};
+  Verdict sticks = holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
+  if (sticks.status != Status::violated) {  // it holds, or cannot be decided
+    return sticks;
   }
   const bool off_a = oracles::reads_impulse_off_a(e.exact_case.collision());
   return both(both(holds(e, Relation::equal, "‖N × F‖² and (μ N·F)², where the contact point slips",
@@ -284,13 +285,14 @@ std::vector<Invariant> outcome_invariants() {
                 "a movable body",
                 {Model::rough, Model::coulomb},
                 AboutOutcome{check_friction_cone}},
-      Invariant{"slip_opposed",
-                "The contact point sticks, or friction is on its cone and opposed to the slip after the impulse.",
-                R"(N \times V^+ = 0 \ \lor\ \lVert V_T^+ \rVert F_T = -\mu\, (N \cdot F)\, V_T^+)",
-                "Coulomb friction; docs: the laws",
-                "colliding contacts",
-                {Model::coulomb},
-                AboutOutcome{check_slip_opposed}},
+      Invariant{
+          "slip_opposed",
+          "The contact point sticks, or friction is on its cone and opposed to the slip after the impulse.",
+          R"(N \times V^+ = 0 \ \lor\ \lVert N \times V^+ \rVert\, (N \times F) = -\mu\, (N \cdot F)\, (N \times V^+))",
+          "Coulomb friction; docs: the laws",
+          "colliding contacts",
+          {Model::coulomb},
+          AboutOutcome{check_slip_opposed}},
       Invariant{
           "energy",
           "The kinetic energy grows by no more than the work of a driven wall.",

@@ -31,7 +31,7 @@ struct BasicCollision {
   Vector3<S> point{S{0}, S{0}, S{0}};   // contact point P, world [m]
   Vector3<S> normal{S{0}, S{1}, S{0}};  // on body B, pointing from B to A, world; any nonzero length
   S restitution{1};                     // ε in [0, 1]
-  S friction{0};                        // Coulomb coefficient μ ≥ 0; read by the model `rough` alone
+  S friction{0};                        // Coulomb coefficient μ ≥ 0; read by `rough` and `coulomb` alone
   S tangential_restitution{0};          // e_t in [-1, 1]; read by the model `rough` alone
 };
 

@@ -29,8 +29,8 @@ struct Contact {
   ContactBody<S, Inertia> b;
   Vector3<S> normal;         // N, on body B, pointing from B to A; any nonzero length
   S restitution;             // ε in [0, 1]
-  S friction;                // μ ≥ 0; read by the law `rough` alone, as the next
-  S tangential_restitution;  // e_t in [-1, 1]
+  S friction;                // μ ≥ 0; read by the laws `rough` and `coulomb` alone
+  S tangential_restitution;  // e_t in [-1, 1]; read by `rough` alone
 };
 
 /// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of

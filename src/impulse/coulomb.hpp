@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,8 +37,9 @@ class SlipResistance {
   /// Precondition: the impulse without resistance is not in the cone, and μ > 0.
   [[nodiscard]] Vector3<S> impulse_on_cone() const {
     constexpr S step = 256;
-    S inside = matrix_.trace();
-    while (!is_in_cone(impulse(inside)) && inside < std::numeric_limits<S>::max() / step) {
+    constexpr S largest = std::numeric_limits<S>::max() / step;
+    S inside = std::min(S(matrix_.trace()), largest);
+    while (!is_in_cone(impulse(inside)) && inside < largest) {
       inside *= step;
     }
     S outside = inside / step;
@@ -68,7 +70,7 @@ class SlipResistance {
 /// sticks at ν = 0, and slips without friction as ν → ∞. There F lies in the cone. So where it does not at ν = 0, some
 /// ν > 0 in between puts it on the surface: there always is an answer (docs/guide/laws.md), and bisection finds one.
 ///
-/// S is a floating-point type. Precondition: the contact was made from a valid collision.
+/// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
 template <class S>
 [[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact) {
   const S approach = normal_velocity(contact);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the laws with friction differ (docs/findings/friction.md): friction_laws [CASES]
 // How many answers `coulomb` has, by κ(K) and μ, of general bodies and of real ones; how often an answer creates
-// energy; and how far it is from that of `rough` at e_t = 0. All exact but for print.
+// energy; and how far it is from that of `rough` at e_t = 0. The answers are exact, of what slips to 2⁻¹²⁰.
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -143,6 +144,9 @@ void print_map(std::string_view family, const Map& map) {
 
 int run(int argc, char** argv) {
   const std::uint64_t cases = argc > 1 ? std::stoull(argv[1]) : 1000;
+  if (cases == 0) {
+    throw std::invalid_argument("CASES: expected a number greater than 0");
+  }
   for (const char* family : {"physical", "collinear_spheres", "structured"}) {
     print_map(family, map_of(family, cases));
   }

@@ -105,6 +105,7 @@ enum class Defect {
   tangential_restitution_reversed,
   rough_for_coulomb,
   cone_not_asked,
+  always_slides,
 
   // What the impulse does.
   normal_flipped_for_a,

@@ -372,10 +372,14 @@ class Solver {
                         -velocity[1], -velocity[2]};
     const impulse::detail::SlipResistance<double> law(matrix, change, lambda(contact), friction);
     Vector impulse = law.impulse(0);
+    const Vector slip{0, velocity[1], velocity[2]};
+    if (has(Defect::always_slides) && slip.norm() > 0) {
+      const Vector along = Vector::UnitX() - slip * (friction / slip.norm());
+      return impulse::times(basis, Vector(along * (change[0] / matrix.row(0).dot(along))));
+    }
     if (has(Defect::cone_not_asked) || law.is_in_cone(impulse)) {
       return impulse::times(basis, impulse);
     }
-    const Vector slip{0, velocity[1], velocity[2]};
     const auto with_tangents = [&](double x, double y) -> Vector {
       return {(change[0] - matrix(0, 1) * x - matrix(0, 2) * y) / matrix(0, 0), x, y};
     };

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include <carom/impulse/products.hpp>
@@ -41,9 +42,11 @@ template <class S>
 }
 
 /// x y − `product`, exactly, where `product` is x y rounded (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", Numerische Mathematik 18, 1971).
+/// the available precision", Numerische Mathematik 18, 1971), unless x or y is within 2³³ of the end of the range.
 [[nodiscard]] inline long double error_of_product(long double x, long double y, long double product) {
-  constexpr long double split = 0x1p+32L + 1;  // in halves of 32 bits
+  static_assert(std::numeric_limits<long double>::radix == 2);
+  constexpr int half = (std::numeric_limits<long double>::digits + 1) / 2;
+  constexpr long double split = static_cast<long double>(1ULL << half) + 1;
   const long double x_high = split * x - (split * x - x);
   const long double y_high = split * y - (split * y - y);
   const long double x_low = x - x_high;

@@ -99,6 +99,8 @@ TEST(CoulombAnswers, MayBeThree) {
   for (const CoulombAnswer& answer : answers) {
     expect_lawful(c, answer);
   }
+  EXPECT_TRUE(answers[0].sticks);
+  EXPECT_FALSE(answers[1].sticks || answers[2].sticks);
   EXPECT_FALSE(same(answers[1].truth.impulse, answers[2].truth.impulse));
 }
 
