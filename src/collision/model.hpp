@@ -16,12 +16,12 @@ enum class Model {
   reflection,    // the tangential velocity of the contact point is kept (Eberly's note, eq. 17, 20, 21)
   sticking,      // the contact point stops, but for ε times the approach: N·V⁺ = −ε N·V⁻, N × V⁺ = 0
   rough,         // Coulomb friction and a tangential restitution e_t (A. Chatterjee, A. Ruina 1998)
-  coulomb,       // N·V⁺ = −ε N·V⁻, and friction in its cone, opposed to the slip after the impulse, or enough to stop it
+  coulomb,       // N·V⁺ = −ε N·V⁻, and friction in its cone that stops the slip, or opposes what is left of it
   any,           // no law in particular: only what holds for every model is judged
 };
 
-inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking, Model::rough,
-                                       Model::coulomb, Model::any};
+inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking,
+                                       Model::rough,        Model::coulomb,    Model::any};
 static_assert(counts_from_zero_to(all_models, Model::any));
 
 /// A value for each model.
