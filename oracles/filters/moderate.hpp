@@ -26,6 +26,7 @@ inline constexpr double largest_moderate_outcome = 0x1p+63;
 /// What the inequalities (2) to (5) of `is_moderate` say, each found by running the laws over magnitudes
 /// (docs/internals/bounds.md).
 inline constexpr double largest_scale_of_moderate = 0x1p+245;
+inline constexpr double largest_scale_of_moderate_friction = 0x1p+569;
 inline constexpr double largest_sensitivity_of_moderate = 0x1p+594;
 inline constexpr double largest_on_the_way_of_moderate = 0x1p+920;
 inline constexpr double least_slope_of_moderate = 0x1p-280;
@@ -34,7 +35,8 @@ inline constexpr double least_slope_of_moderate = 0x1p-280;
 /// moderate mass:
 ///
 ///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M;
-///   (2) Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁴⁵ for every law g: its scale;
+///   (2) Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁴⁵ for every law g: its scale; ≤ 2⁵⁶⁹ for those
+///       of friction, which have the impulse in second degree;
 ///   (3) Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the truth y of either law, by (1), and Σ_j ‖∂K/∂x_j‖ |x_j| too;
 ///   (4) whatever is computed on the way is at most 2⁹²⁰, so that nothing overflows;
 ///   (5) a slope ∂g/∂ŷ_k of an affine law is zero or at least 2⁻²⁸⁰ in size.

@@ -148,9 +148,25 @@ double Accuracy::backward_error(double unit_roundoff) const {
   return worst;
 }
 
-double Accuracy::digits() const {
+namespace {
+
+double digits_by(double relative_error) {
   constexpr double exact = 40;
   return relative_error > 0 ? std::min(exact, -std::log10(relative_error)) : exact;
+}
+
+}  // namespace
+
+double Accuracy::digits() const { return digits_by(relative_error); }
+
+double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
+                 const Outcome<Rational>& computed) {
+  const Rational deviation = twice_energy(collision, minus(computed, exact));
+  const Rational change = twice_energy(collision, minus(exact, unchanged(collision)));
+  if (change == 0) {
+    return digits_by(deviation == 0 ? 0 : HUGE_VAL);
+  }
+  return digits_by(std::sqrt(nearest_double(Rational(deviation / change))));
 }
 
 namespace {

@@ -35,6 +35,10 @@ struct Accuracy {
   static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
+/// Correct digits of the change of the velocities, as Accuracy::digits, of an outcome beside an exact one.
+[[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
+                               const Outcome<Rational>& computed);
+
 /// Where the case has two answers by this model, that of the answer by which the outcome passes; of the truth where
 /// there is none. Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most
 /// `known`, by a filtered yardstick, the sensitivity may be a lower bound in place of the number itself, at a small

@@ -29,6 +29,18 @@ template <class T>
   return {Scalar1<T>(tangential.dot(tangential)), Scalar1<T>(limit * limit)};
 }
 
+/// N × F and N × V⁺.
+template <class T>
+struct FrictionAndSlip {
+  Vector3<T> friction;
+  Vector3<T> slip;
+};
+template <class T>
+[[nodiscard]] FrictionAndSlip<T> friction_and_slip(const BasicCollision<T>& c, const Outcome<T>& after,
+                                                   bool read_off_a) {
+  return {c.normal.cross(impulse_on_a(c, after, read_off_a)), c.normal.cross(relative_velocity<T>(c, after))};
+}
+
 /// The equations that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a
 /// collision.
 enum class AffineEquation {
@@ -225,8 +237,7 @@ struct FrictionAlongSlip {
 
   template <class T>
   [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
-    const Vector3<T> friction = c.normal.cross(impulse_on_a(c, after, read_off_a));
-    const Vector3<T> slip = c.normal.cross(relative_velocity<T>(c, after));
+    const auto [friction, slip] = friction_and_slip(c, after, read_off_a);
     return {friction.cross(slip), Vector3<T>{T(0), T(0), T(0)}};
   }
 };
@@ -241,8 +252,7 @@ struct FrictionAgainstSlip {
 
   template <class T>
   [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
-    const Vector3<T> friction = c.normal.cross(impulse_on_a(c, after, read_off_a));
-    const Vector3<T> slip = c.normal.cross(relative_velocity<T>(c, after));
+    const auto [friction, slip] = friction_and_slip(c, after, read_off_a);
     return {Scalar1<T>(friction.dot(slip)), Scalar1<T>(T(0))};
   }
 };

@@ -69,15 +69,14 @@ bool is_positive_at(const Polynomial& polynomial, const PositiveRoots& roots, In
 std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
   if (c.friction == 0) {
     Truth<Rational> truth = colliding_truth(c, Model::frictionless, Branch::only);
-    const bool sticks = c.normal.cross(relative_velocity<Rational>(c, truth.outcome)).isZero(0);
-    return {{sticks, std::move(truth)}};
+    return {{AnswerKind::frictionless, std::move(truth)}};
   }
   const Slip slip(c);
   std::vector<CoulombAnswer> answers;
   const Vector3<Rational> sticking = slip.impulse(Rational(0));
   const Sides<Rational, 1> cone = squared_cone(c, sticking);
   if (c.normal.dot(sticking) >= 0 && cone.left[0] <= cone.right[0]) {
-    answers.push_back({true, truth_by(c, sticking)});
+    answers.push_back({AnswerKind::sticks, truth_by(c, sticking)});
   }
   const std::array<Polynomial, 3> n = slip.numerators();
   const auto times = [](const Rational& factor, const Polynomial& of) { return Polynomial({factor}) * of; };
@@ -93,7 +92,7 @@ std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
   const PositiveRoots roots(surface);
   for (const Interval& root : roots.intervals()) {
     if (is_positive_at(along, roots, root)) {
-      answers.push_back({false, truth_by(c, slip.impulse(roots.refined(root, bits_of_resistance).high))});
+      answers.push_back({AnswerKind::slips, truth_by(c, slip.impulse(roots.refined(root, bits_of_resistance).high))});
     }
   }
   return answers;

@@ -8,10 +8,34 @@
 
 namespace carom::oracles {
 
+/// How an answer of the law `coulomb` ends.
+enum class AnswerKind {
+  untouched,     // no impulse acts
+  sticks,        // N × V⁺ = 0
+  frictionless,  // μ = 0: slips or not
+  slips,         // on the surface of the cone, against the slip
+};
+
+[[nodiscard]] constexpr const char* name_of(AnswerKind kind) {
+  switch (kind) {
+    case AnswerKind::sticks:
+      return "sticks";
+    case AnswerKind::frictionless:
+      return "frictionless";
+    case AnswerKind::slips:
+      return "slips";
+    case AnswerKind::untouched:
+      break;
+  }
+  return "untouched";
+}
+
 /// An answer of the law `coulomb`, which may have several to one collision.
 struct CoulombAnswer {
-  bool sticks;            // N × V⁺ = 0
-  Truth<Rational> truth;  // exact where it sticks or μ = 0; else of a slip resistance within 2⁻¹²⁰ of the exact one
+  AnswerKind kind;
+  Truth<Rational> truth;  // exact unless it slips: then of a slip resistance within 2⁻¹²⁰ of the exact one
+
+  [[nodiscard]] bool is_exact() const { return kind != AnswerKind::slips; }
 };
 
 /// All answers of the law `coulomb` to a contact that collides:

@@ -5,6 +5,7 @@
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
+#include <carom/properties/families/published.hpp>
 #include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
@@ -297,10 +298,14 @@ constexpr std::array families{
     Family{"sticking", "friction more than enough to do all that it is to do, by 10^-3 to 10^2", sticking},
     Family{"sliding", "less friction than that", sliding},
     Family{"on_the_cone", "as much as that but for 10^-k, k = 1 to 18, on either side", on_the_cone},
+    Family{"stick_or_slip", "as much as the law coulomb needs to stick but for 10^-k, k = 1 to 18, on either side",
+           stick_or_slip},
     Family{"no_friction", "μ = 0, any e_t", no_friction},
     Family{"great_friction", "μ = 10^k, k = 0 to 9", great_friction},
     Family{"spin_alone", "touching spheres that slip by their spins alone", spin_alone},
     Family{"special_tangential_restitution", "e_t = −1, 0 or 1", special_tangential_restitution},
+    Family{"chung_ooi", "the eight benchmark impacts of Y. Chung and J. Ooi: spheres, whose answers are published",
+           chung_ooi},
     Family{"invalid", "one field non-finite, negative, zero or out of range: to be refused", invalid},
 };
 

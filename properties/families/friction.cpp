@@ -63,16 +63,40 @@ void set_friction(Stream& stream, Collision& collision) {
   }
 }
 
+namespace {
+
+Matrix3<double> mobility(const Collision& c) { return mobility(c.a, c.point) + mobility(c.b, c.point); }
+
+/// The μ at which an impulse lies on the cone's surface; 1 where there is none.
+double friction_of(const Vector3<double>& n, const Vector3<double>& impulse) {
+  const double friction = std::sqrt(n.cross(impulse).squaredNorm()) / n.dot(impulse);
+  return std::isfinite(friction) && friction > 0 ? friction : 1;
+}
+
+/// 1 ± 10^-k.
+double nearly_one(Stream& stream) {
+  const double beside = stream.power_of_ten(-18, -1);
+  return stream.chance(2) ? 1 + beside : 1 - beside;
+}
+
+}  // namespace
+
 double critical_friction(const Collision& c) {
-  const Matrix3<double> k = mobility(c.a, c.point) + mobility(c.b, c.point);
+  const Matrix3<double> k = mobility(c);
   const Vector3<double> v = relative_velocity(c);
   const Vector3<double>& n = c.normal;
   const Vector3<double> k_normal = k * n;
   const Vector3<double> stops_approach = n * (-n.dot(v) / n.dot(k_normal));
   const Vector3<double> friction = -k.partialPivLu().solve(Vector3<double>(v + k * stops_approach));
   const Vector3<double> whole = (1 + c.restitution) * stops_approach + (1 + c.tangential_restitution) * friction;
-  const double critical = std::sqrt(n.cross(whole).squaredNorm()) / n.dot(whole);
-  return std::isfinite(critical) && critical > 0 ? critical : 1;
+  return friction_of(n, whole);
+}
+
+double friction_that_sticks(const Collision& c) {
+  const Vector3<double> v = relative_velocity(c);
+  const Vector3<double>& n = c.normal;
+  const Vector3<double> departure = n * (c.restitution * n.dot(v) / n.squaredNorm());
+  return friction_of(n, -mobility(c).partialPivLu().solve(Vector3<double>(v + departure)));
 }
 
 Case sticking(Stream& stream) {
@@ -89,8 +113,13 @@ Case sliding(Stream& stream) {
 
 Case on_the_cone(Stream& stream) {
   Case result = rubbing_bodies(stream);
-  const double beside = stream.power_of_ten(-18, -1);
-  result.collision.friction = critical_friction(result.collision) * (stream.chance(2) ? 1 + beside : 1 - beside);
+  result.collision.friction = critical_friction(result.collision) * nearly_one(stream);
+  return result;
+}
+
+Case stick_or_slip(Stream& stream) {
+  Case result = rubbing_bodies(stream);
+  result.collision.friction = friction_that_sticks(result.collision) * nearly_one(stream);
   return result;
 }
 

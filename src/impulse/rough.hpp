@@ -25,10 +25,9 @@ namespace detail {
 template <class S>
 [[nodiscard]] S length(const Vector3<S>& v) {
   using std::sqrt;
-  const S size = sum_of_sizes(v);
-  const S unit = select(size > S(0), size, S(1));
-  const Vector3<S> scaled{v[0] / unit, v[1] / unit, v[2] / unit};
-  return unit * sqrt(dot(scaled, scaled));
+  const S scale = finite_reciprocal(sum_of_sizes(v));
+  const Vector3<S> scaled = v * scale;
+  return sqrt(dot(scaled, scaled)) / scale;
 }
 
 }  // namespace detail

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include <carom/collision/outcome.hpp>
@@ -30,12 +32,6 @@ template <class S>
   return v[0] == S(0) && v[1] == S(0) && v[2] == S(0);
 }
 
-/// |x|.
-template <class S>
-[[nodiscard]] S absolute(const S& x) {
-  return select(x < S(0), S(-x), x);
-}
-
 /// The number, or `least` where it is below that. NaN stays.
 template <class S>
 [[nodiscard]] S at_least(const S& least, const S& number) {
@@ -49,6 +45,32 @@ template <class S>
     const auto leasts = std::bit_cast<Numbers>(least);
     return std::bit_cast<S>(leasts > numbers ? leasts : numbers);
   }
+}
+
+/// |x|.
+template <class S>
+[[nodiscard]] S absolute(const S& x) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::abs(x);
+  } else {
+    return at_least(S(-x), x);
+  }
+}
+
+/// 1/x for x at least the least normal number of S, of packs that of their lanes; below that its reciprocal, which is
+/// finite. Scalar types that are no type of the language's have the range of binary64 or more.
+template <class S>
+[[nodiscard]] S finite_reciprocal(const S& x) {
+  const auto least = [] {
+    if constexpr (std::is_floating_point_v<S>) {
+      return std::numeric_limits<S>::min();
+    } else if constexpr (requires { typename S::value_type; }) {
+      return std::numeric_limits<typename S::value_type>::min();
+    } else {
+      return std::numeric_limits<double>::min();
+    }
+  }();
+  return S(1) / at_least(S(least), x);
 }
 
 template <class Condition, class S>

@@ -33,7 +33,7 @@ template <class S, class Inertia>
   // δ of least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins; one factor at a time, against overflow.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
   const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
-  const Vector3<S> shares = along / select(sum > S(0), sum, S(1));
+  const Vector3<S> shares = along * finite_reciprocal(sum);
   const S divisor = dot(shares, along);
   const S missing = (along_normal - dot(n, by_spins)) / select(divisor > S(0), divisor, S(1));
   const auto mended = [&](int i) -> S { return by_spins[i] + missing * shares[i] * terms[i]; };

@@ -18,9 +18,9 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
-#include "exit_status.hpp"
 #include "mutants/catalogue.hpp"
 #include "mutants/rejection.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {
@@ -147,5 +147,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("first_violation", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("first_violation", [&] { return carom::benchmarks::run(argc, argv); });
 }

@@ -22,7 +22,7 @@
 #include <carom/oracles/models/coulomb.hpp>
 #include <carom/properties/families/family.hpp>
 
-#include "exit_status.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {
@@ -157,5 +157,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("friction_laws", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("friction_laws", [&] { return carom::benchmarks::run(argc, argv); });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
 //   judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
-//   [--one-subject]
+//   [--one-subject] [--models M,M]
 // N cases of the families, one in W wild (three by default); each is put to all subjects, or to one that is drawn: the
 // built-in ones, the mutants, and outcomes planted at the edge of what is allowed. Of the others one in L keeps all its
 // digits (each by default); numbers of few digits cost the rational judge less. Relations are judged on one case in R.
+// With --models only subjects of these models are examined.
 // Ends in 1 where anything differs.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -20,9 +22,9 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "agreement.hpp"
-#include "exit_status.hpp"
 #include "mutants/catalogue.hpp"
 #include "planted.hpp"
+#include "support/exit_status.hpp"
 #include "wild.hpp"
 
 namespace carom::benchmarks {
@@ -32,22 +34,32 @@ using equality::Agreement;
 using equality::Examined;
 using equality::Relations;
 
-std::vector<Examined> all_examined() {
-  std::vector<Examined> subjects;
-  for (const Subject& subject : subjects::all_subjects()) {
-    if (subject.absent.empty()) {
-      subjects.emplace_back(subject);
-    }
-  }
+std::vector<Subject> subjects_and_mutants() {
+  std::vector<Subject> subjects = subjects::all_subjects();
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
-    subjects.emplace_back(mutants::subject_of(mutant));
+    subjects.push_back(mutants::subject_of(mutant));
   }
-  for (const Model model : models_with_truth) {
+  for (const Model model : all_models) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-      subjects.emplace_back(equality::planting_subject(model, precision));
+      if (model != Model::any) {
+        subjects.push_back(equality::planting_subject(model, precision));
+      }
     }
   }
   return subjects;
+}
+
+/// Of these models; of all where none is named.
+std::vector<Examined> examined_of(const std::vector<std::string>& models) {
+  std::vector<Examined> examined;
+  for (const Subject& subject : subjects_and_mutants()) {
+    const bool is_asked_for =
+        models.empty() || std::find(models.begin(), models.end(), name_of(subject.model)) != models.end();
+    if (subject.absent.empty() && is_asked_for) {
+      examined.emplace_back(subject);
+    }
+  }
+  return examined;
 }
 
 struct Options {
@@ -58,6 +70,7 @@ struct Options {
   int wild_every = 3;
   int long_every = 1;
   bool one_subject = false;
+  std::vector<std::string> models;
 };
 
 /// The case, and what it is called in a difference.
@@ -81,7 +94,7 @@ Drawn drawn_case(const Options& options, std::uint64_t i, properties::Stream& ch
 }
 
 void compare(const Options& options, std::atomic<std::uint64_t>& next, Agreement& agreement) {
-  std::vector<Examined> subjects = all_examined();
+  std::vector<Examined> subjects = examined_of(options.models);
   for (std::uint64_t i = next++; i < options.cases; i = next++) {
     properties::Stream choices = properties::case_stream(options.seed, "choices of judge_equality", i);
     const Drawn drawn = drawn_case(options, i, choices);
@@ -107,6 +120,11 @@ int run(int argc, char** argv) {
   app.add_option("--wild-every", options.wild_every)->check(CLI::PositiveNumber);
   app.add_option("--long-every", options.long_every)->check(CLI::PositiveNumber);
   app.add_flag("--one-subject", options.one_subject);
+  std::vector<std::string> models;
+  for (const Model model : all_models) {
+    models.emplace_back(name_of(model));
+  }
+  app.add_option("--models", options.models)->delimiter(',')->check(CLI::IsMember(models));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -145,5 +163,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("judge_equality", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("judge_equality", [&] { return carom::benchmarks::run(argc, argv); });
 }

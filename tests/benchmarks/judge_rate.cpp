@@ -15,7 +15,7 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include "exit_status.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {
@@ -281,5 +281,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("judge_rate", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("judge_rate", [&] { return carom::benchmarks::run(argc, argv); });
 }

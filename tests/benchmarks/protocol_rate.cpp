@@ -10,7 +10,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
-#include "exit_status.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {
@@ -63,5 +63,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("protocol_rate", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("protocol_rate", [&] { return carom::benchmarks::run(argc, argv); });
 }

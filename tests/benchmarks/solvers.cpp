@@ -16,10 +16,10 @@
 #include <carom/subjects/methods.hpp>
 
 #include "counted.hpp"
-#include "exit_status.hpp"
 #include "measurements.hpp"
 #include "peak.hpp"
 #include "plain_note.hpp"
+#include "support/exit_status.hpp"
 #include "workload.hpp"
 
 namespace carom::benchmarks {
@@ -60,7 +60,10 @@ std::string threads_name(Model model, std::size_t size, unsigned threads) {
 std::string plain_name(Model model) { return fmt::format("plain/{}", name_of(model)); }
 std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
 
+/// The laws of the note.
 constexpr Model models[]{Model::frictionless, Model::reflection};
+/// Those whose batches are compared.
+constexpr Model batch_models[]{Model::frictionless, Model::reflection, Model::rough};
 
 /// One workload for all who need one of that size.
 template <class S>
@@ -124,10 +127,14 @@ void register_plain() {
 }
 
 void register_batches() {
-  for (const Model model : models) {
+  for (const Model model : batch_models) {
     for (const InstructionSet set : instruction_sets()) {
       register_batch<float>("float", model, in_cache, set);
       register_batch<double>("double", model, in_cache, set);
+    }
+  }
+  for (const Model model : models) {
+    for (const InstructionSet set : instruction_sets()) {
       register_batch<double>("double", model, out_of_cache, set);
     }
     for (const std::size_t size : sizes) {
@@ -248,7 +255,7 @@ void print_methods(const Recorder& recorder) {
 void print_instruction_sets(const Recorder& recorder) {
   fmt::print("\nBatches by instruction set, {} contacts in cache\n", in_cache);
   fmt::print("  {:<32} {:>11} {:>8} {:>22}\n", "batch", "ns/contact", "spread", baseline_method + std::string(" = 1"));
-  for (const Model model : models) {
+  for (const Model model : batch_models) {
     for (const std::string scalar : {"float", "double"}) {
       for (const InstructionSet set : instruction_sets()) {
         const std::string name = batch_name(scalar, model, in_cache, set);
@@ -394,6 +401,12 @@ void print_goals(const Recorder& recorder) {
     fmt::print("  reflection in double, in cache: 1/{:.1f} of {}; goal at most 1/8: {}\n", 1 / ratio, baseline_method,
                ratio <= 1.0 / 8 ? "reached" : "not reached");
   }
+  const std::string rough = batch_name("double", Model::rough, in_cache, best);
+  if (recorder.has(cached) && recorder.has(rough)) {
+    const double ratio = recorder.at(rough).median() / recorder.at(cached).median();
+    fmt::print("  rough in double, in cache: {:.2f} of reflection; goal at most 1.6: {}\n", ratio,
+               ratio <= 1.6 ? "reached" : "not reached");
+  }
   const std::string plain = plain_name(Model::reflection);
   for (const auto& [model, goal] : {std::pair{Model::reflection, 15}, std::pair{Model::frictionless, 20}}) {
     const std::string name = batch_name("double", model, in_cache, best);
@@ -460,5 +473,5 @@ int run(int argc, char** argv) {
 }  // namespace carom::benchmarks
 
 int main(int argc, char** argv) {
-  return carom::benchmarks::exit_status("solvers", [&] { return carom::benchmarks::run(argc, argv); });
+  return carom::unit::exit_status("solvers", [&] { return carom::benchmarks::run(argc, argv); });
 }

@@ -8,7 +8,7 @@ namespace carom::equality {
 
 /// The exact outcome rounded to the precision, with one vector moved so far that one invariant comes near its bound:
 /// either backward_error itself, ½ to 2 times the limit, or, since laws allow more, up to 2⁶ times that.
-/// Precondition: the case is valid.
+/// Preconditions: the case is valid; the model is `coulomb` or determines the outcome.
 [[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
                                               double allowance, properties::Stream& stream);
 

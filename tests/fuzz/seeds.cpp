@@ -43,7 +43,7 @@ void write_cases(const fs::path& directory, std::size_t number, std::string_view
   const std::string name(family);
   const std::vector<std::uint8_t> drawn = bytes_of_family(number, 0);
   const std::vector<std::uint8_t> as_it_stands = bytes_of(collision);
-  for (const char* law : {"law_frictionless", "law_reflection", "law_sticking", "law_rough"}) {
+  for (const char* law : {"law_frictionless", "law_reflection", "law_sticking", "law_rough", "law_coulomb"}) {
     write(directory, law, name + "-drawn", with_head({number}, drawn));
     write(directory, law, name, with_head({number + 1}, as_it_stands));
   }

@@ -15,16 +15,7 @@ namespace carom::impulse {
 namespace {
 
 /// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
-Collision ball_on_a_plane(double friction) {
-  Collision c;
-  c.a.principal_inertia.setConstant(0.5);
-  c.a.position = {0, 1, 0};
-  c.a.velocity = {-3, -4, 0};
-  c.b.immovable = true;
-  c.restitution = 0.5;
-  c.friction = friction;
-  return c;
-}
+Collision ball_on_a_plane(double friction) { return unit::ball_on_a_plane(0.5, friction); }
 
 TEST(Coulomb, SticksWhereFrictionSuffices) {
   const Outcome<double> after = coulomb(make_contact<double>(ball_on_a_plane(0.25)));
@@ -81,7 +72,7 @@ TEST(Coulomb, FindsAnAnswer) {
           distance = std::max(distance, (*vectors(found)[k] - *vectors(exact)[k]).norm());
         }
         nearest = std::min(nearest, distance);
-        slides += answer.sticks ? 0 : 1;
+        slides += answer.kind == oracles::AnswerKind::slips ? 1 : 0;
       }
       double speed = 0;
       for (const Body* body : {&collision.a, &collision.b}) {

@@ -253,6 +253,27 @@ TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
   }
 }
 
+/// A ball that slips, of mass 2^`mass` and at speeds 2^`speed` times as large: its velocities are scaled by 2^`speed`.
+template <class S>
+void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
+  Collision c = unit::ball_on_a_plane(0.4, 0.0625);
+  const Outcome<S> usual = rough<Ldlt>(make_contact<S>(c));
+  c.a.mass = std::ldexp(c.a.mass, mass);
+  c.a.principal_inertia *= std::ldexp(1.0, mass);
+  c.a.velocity *= std::ldexp(1.0, speed);
+  const Outcome<S> scaled = rough<Ldlt>(make_contact<S>(c));
+  const S scale = std::ldexp(S(1), speed);
+  EXPECT_LE((scaled.a.velocity - usual.a.velocity * scale).norm(), relative_rounding * usual.a.velocity.norm() * scale);
+  EXPECT_LE((scaled.a.angular_velocity - usual.a.angular_velocity * scale).norm(),
+            relative_rounding * usual.a.angular_velocity.norm() * scale);
+}
+
+/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and those of 2⁻¹³⁶ keep 13 of binary32; a few are lost to rounding.
+TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
+  expect_rough_to_scale<double>(-1000, -40, 0x1p-30);
+  expect_rough_to_scale<float>(-110, -26, 0x1p-9F);
+}
+
 /// The solver of `rough` in ℚ(√s) against its truth.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;

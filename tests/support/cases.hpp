@@ -31,6 +31,27 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
+/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments of
+/// 1/2 its K is diag(3, 1, 3).
+[[nodiscard]] inline Collision ball_on_a_plane(double moment, double friction) {
+  Collision c;
+  c.a.principal_inertia.setConstant(moment);
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {-3, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  c.friction = friction;
+  return c;
+}
+
+/// A general K and great friction: by the law `coulomb` one answer sticks and two slip (docs/findings/friction.md).
+[[nodiscard]] inline Collision case_with_three_answers() {
+  properties::Stream stream = properties::case_stream(1, "structured", 181);
+  Collision c = properties::family_named("structured")->generate(stream).collision;
+  c.friction = 5;
+  return c;
+}
+
 /// k/8 with |k| ≤ most.
 [[nodiscard]] inline double eighths(properties::Stream& stream, int most) { return stream.integer(-most, most) / 8.0; }
 

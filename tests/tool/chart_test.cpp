@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double"};
+const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double",
+                                       "coulomb-double"};
 
 /// One run for all tests.
 class Chart : public testing::Test {
@@ -78,8 +79,8 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
     EXPECT_FALSE(document.select_nodes("//*[local-name()='path']").empty()) << entry.path();
     EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
   }
-  // Of each model: two of time against accuracy, the deadlines, and one for each sweep.
-  EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
+  // Of each model: two of time against accuracy, the deadlines, and one for each sweep but of `coulomb`.
+  EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()) + 3);
 }
 
 TEST_F(Chart, SummaryNamesEveryMethod) {
@@ -107,6 +108,15 @@ TEST_F(Chart, ShowsWhereTheNotesMethodFails) {
   EXPECT_FALSE(note.contains("invalid"));
 }
 
+TEST_F(Chart, MeasuresCoulombByTheNearestOfItsAnswers) {
+  for (const auto& [family, measured] : method("coulomb-double").at("families").items()) {
+    EXPECT_EQ(measured.at("failures"), 0) << family;
+    EXPECT_GT(measured.at("cases"), 0) << family;
+    EXPECT_GT(measured.at("digits").at("median"), 12) << family;
+    EXPECT_TRUE(measured.at("backward_error_ulps").is_null());
+  }
+}
+
 TEST_F(Chart, ReadsOffWhereAMethodLeavesTheLimit) {
   const json note = sweep_line("tangential_velocity", "reflection-in-basis-double");
   EXPECT_LT(note.at("leaves_limit_at"), 1);
@@ -118,7 +128,7 @@ TEST_F(Chart, ReadsOffWhereAMethodLeavesTheLimit) {
 TEST_F(Chart, TablesHaveALineForEachMeasurement) {
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const auto families = static_cast<long>(method("reflection-double").at("families").size());
-  EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 3 * families);
+  EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 4 * families);
   long points = 0;
   const json all = record();
   for (const json& sweep : all.at("sweeps")) {

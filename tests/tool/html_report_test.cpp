@@ -126,6 +126,13 @@ TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
   EXPECT_NE(page->text.find("violated"), std::string::npos);
 }
 
+TEST(HtmlReport, ShowsTheAnswersOfCoulomb) {
+  const auto page =
+      page_of({"gate", "coulomb-double", "--families", "sliding", "--cases", "50", "--limit-ulps", "0.001"});
+  EXPECT_TRUE(page->document.select_node("//article//th[text()='answer, slips']"));
+  expect_sane_drawings(*page);
+}
+
 TEST(HtmlReport, EveryFormulaIsUnderstood) {
   const auto page =
       page_of({"gate", "ode-double-as-shipped", "reflection-in-basis-float", "--cases", "30", "--limit-ulps", "0.001"});

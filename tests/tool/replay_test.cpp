@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/collision/json/json.hpp>
+
+#include "support/cases.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -198,6 +201,34 @@ TEST(Replay, StartsNoProgramThatAFileNames) {
   EXPECT_TRUE(std::filesystem::exists(touched)) << "the same words from the user start it";
 }
 
+TEST(Replay, ShowsEveryAnswerOfCoulomb) {
+  const TemporaryDirectory directory;
+  const Collision several = unit::case_with_three_answers();
+  const auto replay = [&](const Collision& collision, const std::vector<std::string>& more) {
+    const std::string file = directory.write("one.json", collision_to_json(collision).dump());
+    std::vector<std::string> arguments{"replay", file, "--subject", "coulomb-double"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run_carom(arguments);
+    EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+    return result.output;
+  };
+  const std::string text = replay(several, {});
+  for (const char* part : {"coulomb, answer 1 of 3, sticks, exactly", "coulomb, answer 3 of 3, slips, to 36 digits",
+                           " digits, of answer "}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  }
+  const json answers = json::parse(replay(several, {"--format", "json"})).at("answers").at("coulomb");
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers[0].at("kind"), "sticks");
+  EXPECT_TRUE(answers[0].at("exact").get<bool>());
+  EXPECT_TRUE(answers[0].contains("impulse"));
+  EXPECT_EQ(answers[1].at("kind"), "slips");
+  EXPECT_FALSE(answers[1].contains("impulse"));
+  Collision parting = unit::ball_on_a_plane(0.5, 1);
+  parting.a.velocity = {1, 2, 0};
+  EXPECT_NE(replay(parting, {}).find("answer 1 of 1, untouched"), std::string::npos);
+}
+
 /// The engines that this program knows by name, and has to start, are programs too.
 TEST(Replay, StartsNoEngineThatAFileNames) {
   const TemporaryDirectory directory;
@@ -205,7 +236,8 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   const std::string started = (directory.path() / "started").string();
   const std::string node = directory.write("node", "#!/bin/sh\necho started >> " + started + '\n');
   std::filesystem::permissions(node, std::filesystem::perms::owner_all);
-  for (const char* engine : {"rapier", "jolt", "cannon", "bullet-float"}) {
+  for (const char* engine : {"rapier", "jolt", "cannon", "physx", "oimo", "mujoco", "bullet-float", "rapier-coulomb",
+                             "mujoco-coulomb-as-shipped", "bullet-float-coulomb"}) {
     const json witness{{"collision", cube_on_floor()}, {"subject", {{"name", engine}}}};
     const RunResult result =
         run_program("/usr/bin/env", {"PATH=" + directory.path().string() + ":/usr/bin:/bin", carom_program(), "replay",

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/collision/model.hpp>
+
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -59,6 +61,18 @@ TEST(ReportSchema, DescribesARealReport) {
   EXPECT_FALSE(report.at("interrupted").get<bool>());
   EXPECT_FALSE(report.at("environment").at("compiler").get<std::string>().empty());
   const RunResult result = validate(directory.write("report.json", report.dump()));
+  EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+}
+
+TEST(ReportSchema, KnowsEveryLaw) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> arguments{"gate", "--families", "head_on", "--cases", "2", "--format", "json"};
+  for (const Model model : all_models) {
+    if (model != Model::any) {
+      arguments.push_back(std::string(name_of(model)) + "-double");
+    }
+  }
+  const RunResult result = validate(directory.write("report.json", run_carom(arguments).output));
   EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
 }
 

@@ -11,11 +11,10 @@ static_assert(std::is_same_v<btScalar, double>, "needs the double build of Bulle
 
 std::vector<Subject> bullet_subjects() {
   std::vector<Subject> subjects = bullet_claims();
-  for (Subject& subject : subjects) {
-    subject.version = std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    subjects[i].version = bullet::version();
+    subjects[i].open = [settings = bullet::settings_of(engine_settings[i])] { return bullet::session_with(settings); };
   }
-  subjects[0].open = [] { return bullet::session_with(bullet::configured()); };
-  subjects[1].open = [] { return bullet::session_with({}); };
   return subjects;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
@@ -15,23 +17,35 @@
 /// have the same names: one program can hold one of them.
 namespace carom::subjects::bullet {
 
+inline std::string version() {
+  return std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
+}
+
 inline btVector3 to_bullet(const Vector3<double>& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
 inline Vector3<long double> from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// As shipped.
 struct Settings {
-  btContactSolverInfo solver;  // step 1/60 s
+  btContactSolverInfo solver;  // as shipped, step 1/60 s
   bool gyroscopic = true;
+  bool friction = false;
 };
 
-/// ERP, split impulse and warm start need no change: a new contact of depth 0 leaves them nothing to act on.
-inline Settings configured() {
+/// ERP, split impulse and warm start need no change: a new contact of depth 0 leaves them nothing to act on. As shipped
+/// friction has one direction, which cannot stop a slip that the normal impulse turns, and ten iterations.
+inline Settings settings_of(const EngineSetting& setting) {
   Settings settings;
-  settings.solver.m_restitutionVelocityThreshold = 0;
-  settings.gyroscopic = false;
+  settings.friction = setting.model == Model::coulomb;
+  if (setting.configured) {
+    settings.solver.m_restitutionVelocityThreshold = 0;
+    settings.gyroscopic = false;
+    if (settings.friction) {
+      settings.solver.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+      settings.solver.m_numIterations = 200;
+    }
+  }
   return settings;
 }
 
@@ -58,12 +72,13 @@ inline btRigidBody make_body(const Body& body, const Settings& settings) {
   return made;
 }
 
-/// Depth 0, for the protocol has none. Friction 0, for the model has none.
-inline btManifoldPoint make_contact(const Collision& collision) {
+/// Depth 0, for the protocol has none.
+inline btManifoldPoint make_contact(const Collision& collision, const Settings& settings) {
   const btVector3 local(0, 0, 0);  // the point in the frame of a body, which the solver does not read
   btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
   contact.m_positionWorldOnA = contact.m_positionWorldOnB = to_bullet(collision.point);
   contact.m_combinedRestitution = static_cast<btScalar>(collision.restitution);
+  contact.m_combinedFriction = settings.friction ? static_cast<btScalar>(collision.friction) : 0;
   return contact;
 }
 
@@ -77,7 +92,7 @@ inline Answer solve(const Collision& collision, const Settings& settings, btSequ
   a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE tells kinematic bodies apart by it
   b.setWorldArrayIndex(1);
   btPersistentManifold manifold(&a, &b, 0, 0, 0);
-  manifold.addManifoldPoint(make_contact(collision));
+  manifold.addManifoldPoint(make_contact(collision, settings));
   btCollisionObject* bodies[] = {&a, &b};
   btPersistentManifold* manifolds[] = {&manifold};
   solver.solveGroup(bodies, 2, manifolds, 1, nullptr, 0, settings.solver, nullptr, nullptr);

@@ -44,13 +44,40 @@ ode::RigidBody make_body(const ode::World& world, const Body& body, bool configu
   return made;
 }
 
-/// Depth 0, for the protocol has none; friction 0, for the model has none; bounce_vel, which has no default, 0.
-dContact make_contact(const Collision& collision) {
+/// V_T⁻ = N × (V⁻ × N), of the points that touch.
+Vector3<double> slip(const Collision& collision, const Vector3<double>& n) {
+  const auto velocity_at_point = [&](const Body& body) -> Vector3<double> {
+    return body.velocity + body.angular_velocity.cross(collision.point - body.position);
+  };
+  return n.cross((velocity_at_point(collision.a) - velocity_at_point(collision.b)).cross(n));
+}
+
+/// As shipped, μ is a limit on the force; configured, it is one on the ratio of the impulses, along the slip and
+/// across.
+void add_friction(dContact& contact, const Collision& collision, const Vector3<double>& n, bool configured) {
+  contact.surface.mu = collision.friction;
+  if (!configured) {
+    return;
+  }
+  contact.surface.mode |= dContactApprox1;
+  const Vector3<double> direction = slip(collision, n);
+  if (!direction.isZero(0)) {
+    contact.surface.mode |= dContactFDir1;
+    Eigen::Map<Vector3<double>>(contact.fdir1) = unit(direction);
+  }
+}
+
+/// Depth 0, for the protocol has none; bounce_vel, which has no default, 0.
+dContact make_contact(const Collision& collision, const EngineSetting& setting) {
+  const Vector3<double> n = unit(collision.normal);
   dContact contact{};
   contact.surface.mode = dContactBounce;
   contact.surface.bounce = collision.restitution;
   Eigen::Map<Vector3<double>>(contact.geom.pos) = collision.point;
-  Eigen::Map<Vector3<double>>(contact.geom.normal) = unit(collision.normal);  // into the first body, A
+  Eigen::Map<Vector3<double>>(contact.geom.normal) = n;  // into the first body, A
+  if (setting.model == Model::coulomb) {
+    add_friction(contact, collision, n, setting.configured);
+  }
   return contact;
 }
 
@@ -60,23 +87,23 @@ BodyVelocity<long double> velocity_of(const ode::RigidBody& body) {
   return {velocity.cast<long double>(), angular_velocity.cast<long double>()};
 }
 
-ReportedOutcome step(const Collision& collision, bool configured, dThreadingImplementationID threading) {
-  const ode::World world = make_world(threading, configured);
-  const ode::RigidBody a = make_body(world, collision.a, configured);
-  const ode::RigidBody b = make_body(world, collision.b, configured);
-  const dContact contact = make_contact(collision);
+ReportedOutcome step(const Collision& collision, const EngineSetting& setting, dThreadingImplementationID threading) {
+  const ode::World world = make_world(threading, setting.configured);
+  const ode::RigidBody a = make_body(world, collision.a, setting.configured);
+  const ode::RigidBody b = make_body(world, collision.b, setting.configured);
+  const dContact contact = make_contact(collision, setting);
   const ode::Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
   dJointAttach(joint.get(), a.get(), b.get());
   dWorldStep(world.get(), 1.0 / 60.0);  // [s]; configured, its length enters nothing
   return {velocity_of(a), velocity_of(b)};
 }
 
-Answer solve(const Collision& collision, bool configured) {
+Answer solve(const Collision& collision, const EngineSetting& setting) {
   ode::enter_thread();
   // The threading implementation that worlds have by default is one for all of them, and not safe in several threads.
   ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
   try {
-    return step(collision, configured, threading.get());
+    return step(collision, setting, threading.get());
   } catch (const ode::AssertionFailed& failure) {
     static_cast<void>(threading.release());  // ODE does not let it be freed in the middle of a step
     return Refused{std::string("ODE: ") + failure.what()};
@@ -87,12 +114,10 @@ Answer solve(const Collision& collision, bool configured) {
 
 std::vector<Subject> ode_subjects() {
   std::vector<Subject> subjects = ode_claims();
-  for (Subject& subject : subjects) {
-    subject.version = dODE_VERSION;
-  }
-  for (const bool configured : {true, false}) {
-    subjects[configured ? 0 : 1].open = [configured] {
-      return session_of([configured](const Collision& collision) { return solve(collision, configured); });
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    subjects[i].version = dODE_VERSION;
+    subjects[i].open = [&setting = engine_settings[i]] {
+      return session_of([&setting](const Collision& collision) { return solve(collision, setting); });
     };
   }
   return subjects;

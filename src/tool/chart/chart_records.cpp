@@ -26,11 +26,15 @@ json exactness_record(const Exactness& exactness) {
   return {{"cases", exactness.cases},
           {"failures", exactness.failures},
           {"digits", quantiles_record(exactness.digits)},
-          {"backward_error_ulps", quantiles_record(exactness.backward_error)}};
+          {"backward_error_ulps", exactness.has_backward_error ? quantiles_record(exactness.backward_error) : json()}};
 }
 
 std::string csv_of(const Quantiles& quantiles) {
   return fmt::format("{:.4g},{:.4g},{:.4g}", quantiles.median, quantiles.of_99_percent, quantiles.worst);
+}
+
+std::string csv_of_backward_error(const Exactness& exactness) {
+  return exactness.has_backward_error ? csv_of(exactness.backward_error) : ",,";
 }
 
 std::string failing_families(const MethodMeasurement& method) {
@@ -51,11 +55,11 @@ std::string methods_table(std::span<const MethodMeasurement> methods) {
       "| ---: | --- | --- | ---: | --- | ---: | --- |\n";
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const Exactness all = methods[i].over_all_families();
-    text +=
-        fmt::format("| {} | `{}` | {} | {} | {:.1f} / {:.1f} / {:.1f} | {:.3g} | {} |\n", i + 1, methods[i].name,
-                    name_of(methods[i].precision), in_three_digits(methods[i].nanoseconds_over_all_families().median),
-                    all.digits.median, all.digits.of_99_percent, all.digits.worst, all.backward_error.worst,
-                    failing_families(methods[i]));
+    text += fmt::format(
+        "| {} | `{}` | {} | {} | {:.1f} / {:.1f} / {:.1f} | {} | {} |\n", i + 1, methods[i].name,
+        name_of(methods[i].precision), in_three_digits(methods[i].nanoseconds_over_all_families().median),
+        all.digits.median, all.digits.of_99_percent, all.digits.worst,
+        all.has_backward_error ? fmt::format("{:.3g}", all.backward_error.worst) : "–", failing_families(methods[i]));
   }
   return text;
 }
@@ -94,7 +98,7 @@ std::string work_precision_csv(const Measurements& measurements) {
           fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{}\n", name_of(method.model), method.name,
                       name_of(method.precision), family.family, family.nanoseconds.median, family.nanoseconds.lowest,
                       family.nanoseconds.highest, family.exactness.cases, family.exactness.failures,
-                      csv_of(family.exactness.digits), csv_of(family.exactness.backward_error));
+                      csv_of(family.exactness.digits), csv_of_backward_error(family.exactness));
     }
   }
   return text;
@@ -109,7 +113,7 @@ std::string stability_csv(const Measurements& measurements) {
       for (std::size_t i = 0; i < line.quantity.size(); ++i) {
         text +=
             fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.model), line.method,
-                        line.exactness[i].cases, line.exactness[i].failures, csv_of(line.exactness[i].backward_error));
+                        line.exactness[i].cases, line.exactness[i].failures, csv_of_backward_error(line.exactness[i]));
       }
     }
   }
@@ -118,7 +122,7 @@ std::string stability_csv(const Measurements& measurements) {
 
 std::string deadline_csv(const Measurements& measurements) {
   std::string text = "model,digits,ns,share,method\n";
-  for (const Model model : models_with_truth) {
+  for (const Model model : charted_models()) {
     const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
     for (const int digits : deadline_digits) {
       for (const DeadlineStep& step : deadline_steps(methods, digits)) {
@@ -172,7 +176,7 @@ json chart_record(const Measurements& measurements) {
 
 std::string tables_markdown(const Measurements& measurements) {
   std::string text;
-  for (const Model model : models_with_truth) {
+  for (const Model model : charted_models()) {
     const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
     if (!methods.empty()) {
       text += fmt::format("## {}: all families\n\n{}\n## {}: where each method leaves the limit of {:g} ulps\n\n{}\n",

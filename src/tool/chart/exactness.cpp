@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chart/exactness.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/held.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::tool::chart {
 namespace {
@@ -57,6 +61,43 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
   builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
 }
 
+/// A collision as the law `coulomb` answers it.
+struct CoulombCase {
+  explicit CoulombCase(const Collision& collision)
+      : judged({collision, false}), answers(oracles::coulomb_answers(judged.exact())) {}
+
+  properties::JudgedCase judged;
+  std::vector<oracles::CoulombAnswer> answers;
+};
+
+/// All that is claimed of one outcome, without the relations to others.
+properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps) {
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = limit_ulps;
+  properties::Claim claim = properties::claim_of(subject, yardstick);
+  std::erase_if(claim.invariants, [](const properties::Invariant* invariant) { return invariant->asks(); });
+  return claim;
+}
+
+void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const Subject& subject, const Answer& answer,
+                        double limit_ulps) {
+  if (!properties::why_not_held(one.judged.exact().collision(), unit_roundoff(subject.precision)).empty()) {
+    return;
+  }
+  const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
+  if (outcome == nullptr || !oracles::is_finite(*outcome)) {
+    builder.add(0, false);
+    return;
+  }
+  const properties::Judgement judgement = properties::try_case(
+      one.judged, claim_about_outcome(subject, limit_ulps),
+      [&](const Collision&) -> properties::ExactAnswer { return oracles::LiftedOutcome(*outcome); });
+  const bool is_violated = std::any_of(
+      judgement.verdicts.begin(), judgement.verdicts.end(),
+      [](const properties::NamedVerdict& named) { return named.verdict.status == properties::Status::violated; });
+  builder.add(oracles::nearest_answer(one.judged.exact(), one.answers, *outcome).digits, !is_violated);
+}
+
 }  // namespace
 
 std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed, std::size_t count) {
@@ -95,8 +136,17 @@ std::vector<Exactness> measured_exactness(std::span<const subjects::Method> meth
       threads.emplace_back([&] {
         for (std::size_t i = next++; i < collisions.size(); i = next++) {
           const oracles::ExactCase exact_case(collisions[i]);
+          std::optional<CoulombCase> coulomb_case;
           for (std::size_t m = 0; m < methods.size(); ++m) {
-            add_result(part[m], exact_case, methods[m].subject, answers[m][i], limit_ulps);
+            const Subject& subject = methods[m].subject;
+            if (subject.model == Model::coulomb) {
+              if (!coulomb_case) {
+                coulomb_case.emplace(collisions[i]);
+              }
+              add_coulomb_result(part[m], *coulomb_case, subject, answers[m][i], limit_ulps);
+            } else {
+              add_result(part[m], exact_case, subject, answers[m][i], limit_ulps);
+            }
           }
         }
       });
@@ -108,6 +158,7 @@ std::vector<Exactness> measured_exactness(std::span<const subjects::Method> meth
       parts[0][m] += parts[part][m];
     }
     result.push_back(parts[0][m].built());
+    result.back().has_backward_error = determines_outcome(methods[m].subject.model);
   }
   return result;
 }

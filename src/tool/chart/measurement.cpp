@@ -25,6 +25,15 @@ Quantiles quantiles_where_large_is_good(std::vector<double> values) {
 
 }  // namespace
 
+std::span<const Model> charted_models() {
+  static const std::vector<Model> models = [] {
+    std::vector<Model> all(models_with_truth.begin(), models_with_truth.end());
+    all.push_back(Model::coulomb);
+    return all;
+  }();
+  return models;
+}
+
 double quantile(const std::vector<double>& sorted, double share) {
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
   const auto index = static_cast<std::size_t>(std::max(1.0, rank)) - 1;
@@ -41,6 +50,11 @@ void ExactnessBuilder::add(double backward_error, double digits, bool within_lim
   failures_ += within_limit ? 0 : 1;
 }
 
+void ExactnessBuilder::add(double digits, bool holds) {
+  digits_.push_back(digits);
+  failures_ += holds ? 0 : 1;
+}
+
 ExactnessBuilder& ExactnessBuilder::operator+=(const ExactnessBuilder& other) {
   backward_errors_.insert(backward_errors_.end(), other.backward_errors_.begin(), other.backward_errors_.end());
   digits_.insert(digits_.end(), other.digits_.begin(), other.digits_.end());
@@ -54,7 +68,9 @@ Exactness ExactnessBuilder::built() const {
   exactness.failures = failures_;
   if (!digits_.empty()) {
     exactness.digits = quantiles_where_large_is_good(digits_);
-    exactness.backward_error = quantiles_of(backward_errors_);
+    if (!backward_errors_.empty()) {
+      exactness.backward_error = quantiles_of(backward_errors_);
+    }
     exactness.digits_of_cases = digits_;
   }
   return exactness;
@@ -71,6 +87,7 @@ Exactness MethodMeasurement::over_all_families() const {
     const Exactness& one = family.exactness;
     all.cases += one.cases;
     all.failures += one.failures;
+    all.has_backward_error = all.has_backward_error && one.has_backward_error;
     all.digits_of_cases.insert(all.digits_of_cases.end(), one.digits_of_cases.begin(), one.digits_of_cases.end());
     all.backward_error.worst = std::max(all.backward_error.worst, one.backward_error.worst);
   }

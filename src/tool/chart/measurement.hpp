@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,10 @@ struct Spread {
 /// How exact one method is on the colliding contacts of one distribution.
 struct Exactness {
   std::size_t cases = 0;
-  std::size_t failures = 0;  // beyond the limit on the backward error, or not finite
-  Quantiles digits;          // correct ones, of the change of the velocities (forward error)
-  Quantiles backward_error;  // ulps of the method's own precision; infinite where an outcome is not finite
+  std::size_t failures = 0;        // beyond the limit on the backward error, or violating an equation, or not finite
+  Quantiles digits;                // correct ones, of the change of the velocities (forward error)
+  bool has_backward_error = true;  // false of a law that determines no outcome
+  Quantiles backward_error;        // ulps of the method's own precision; infinite where an outcome is not finite
   std::vector<double> digits_of_cases;
 };
 
@@ -80,6 +82,8 @@ class ExactnessBuilder {
  public:
   /// `backward_error` is infinite and `digits` 0 where the outcome is not finite.
   void add(double backward_error, double digits, bool within_limit);
+  /// Of a law that has no backward error.
+  void add(double digits, bool holds);
   ExactnessBuilder& operator+=(const ExactnessBuilder& other);
   [[nodiscard]] Exactness built() const;
 
@@ -88,6 +92,10 @@ class ExactnessBuilder {
   std::vector<double> digits_;
   std::size_t failures_ = 0;
 };
+
+/// The laws whose methods are charted: those with a truth, and `coulomb`, of whose answers the nearest gives the
+/// digits.
+[[nodiscard]] std::span<const Model> charted_models();
 
 /// The value below which so large a share of the sorted values lies (nearest rank). Precondition: not empty.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);

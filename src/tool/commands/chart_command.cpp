@@ -24,10 +24,8 @@ using chart::Exactness;
 using chart::MethodMeasurement;
 using subjects::Method;
 
-/// Of laws that determine an outcome: of the others no error can be drawn.
 std::vector<Method> methods_of(const std::vector<std::string>& names) {
   std::vector<Method> all = subjects::methods();
-  std::erase_if(all, [](const Method& method) { return !determines_outcome(method.subject.model); });
   if (names.empty()) {
     return all;
   }
@@ -136,7 +134,7 @@ std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& argum
 
 std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements) {
   std::vector<chart::Picture> pictures;
-  for (const Model model : models_with_truth) {
+  for (const Model model : chart::charted_models()) {
     const std::vector<MethodMeasurement> methods = chart::of_model(measurements.methods, model);
     if (methods.empty()) {
       continue;
@@ -144,6 +142,9 @@ std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements)
     pictures.push_back(chart::work_precision(methods));
     pictures.push_back(chart::work_precision_of_families(methods));
     pictures.push_back(chart::deadline(methods));
+    if (!determines_outcome(model)) {
+      continue;  // stability maps show backward errors
+    }
     for (const chart::SweepMeasurement& sweep : measurements.sweeps) {
       pictures.push_back(chart::stability_map(sweep, model, measurements.limit_ulps));
     }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -101,6 +102,28 @@ std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
          });
 }
 
+std::string answers_steps(const oracles::ExactCase& exact_case, const std::vector<oracles::CoulombAnswer>& answers) {
+  std::string text;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const oracles::CoulombAnswer& answer = answers[i];
+    text += fmt::format("coulomb, answer {} of {}, {}{}\n{}", i + 1, answers.size(), name_of(answer.kind),
+                        answer.is_exact() ? ", exactly" : ", to 36 digits of its resistance to slip",
+                        truth_steps(exact_case.exact(), answer.truth, exact_case.approach()));
+  }
+  return text;
+}
+
+/// How near an outcome is to what the law `coulomb` answers.
+std::string nearest_answer_text(const oracles::ExactCase& exact_case, const Answer& answer,
+                                const std::vector<oracles::CoulombAnswer>& answers) {
+  const auto* outcome = std::get_if<ReportedOutcome>(&answer);
+  if (outcome == nullptr || !oracles::is_finite(*outcome)) {
+    return {};
+  }
+  const oracles::NearestAnswer nearest = oracles::nearest_answer(exact_case, answers, *outcome);
+  return fmt::format("  {:.1f} digits, of answer {} of {}\n", nearest.digits, nearest.number + 1, answers.size());
+}
+
 std::string judgement_text(const properties::Judgement& judgement, const Answer& answer, double unit_roundoff) {
   std::string text;
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
@@ -147,6 +170,7 @@ int replay(const ReplayArguments& arguments) {
     const Collision& collision = read.one.collision;
     json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
     std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
+    std::vector<oracles::CoulombAnswer> answers;
     if (judged_case.is_valid()) {
       record["approach"] = name_of(judged_case.exact().approach());
       record["features"] = json::array();
@@ -159,6 +183,9 @@ int replay(const ReplayArguments& arguments) {
         record["truth"][std::string(carom::name_of(model))] = truth_record(judged_case.exact(), model);
         text += truth_steps(judged_case.exact(), model);
       }
+      answers = oracles::coulomb_answers(judged_case.exact());
+      record["answers"]["coulomb"] = answers_record(answers);
+      text += answers_steps(judged_case.exact(), answers);
     } else {
       text += "  an invalid collision: it has no truth, and is to be refused\n";
     }
@@ -192,6 +219,9 @@ int replay(const ReplayArguments& arguments) {
       }
       text += fmt::format("{}, judged{}\n{}", subject.name, arguments.exact ? " in exact arithmetic alone" : "",
                           judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
+      if (subject.model == Model::coulomb && judged_case.is_valid()) {
+        text += nearest_answer_text(judged_case.exact(), answer, answers);
+      }
     }
     if (const std::string why_none = subjects.why_none(read); !why_none.empty()) {
       record["not_judged"] = why_none;

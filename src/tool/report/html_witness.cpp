@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/trial/in_words.hpp>
 
@@ -69,26 +70,41 @@ void add_collision(pugi::xml_node section, const Collision& c) {
   }
 }
 
-/// The models whose truth an outcome of this subject can be compared with.
-std::vector<Model> models_shown(Model claimed) {
-  std::vector<Model> models;
-  for (const Model model : models_with_truth) {
-    if (claimed == model || !determines_outcome(claimed)) {
-      models.push_back(model);
-    }
+template <class T>
+PerVector<std::string> velocities_in_words(const Outcome<T>& outcome) {
+  PerVector<std::string> words;
+  const auto of_bodies = vectors(outcome);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    words[k] = in_words<T>(*of_bodies[k]);
   }
-  return models;
+  return words;
 }
 
-PerVector<std::string> truth_in_words(const oracles::ExactCase& exact_case, Model model) {
-  PerVector<std::string> words;
-  exact_case.with_truth(model, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
-    const auto of_bodies = vectors(truth.outcome);
-    for (const OutcomeVector k : all_outcome_vectors) {
-      words[k] = in_words<T>(*of_bodies[k]);
+/// A column of velocities that an outcome can be compared with.
+struct Column {
+  std::string title;
+  PerVector<std::string> velocities;
+};
+
+/// What is exact for a subject of this model: the truth, all answers of a law that may have several, or where no law is
+/// claimed the truth of each.
+std::vector<Column> exact_columns(const oracles::ExactCase& exact_case, Model claimed) {
+  std::vector<Column> columns;
+  if (claimed == Model::coulomb) {
+    for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(exact_case)) {
+      columns.push_back({fmt::format("answer, {}", name_of(answer.kind)), velocities_in_words(answer.truth.outcome)});
     }
-  });
-  return words;
+    return columns;
+  }
+  for (const Model model : models_with_truth) {
+    if (claimed == model || claimed == Model::any) {
+      exact_case.with_truth(model, exact_case.approach(), [&](const auto& truth) {
+        columns.push_back({claimed == model ? "exact" : fmt::format("exact, {}", name_of(model)),
+                           velocities_in_words(truth.outcome)});
+      });
+    }
+  }
+  return columns;
 }
 
 void add_outcome(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
@@ -99,14 +115,14 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
   }
   const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
   std::vector<std::string> columns{""};
-  std::vector<PerVector<std::string>> exact;
+  std::vector<Column> exact;
   if (computed != nullptr) {
     columns.emplace_back("computed");
   }
   if (judged_case.is_valid()) {
-    for (const Model model : models_shown(claimed)) {
-      columns.push_back(determines_outcome(claimed) ? "exact" : fmt::format("exact, {}", name_of(model)));
-      exact.push_back(truth_in_words(judged_case.exact(), model));
+    exact = exact_columns(judged_case.exact(), claimed);
+    for (const Column& column : exact) {
+      columns.push_back(column.title);
     }
   }
   if (columns.size() == 1) {
@@ -120,8 +136,8 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
     if (computed != nullptr) {
       cells.push_back(in_words(*vectors(*computed)[k]));
     }
-    for (const auto& truth : exact) {
-      cells.push_back(truth[k]);
+    for (const Column& column : exact) {
+      cells.push_back(column.velocities[k]);
     }
     rows.add_row(names[k], cells);
   }
@@ -163,7 +179,12 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
   if (computed != nullptr && oracles::is_finite(*computed)) {
     picture.computed = motion_of(collision, oracles::lift(*computed));
   }
-  if (determines_outcome(claimed)) {
+  if (claimed == Model::coulomb) {
+    const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
+    const bool is_finite = computed != nullptr && oracles::is_finite(*computed);
+    const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
+    picture.exact = motion_of(collision, answers[nearest].truth.outcome);
+  } else if (determines_outcome(claimed)) {
     exact_case.with_truth(claimed, exact_case.approach(),
                           [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
   }

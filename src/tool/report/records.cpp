@@ -170,17 +170,43 @@ json answer_record(const Answer& answer) {
   return {{"skipped", std::get<Skipped>(answer).why}};
 }
 
+namespace {
+
+template <class T>
+json velocities_and_impulse(const oracles::Truth<T>& truth) {
+  json record = velocities_record(truth.outcome, [](const T& x) { return oracles::to_text(x); });
+  record["impulse"] = json::array();
+  for (int i = 0; i < 3; ++i) {
+    record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
+  }
+  return record;
+}
+
+template <class T>
+json nearest_record(const Outcome<T>& outcome) {
+  return velocities_record(outcome, [](const T& x) { return number_to_json(oracles::nearest_double(x)); });
+}
+
+}  // namespace
+
 json truth_record(const oracles::ExactCase& exact_case, Model model) {
   return exact_case.with_truth(model, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
-    json record = velocities_record(truth.outcome, [](const T& x) { return oracles::to_text(x); });
-    record["impulse"] = json::array();
-    for (int i = 0; i < 3; ++i) {
-      record["impulse"].push_back(oracles::to_text(truth.impulse[i]));
-    }
-    record["nearest"] =
-        velocities_record(truth.outcome, [](const T& x) { return number_to_json(oracles::nearest_double(x)); });
+    json record = velocities_and_impulse(truth);
+    record["nearest"] = nearest_record(truth.outcome);
     return record;
   });
+}
+
+json answers_record(std::span<const oracles::CoulombAnswer> answers) {
+  json record = json::array();
+  for (const oracles::CoulombAnswer& answer : answers) {
+    json of_answer = answer.is_exact() ? velocities_and_impulse(answer.truth) : json::object();
+    of_answer["kind"] = name_of(answer.kind);
+    of_answer["exact"] = answer.is_exact();
+    of_answer["nearest"] = nearest_record(answer.truth.outcome);
+    record.push_back(std::move(of_answer));
+  }
+  return record;
 }
 
 json verdict_record(const properties::Verdict& verdict) {
@@ -219,11 +245,13 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
               {"replay", replay_command(witness_file, subject, options.yardstick)}};
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {
-    record["truth"] = json::object();
     for (const Model model : models_with_truth) {
-      if (subject.model == model || !determines_outcome(subject.model)) {
+      if (subject.model == model || subject.model == Model::any) {
         record["truth"][std::string(name_of(model))] = truth_record(judged_case.exact(), model);
       }
+    }
+    if (subject.model == Model::coulomb) {
+      record["answers"]["coulomb"] = answers_record(oracles::coulomb_answers(judged_case.exact()));
     }
   }
   return record;

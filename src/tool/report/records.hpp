@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/gate/gate.hpp>
 
 #include "report/environment.hpp"
@@ -23,6 +25,10 @@ namespace carom::tool {
 /// The exact truth of one model: velocities, impulse and energy change as strings "p/q", and under `nearest` the
 /// velocities as binary64.
 [[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
+
+/// All answers of the law `coulomb`: how each ends, whether it is exact, and under `nearest` its velocities as
+/// binary64; the exact ones as those of a truth besides.
+[[nodiscard]] nlohmann::json answers_record(std::span<const oracles::CoulombAnswer> answers);
 
 /// What outcomes were judged by.
 [[nodiscard]] nlohmann::json yardstick_record(const oracles::Yardstick& yardstick);

@@ -22,17 +22,8 @@ namespace {
 using unit::ratio;
 using unit::same;
 
-/// A ball of mass 1, radius 1 and moments 2/5 falls with (−3, −4, 0) on a fixed plane: K = diag(7/2, 1, 7/2), so P_I =
-/// (0, 4, 0) and D = (6/7, 0, 0).
-Collision ball_on_a_plane() {
-  Collision c;
-  c.a.principal_inertia.setConstant(0.4);
-  c.a.position = {0, 1, 0};
-  c.a.velocity = {-3, -4, 0};
-  c.b.immovable = true;
-  c.restitution = 0.5;
-  return c;
-}
+/// K = diag(7/2, 1, 7/2), so P_I = (0, 4, 0) and D = (6/7, 0, 0).
+Collision ball_on_a_plane() { return unit::ball_on_a_plane(0.4, 0); }
 
 TEST(Rough, SticksWhereFrictionSuffices) {
   Collision c = ball_on_a_plane();

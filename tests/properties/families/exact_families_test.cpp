@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 #include <carom/oracles/exact/definiteness.hpp>
+#include <carom/oracles/laws/equations.hpp>
 
 #include "support/exact.hpp"
 
@@ -55,6 +57,29 @@ TEST(Families, AreExactlyHeadOnInAboutHalfOfHeadOn) {
   }
   // Half are set exactly: 100, five standard deviations of √(200/4) = 7.1 less; rounding adds some by luck.
   EXPECT_GE(exactly, 64);
+}
+
+TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
+  int sticking = 0;
+  int slipping = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const ExactCase exact_case(unit::case_of("stick_or_slip", i).collision);
+    if (exact_case.approach() != Approach::colliding) {
+      continue;
+    }
+    const auto& c = exact_case.exact();
+    const ExactVector& impulse = exact_case.truth(Model::sticking, Approach::colliding).impulse;
+    const auto cone = oracles::squared_cone(c, impulse);
+    if (c.normal.dot(impulse) <= 0 || cone.left[0] == 0) {
+      continue;  // no friction makes it stick, or none is needed
+    }
+    (cone.left[0] <= cone.right[0] ? sticking : slipping) += 1;
+    // 1 ± 10^-k of μ, k ≥ 1, and what general bodies lose in the double that μ is found in.
+    EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
+  }
+  // Nearly half each: 200/4, five standard deviations of √(200/4) = 7.1 less than half of what collides.
+  EXPECT_GT(sticking, 50);
+  EXPECT_GT(slipping, 50);
 }
 
 TEST(Families, AreNeverExactlyHeadOnInNearHeadOnWithoutRounding) {

@@ -70,6 +70,8 @@ const std::map<std::string_view, std::uint64_t> golden{
     {"spin_alone", 0x2226549af910176a},
     {"special_tangential_restitution", 0xc240ca4804fb267c},
     {"long_quaternion", 0xa8b54167dd0fdab9},
+    {"stick_or_slip", 0x5839ddf8abd0e925},
+    {"chung_ooi", 0xd6ee6a9cefa571c7},
     {"invalid", 0x4a87bed01fc98bae},
 };
 
@@ -207,7 +209,8 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
 
 TEST(Families, CallOnlyConvexUniformBodiesConvexAndUniform) {
   for (const auto& [family, one] : unit::valid_cases(50)) {
-    EXPECT_EQ(one.convex_uniform, family == "physical" || family == "collinear_spheres" || family == "spin_alone")
+    EXPECT_EQ(one.convex_uniform,
+              family == "physical" || family == "collinear_spheres" || family == "spin_alone" || family == "chung_ooi")
         << family;
   }
 }

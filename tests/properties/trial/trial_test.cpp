@@ -38,7 +38,8 @@ void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < 20; ++i) {
     const Case one = extreme_case(stream, most);
-    for (const char* name : {"frictionless-float", "reflection-double", "reflection-in-basis-long-double"}) {
+    for (const char* name :
+         {"frictionless-float", "reflection-double", "reflection-in-basis-long-double", "coulomb-double"}) {
       const Subject subject = subjects::subject_named(name).value();
       const Judgement judgement = judge_one(subject, claim_of(subject, {}), one).judgement;
       if (judgement.verdicts.empty() && judgement.not_held.empty()) {
@@ -102,6 +103,29 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   const double rounding = unit_roundoff(Precision::binary64);
   EXPECT_EQ(push_of(rounding / 100), Status::holds);
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
+}
+
+/// An ulp beside sticking. With a normal so short that the scale of N × V⁺ leaves the range of numbers, and masses so
+/// great that those of friction do not, it cannot be said that the point slips: then friction need not be on the cone.
+TEST(Trial, ASlipThatCannotBeToldFromSlippingIsNoViolation) {
+  const auto verdict_with = [](double normal, double mass) {
+    Case one{unit::ball_on_a_plane(mass / 2, 10), false};
+    one.collision.a.mass = mass;
+    one.collision.normal *= normal;
+    Claim claim = claim_of(subjects::subject_named("coulomb-double").value(), {});
+    claim.invariants = {invariant_named("slip_opposed")};
+    const auto stuck = [](const Collision& collision) -> ExactAnswer {
+      auto outcome =
+          map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); });
+      outcome.a = {{-2 + 0x1p-52L, 2, 0}, {0, 0, 2}};
+      return oracles::LiftedOutcome(outcome);
+    };
+    return try_case(JudgedCase(one), claim, stuck).verdicts.at(0).verdict;
+  };
+  EXPECT_EQ(verdict_with(1, 1).status, Status::holds);
+  const Verdict undecided = verdict_with(0x1p-950, 0x1p+520);
+  EXPECT_EQ(undecided.status, Status::skipped);
+  EXPECT_TRUE(undecided.is_undecided);
 }
 
 /// In a process of its own: CGAL ends it where an infinite double becomes a rational.

@@ -3,10 +3,10 @@ import { createRequire } from 'node:module';
 
 import { Body, Quaternion, Sphere, Vec3, World } from 'cannon-es';
 
-import { serve, wants_configured } from './line_protocol.mjs';
+import { serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
-const configured = wants_configured();
+const { configured, model } = settings();
 const overlap = 4500 * Number.EPSILON;  // some thousand roundings of the spheres' distance must leave no gap
 const step = 1 / 60;  // [s]; configured, its length enters nothing
 
@@ -30,23 +30,40 @@ function make_body(body, sphere) {
   return made;
 }
 
-function make_world(a, b, restitution) {
+// The impulse on the masses that turns their approach round, were they not to spin, in place of their weight: friction
+// is bounded by μ times it.
+function friction_gravity({ a, b, point, normal, restitution }) {
+  const velocity_at_point = ({ position, velocity, angular_velocity }) =>
+    new Vec3(...angular_velocity).cross(new Vec3(...point).vsub(new Vec3(...position))).vadd(new Vec3(...velocity));
+  const approach = -velocity_at_point(a).vsub(velocity_at_point(b)).dot(new Vec3(...unit(normal)));  // [m/s]
+  return new Vec3((1 + restitution) * Math.max(0, approach), 0, 0);
+}
+
+function make_world(a, b, { friction, restitution }) {
   const world = new World();  // without gravity
   world.addBody(a);
   world.addBody(b);
-  world.defaultContactMaterial.friction = 0;
+  world.defaultContactMaterial.friction = model === 'coulomb' ? friction : 0;
   world.defaultContactMaterial.restitution = restitution;
   return world;
 }
 
-function configure(world) {
+function configure(world, collision) {
   for (const body of world.bodies) {
     body.linearDamping = body.angularDamping = 0;
+  }
+  if (model === 'coulomb') {
+    world.frictionGravity = friction_gravity(collision);
+    world.solver.iterations = 100;
+    world.solver.tolerance = 0;
   }
   // Before the contact is solved: its SPOOK parameters as for an infinite relaxation, which leaves no softness and lets
   // no velocity come from the overlap, and no limit on its impulse.
   world.bodies[0].addEventListener('collide', ({ contact }) => {
     Object.assign(contact, { a: 0, b: 1, eps: 0, maxForce: Infinity });
+    for (const friction of world.frictionEquations) {
+      Object.assign(friction, { a: 0, b: 1, eps: 0 });
+    }
   });
 }
 
@@ -58,18 +75,18 @@ function solve(collision) {
   const posed = spheres(collision, overlap);
   const a = make_body(collision.a, posed.a);
   const b = make_body(collision.b, posed.b);
-  const world = make_world(a, b, collision.restitution);
+  const world = make_world(a, b, collision);
   if (configured) {
-    configure(world);
+    configure(world, collision);
   }
   world.step(step);
   return { a: velocity_of(a), b: velocity_of(b) };
 }
 
 const claims = {
-  name: configured ? 'cannon' : 'cannon-as-shipped',
+  name: subject_name('cannon', { configured, model }),
   version: createRequire(import.meta.url)('cannon-es/package.json').version,
   precision: 'binary64',
-  model: 'frictionless',
+  model,
 };
 await serve(claims, solve);

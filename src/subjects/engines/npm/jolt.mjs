@@ -3,11 +3,11 @@ import { createRequire } from 'node:module';
 
 import initialize from 'jolt-physics';
 
-import { serve, wants_configured } from './line_protocol.mjs';
+import { serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const Jolt = await initialize();
-const configured = wants_configured();
+const { configured, model } = settings();
 const overlap = 1e-5;  // some 80 roundings of binary32: the distance of the spheres must leave no gap
 const step = 1 / 60;  // [s]; configured, its length enters nothing
 
@@ -25,7 +25,11 @@ function make_world() {
   const world = new Jolt.JoltInterface(settings);
   world.GetPhysicsSystem().SetGravity(new Jolt.Vec3(0, 0, 0));
   if (configured) {
-    world.GetPhysicsSystem().GetPhysicsSettings().mMinVelocityForRestitution = 0;  // [m/s]
+    const physics = world.GetPhysicsSystem().GetPhysicsSettings();
+    physics.mMinVelocityForRestitution = 0;  // [m/s]
+    if (model === 'coulomb') {
+      physics.mNumVelocitySteps = 20;  // friction and the normal impulse take turns; more are no nearer to the law
+    }
   }
   return world;
 }
@@ -49,7 +53,7 @@ function set_mass(properties, { mass, principal_inertia, orientation }) {
 }
 
 // The body's axes are those of the world: its principal axes are turned instead, so that its sphere is not rounded.
-function make_body(body, sphere, restitution) {
+function make_body(body, sphere, { friction, restitution }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
     new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
   const settings = new Jolt.BodyCreationSettings(
@@ -57,7 +61,7 @@ function make_body(body, sphere, restitution) {
     body.immovable ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic, 0);
   settings.mLinearVelocity = filled(vector, body.velocity);
   settings.mAngularVelocity = filled(vector, body.angular_velocity);
-  settings.mFriction = 0;
+  settings.mFriction = model === 'coulomb' ? friction : 0;  // combined as √(μ μ), which rounds to μ
   settings.mRestitution = restitution;
   if (configured) {
     settings.mLinearDamping = settings.mAngularDamping = 0;
@@ -79,8 +83,8 @@ function velocity_of(body) {
 
 function solve(collision) {
   const posed = spheres(collision, overlap);
-  const a = make_body(collision.a, posed.a, collision.restitution);
-  const b = make_body(collision.b, posed.b, collision.restitution);
+  const a = make_body(collision.a, posed.a, collision);
+  const b = make_body(collision.b, posed.b, collision);
   world.Step(step, 1);
   const outcome = { a: velocity_of(a), b: velocity_of(b) };
   for (const body of [b, a]) {  // the last free number is the next used: so A has the lower one again, and comes first
@@ -91,9 +95,9 @@ function solve(collision) {
 }
 
 const claims = {
-  name: configured ? 'jolt' : 'jolt-as-shipped',
+  name: subject_name('jolt', { configured, model }),
   version: createRequire(import.meta.url)('jolt-physics/package.json').version,
   precision: 'binary32',
-  model: 'frictionless',
+  model,
 };
 await serve(claims, solve);

@@ -132,11 +132,18 @@ export async function serve(claims, solve) {
   }
 }
 
-/** Whether the command line asks for the setting `configured`, the default, in place of `as-shipped`. */
-export function wants_configured() {
-  const setting = process.argv[2] ?? 'configured';
-  if (setting !== 'configured' && setting !== 'as-shipped') {
-    throw new Error(`expected 'configured' or 'as-shipped', found '${setting}'`);
+/** What the command line asks for: `[configured|as-shipped] [frictionless|coulomb]`, of both the first by default. */
+export function settings() {
+  const [setting = 'configured', model = 'frictionless', ...rest] = process.argv.slice(2);
+  const known = ['configured', 'as-shipped'].includes(setting) && ['frictionless', 'coulomb'].includes(model);
+  if (!known || rest.length > 0) {
+    console.error(`expected [configured|as-shipped] [frictionless|coulomb], found ${process.argv.slice(2).join(' ')}`);
+    process.exit(2);
   }
-  return setting === 'configured';
+  return { configured: setting === 'configured', model };
+}
+
+/** The name of the subject with these settings of an engine, as `carom subjects` lists it. */
+export function subject_name(engine, { configured, model }) {
+  return engine + (model === 'coulomb' ? '-coulomb' : '') + (configured ? '' : '-as-shipped');
 }

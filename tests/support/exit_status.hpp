@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-namespace carom::benchmarks {
+namespace carom::unit {
 
 /// What run() returns; where it throws, 2, and a line on standard error.
 template <class Run>
@@ -17,4 +17,4 @@ template <class Run>
   }
 }
 
-}  // namespace carom::benchmarks
+}  // namespace carom::unit

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSL-1.0
+import initialize from '@mujoco/mujoco';
+
+import { serve, settings, subject_name } from './line_protocol.mjs';
+import { spheres, unit } from './posing.mjs';
+
+const silent = () => {};  // its warnings go to standard output, which belongs to the protocol
+const mujoco = await initialize({ print: silent, printErr: silent });
+const { configured, model } = settings();
+const overlap = 4500 * Number.EPSILON;  // some thousand roundings of the spheres' distance must leave no gap
+const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped its own default
+
+// All numbers are set anew for each case. An immovable body has no joint. The normal points from `geom1` to `geom2`.
+function xml({ a, b }) {
+  const body = (name, immovable) => `
+    <body>
+      ${immovable ? '' : '<freejoint/>'}
+      <inertial pos="0 0 0" quat="0.5 0.1 0.6 0.3" mass="1" diaginertia="1 1.1 1.2"/>
+      <geom name="${name}" pos="1 2 3" size="1" contype="0" conaffinity="0"/>
+    </body>`;
+  return `
+    <mujoco>
+      <option gravity="0 0 0"/>
+      <worldbody>${body('a', a.immovable)}${body('b', b.immovable)}</worldbody>
+      <contact><pair geom1="b" geom2="a"/></contact>
+    </mujoco>`;
+}
+
+function configure(option) {
+  Object.assign(option, {
+    timestep: step,  // the gyroscopic torque vanishes with it
+    disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are no accident here
+    enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // softness by N·K N instead of 1/m_A + 1/m_B
+    cone: mujoco.mjtCone.mjCONE_ELLIPTIC.value,
+    impratio: 100,  // the softness along N over that across it; from 1e4 on the solver ends too soon
+  });
+}
+
+function make_world(collision) {
+  const model = mujoco.MjModel.from_xml_string(xml(collision));
+  if (configured) {
+    configure(model.opt);
+  }
+  return { model, data: new mujoco.MjData(model) };
+}
+
+const worlds = new Map();
+
+function world_for(collision) {
+  const key = `${collision.a.immovable} ${collision.b.immovable}`;
+  if (!worlds.has(key)) {
+    worlds.set(key, make_world(collision));
+  }
+  return worlds.get(key);
+}
+
+function set_contact(world, { restitution, friction }) {
+  const without_friction = model === 'frictionless' || (configured && friction === 0);
+  world.pair_dim[0] = without_friction ? 1 : 3;
+  world.pair_friction.fill(friction, 0, 2);  // 1e-5 where smaller
+  if (configured) {
+    const impedance = mujoco.mjMAXIMP;  // as hard as it gets, and at every depth
+    world.pair_solimp.fill(impedance, 0, 2);
+    // No stiffness, and damping that asks for N·V⁺ = −ε N·V⁻ and N × V⁺ = 0 at the end of the step. It is divided by
+    // the impedance: that makes up for the softness along N; friction has next to none.
+    world.pair_solref.set([0, -(1 + restitution) / step]);
+    world.pair_solreffriction.set([0, -impedance / step]);
+  }
+}
+
+// The body's origin is at its centre of mass, its axes are those of the world: its principal axes are turned instead.
+function set_body(world, index, body, sphere) {
+  const centre = body.immovable ? sphere.centre : sphere.centre_of_mass_from_centre.map((x) => -x);
+  world.geom_pos.set(centre, 3 * index);
+  world.geom_size[3 * index] = world.geom_rbound[index] = sphere.radius;
+  if (!body.immovable) {
+    world.body_mass[index + 1] = body.mass;  // after the world's own body
+    world.body_inertia.set(body.principal_inertia, 3 * (index + 1));
+    world.body_iquat.set(unit(body.orientation), 4 * (index + 1));
+  }
+}
+
+// At P, where the origin is: v − w × c.
+function velocity_of_wall({ velocity: v, angular_velocity: w }, { centre_of_mass: c }) {
+  return v.map((x, i) => x - (w[(i + 1) % 3] * c[(i + 2) % 3] - w[(i + 2) % 3] * c[(i + 1) % 3]));
+}
+
+// No body has a prescribed velocity: a contact with a wall is posed in the frame of the wall's material point at P.
+function solve(collision) {
+  const { a, b } = collision;
+  if (a.immovable && b.immovable) {
+    return collision;
+  }
+  const posed = spheres(collision, overlap);
+  const frame = a.immovable ? velocity_of_wall(a, posed.a) : b.immovable ? velocity_of_wall(b, posed.b) : [0, 0, 0];
+  const { model: world, data } = world_for(collision);
+  set_contact(world, collision);
+  set_body(world, 0, a, posed.a);
+  set_body(world, 1, b, posed.b);
+  mujoco.mj_setConst(world, data);
+  world.geom_sameframe.fill(0);  // or offsets below 1e-6 are taken for none
+  world.body_sameframe.fill(0);
+  mujoco.mj_resetData(world, data);
+  const movable = [a, b].filter(({ immovable }) => !immovable);
+  const before = movable.flatMap((body) => [...body.velocity.map((x, i) => x - frame[i]), ...body.angular_velocity]);
+  data.qvel.set(before);
+  data.qpos.set(movable.flatMap((body) => [...(body === a ? posed.a : posed.b).centre_of_mass, 1, 0, 0, 0]));
+  mujoco.mj_step(world, data);
+  const change = data.qvel.map((x, i) => x - before[i]);
+  const velocity_of = (body) => {
+    const first = 6 * movable.indexOf(body);
+    const changed = (vector, offset) => vector.map((x, i) => x + change[offset + i]);
+    return body.immovable
+      ? body
+      : { velocity: changed(body.velocity, first), angular_velocity: changed(body.angular_velocity, first + 3) };
+  };
+  return { a: velocity_of(a), b: velocity_of(b) };
+}
+
+const claims = {
+  name: subject_name('mujoco', { configured, model }),
+  version: mujoco.mj_versionString(),
+  precision: 'binary64',
+  model,
+};
+await serve(claims, solve);

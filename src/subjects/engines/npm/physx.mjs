@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSL-1.0
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+import initialize from 'physx-js-webidl';
+
+import { serve, settings, subject_name } from './line_protocol.mjs';
+import { spheres, unit, xyz } from './posing.mjs';
+
+const require = createRequire(import.meta.url);
+
+// The package is built for browsers, and refuses to start where it sees Node.
+const { process } = globalThis;
+Object.assign(globalThis, { process: undefined, window: globalThis });
+const wasmBinary = readFileSync(require.resolve('physx-js-webidl/physx-js-webidl.wasm'));
+const PhysX = await initialize({ wasmBinary, print: console.error });  // standard output is the protocol's
+Object.assign(globalThis, { process, window: undefined });
+
+const { configured, model } = settings();
+const overlap = 2e-6;  // some 16 roundings of binary32: the distance of the spheres must leave no gap
+
+const scale = new PhysX.PxTolerancesScale();
+const version = PhysX.PHYSICS_VERSION;
+const foundation = PhysX.CreateFoundation(version, new PhysX.PxDefaultAllocator(), new PhysX.PxDefaultErrorCallback());
+const physics = PhysX.CreatePhysics(version, foundation, scale);
+const material = physics.createMaterial(0, 0, 0);  // of both bodies, so that the mean of both is its own
+// In the engine's memory, where nothing is collected; so these are filled again and again.
+const pose = new PhysX.PxTransform(PhysX.PxIDENTITYEnum.PxIdentity);
+const vector = new PhysX.PxVec3(0, 0, 0);
+const ball = new PhysX.PxSphereGeometry(1);
+
+const filled = (numbers) => Object.assign(vector, xyz(numbers));
+function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
+  Object.assign(pose.p, xyz(position));
+  Object.assign(pose.q, { w, x, y, z });
+  return pose;
+}
+
+// The lower dominance group is not moved in a contact: an immovable body keeps its velocity to the last bit, where that
+// of a kinematic one would be the difference of two rounded poses. It collides with movable ones alone.
+const movable = { dominance: 1, collides: new PhysX.PxFilterData(1, 3, 0, 0) };
+const immovable = { dominance: 0, collides: new PhysX.PxFilterData(2, 1, 0, 0) };
+
+const description = new PhysX.PxSceneDesc(scale);
+description.gravity = filled([0, 0, 0]);
+description.cpuDispatcher = PhysX.DefaultCpuDispatcherCreate(0);
+description.filterShader = PhysX.DefaultFilterShader();
+if (configured) {
+  description.bounceThresholdVelocity = 1e-45;  // [m/s], the least that is not 0
+}
+
+// The body's origin and axes are those of the world, but for its principal axes.
+function make_body(scene, body, sphere) {
+  const made = physics.createRigidDynamic(pose_at([0, 0, 0]));
+  const { dominance, collides } = body.immovable ? immovable : movable;
+  ball.radius = sphere.radius;
+  const shape = physics.createShape(ball, material, true);
+  shape.setLocalPose(pose_at(sphere.centre));
+  shape.setSimulationFilterData(collides);
+  made.attachShape(shape);
+  shape.release();
+  made.setDominanceGroup(dominance);
+  made.setCMassLocalPose(pose_at(sphere.centre_of_mass, body.immovable ? undefined : unit(body.orientation)));
+  made.setMass(body.immovable ? 1 : body.mass);
+  made.setMassSpaceInertiaTensor(filled(body.immovable ? [1, 1, 1] : body.principal_inertia));
+  if (configured || body.immovable) {
+    made.setAngularDamping(0);
+    made.setMaxLinearVelocity(1e18);  // [m/s]: its square is still in range
+    made.setMaxAngularVelocity(1e18);  // [rad/s]
+  }
+  if (configured) {
+    made.setMaxDepenetrationVelocity(0);  // no velocity from the overlap
+    made.setSolverIterationCounts(4, 255);  // of positions, as shipped, and of velocities: the most there are
+  }
+  made.setLinearVelocity(filled(body.velocity));
+  made.setAngularVelocity(filled(body.angular_velocity));
+  scene.addActor(made);
+  return made;
+}
+
+function velocity_of(body) {
+  const numbers = ({ x, y, z }) => [x, y, z];
+  return { velocity: numbers(body.getLinearVelocity()), angular_velocity: numbers(body.getAngularVelocity()) };
+}
+
+function solve(collision) {
+  const posed = spheres(collision, overlap);
+  const friction = model === 'coulomb' ? collision.friction : 0;
+  material.setStaticFriction(friction);
+  material.setDynamicFriction(friction);
+  material.setRestitution(collision.restitution);
+  const scene = physics.createScene(description);
+  const bodies = ['a', 'b'].map((name) => make_body(scene, collision[name], posed[name]));
+  scene.simulate(1 / 60);  // [s]; configured, its length enters nothing
+  scene.fetchResults(true);
+  const [a, b] = bodies.map(velocity_of);
+  [...bodies, scene].forEach((made) => made.release());
+  return { a, b };
+}
+
+const claims = {
+  name: subject_name('physx', { configured, model }),
+  version: [24, 16, 8].map((shift) => (version >> shift) & 255).join('.'),
+  precision: 'binary32',
+  model,
+};
+await serve(claims, solve);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The laws in impulse space (docs/guide/laws.md): impulse_space OUT
+// One contact in a plane: a body of mass 1 and moments 1 whose contact point is at (1, −1, 0) from its centre strikes a
+// fixed one with (3, −4, 0), N = (0, 1, 0), ε = 1/2, μ = 1. K = (2, 1; 1, 2) of the tangential and the normal
+// component.
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <carom/impulse/coulomb.hpp>
+#include <carom/impulse/laws.hpp>
+
+#include "chart/gnuplot.hpp"
+#include "support/exit_status.hpp"
+
+namespace carom::figures {
+namespace {
+
+using tool::chart::Picture;
+using Point = std::vector<double>;  // the tangential and the normal component of an impulse
+
+Collision shown() {
+  Collision c;
+  c.a.position = {-1, 1, 0};
+  c.a.velocity = {3, -4, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  c.friction = 1;
+  return c;
+}
+
+Point point_of(const Vector3<double>& impulse) { return {impulse.x(), impulse.y()}; }
+
+Point impulse_by(Model model, const Collision& collision) {
+  const auto contact = impulse::make_contact<double>(collision);
+  if (model == Model::coulomb) {
+    return point_of(impulse::coulomb_impulse(contact).on_a);
+  }
+  Point point;
+  impulse::with_law(model, [&](const auto& law) { point = point_of(law(contact).on_a); });
+  return point;
+}
+
+/// What leads to F: the impulses as one of the coefficients grows, from no restitution on.
+std::vector<Point> path_of(Model model) {
+  Collision c = shown();
+  std::vector<Point> path{{0, 0}};
+  if (model == Model::rough) {
+    path.push_back(impulse_by(Model::frictionless, c));
+    path.push_back(impulse_by(model, shown()));
+    return path;
+  }
+  if (model == Model::coulomb) {
+    path.push_back(impulse_by(Model::frictionless, c));
+    for (c.friction = 0.0625; c.friction <= 1; c.friction += 0.0625) {
+      path.push_back(impulse_by(model, c));
+    }
+    return path;
+  }
+  c.restitution = 0;
+  path.push_back(impulse_by(model, c));
+  path.push_back(impulse_by(model, shown()));
+  return path;
+}
+
+Picture picture_of(Model model, std::string_view title) {
+  Picture picture("impulse-space-" + std::string(name_of(model)), 620, 560, 15);
+  const tool::chart::Panel panel{{-6, 3, false, 60, 600}, {-0.5, 7, false, 55, 505}};
+  picture.begin(panel, title, "tangential component of F [N s]", "normal component of F [N s]");
+  picture.add("set xtics 1\nset ytics 1");
+  const auto line = [&](std::vector<Point> points, std::string_view style) {
+    picture.curve(points, fmt::format("using 1:2 with lines {}", style));
+  };
+  const auto mark = [&](const Point& point, std::string_view text, std::string_view colour, double left, double up) {
+    const tool::chart::Pixel at = panel.place_of(point[0], point[1]);
+    picture.write(text, {at.x + left, at.y + up}, colour, "left");
+  };
+  const Collision c = shown();
+  Collision plastic = c;
+  plastic.restitution = 0;
+  const Point stops_approach = impulse_by(Model::frictionless, plastic);
+  const Point stops_point = impulse_by(Model::sticking, plastic);
+  const Point answer = impulse_by(model, c);
+  const bool has_friction = model == Model::rough || model == Model::coulomb;
+  Collision smoother = c;
+  smoother.friction = 0.5;
+  const Point on_cone = impulse_by(model, smoother);
+  mark({-2.75, 0.85}, "the cone, μ = 1", tool::chart::grey, 0, 0);
+  mark({0.35, 3.2}, "N·V⁺ = −ε N·V⁻", tool::chart::green, 0, 0);
+  mark({-5.9, 4.4}, "N·V⁺ = 0", tool::chart::sky_blue, 0, 0);
+  mark(stops_approach, "P_I", tool::chart::black, 10, -8);
+  mark(stops_point, "P_II", tool::chart::black, 10, 4);
+  mark(answer, "F", tool::chart::vermillion, 10, 16);
+  if (has_friction) {
+    mark(on_cone, "F at μ = 1/2", tool::chart::purple, 10, 16);
+  }
+  line({{-6, 6}, {0, 0}, {3, 3}}, fmt::format("lw 2 lc rgb '{}'", tool::chart::grey));
+  line({{-6, 6}, {3, 1.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", tool::chart::green));
+  line({{-6, 5}, {3, 0.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", tool::chart::sky_blue));
+  if (has_friction) {
+    line({{-3.5, 7}, {0, 0}, {3, 6}}, fmt::format("lw 1.5 dt 3 lc rgb '{}'", tool::chart::purple));
+  }
+  line(path_of(model), fmt::format("lw 3 lc rgb '{}'", tool::chart::vermillion));
+  picture.curve({stops_approach, stops_point},
+                fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", tool::chart::black));
+  picture.curve({answer}, fmt::format("using 1:2 with points pt 7 ps 1.3 lc rgb '{}'", tool::chart::vermillion));
+  if (has_friction) {
+    picture.curve({on_cone}, fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", tool::chart::purple));
+  }
+  picture.end();
+  return picture;
+}
+
+int run(int argc, char** argv) {
+  if (argc != 2) {
+    throw std::invalid_argument("expected one argument, the directory to write to");
+  }
+  const std::array pictures{
+      picture_of(Model::frictionless, "frictionless: along N, (1+ε) P_I"),
+      picture_of(Model::reflection, "reflection: the tangential velocity is kept"),
+      picture_of(Model::sticking, "sticking: P_II, and on by ε"),
+      picture_of(Model::rough, "rough: (1+ε) P_I, then along P_II − P_I"),
+      picture_of(Model::coulomb, "coulomb: as friction grows, until the point sticks"),
+  };
+  const std::filesystem::path directory = argv[1];
+  std::filesystem::create_directories(directory / "gnuplot");
+  tool::chart::draw(pictures, directory);
+  return 0;
+}
+
+}  // namespace
+}  // namespace carom::figures
+
+int main(int argc, char** argv) {
+  return carom::unit::exit_status("impulse_space", [&] { return carom::figures::run(argc, argv); });
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/laws/equations.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::oracles {
+namespace {
+
+/// A ball of mass 1, moments 1/2 and velocity (−3, −4, 0) that the impulse gives to; what it does to the spin is left
+/// out, and the slip set by the velocity.
+Outcome<Rational> struck(const Vector3<Rational>& impulse) {
+  const BasicCollision<Rational> c = lift(unit::ball_on_a_plane(0.5, 0.25));
+  Outcome<Rational> after = unchanged(c);
+  after.a.velocity += impulse;
+  return after;
+}
+
+TEST(FrictionEquations, CompareFrictionWithTheSlipAfterTheImpulse) {
+  const BasicCollision<Rational> c = lift(unit::ball_on_a_plane(0.5, 0.25));
+  const auto sides = [&](const auto& equation, const Vector3<Rational>& impulse) {
+    const auto of = equation(c, struck(impulse));
+    return std::pair(of.left, of.right);
+  };
+  // F = (1, 6, 0): the slip is (−2, 0, 0). Against it: N × F = (0, 0, −1), N × V⁺ = (0, 0, 2).
+  const Vector3<Rational> against(1, 6, 0);
+  EXPECT_TRUE(sides(equation::FrictionAlongSlip{true}, against).first.isZero(0));
+  EXPECT_EQ(sides(equation::FrictionAgainstSlip{true}, against).first[0], -2);
+  // F = (4, 6, 0) drives the slip on: (1, 0, 0).
+  EXPECT_EQ(sides(equation::FrictionAgainstSlip{true}, Vector3<Rational>(4, 6, 0)).first[0], 4);
+  // F = (1, 6, 3): N × F = (3, 0, −1), N × V⁺ = (3, 0, 2), and their cross product is (0, −9, 0).
+  EXPECT_EQ(Vector3<Rational>(sides(equation::FrictionAlongSlip{true}, Vector3<Rational>(1, 6, 3)).first),
+            Vector3<Rational>(0, -9, 0));
+  EXPECT_EQ(sides(equation::FrictionAgainstSlip{true}, Vector3<Rational>(1, 6, 3)).first[0], 7);
+}
+
+TEST(FrictionEquations, CompareFrictionWithPressure) {
+  const BasicCollision<Rational> c = lift(unit::ball_on_a_plane(0.5, 0.25));
+  const auto cone = equation::FrictionCone{true}(c, struck(Vector3<Rational>(1, 6, 2)));
+  EXPECT_EQ(cone.left[0], 5);                 // ‖N × F‖²
+  EXPECT_EQ(cone.right[0], Rational(9) / 4);  // (6/4)²
+}
+
+}  // namespace
+}  // namespace carom::oracles

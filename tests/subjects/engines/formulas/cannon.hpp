@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <carom/collision/outcome.hpp>
+
+#include "problem.hpp"
+
+namespace carom::formulas {
+
+/// What of cannon-es's settings acts on one contact of two bodies, without gravity.
+struct CannonSettings {
+  double a;         // SPOOK's, of the contact and of the friction: the share of the overlap to remove in a second [1/s]
+  double b;         // SPOOK's: the share of the velocity to remove
+  double softness;  // SPOOK's ε [1/kg]
+  double largest_push;  // ContactEquation.maxForce, which bounds an impulse [N s]
+  double friction_gravity;  // ‖World.frictionGravity‖; times μ and a mass it bounds an impulse, and so is a speed [m/s]
+  int iterations;           // GSSolver.iterations
+  double tolerance;         // GSSolver.tolerance [N s]
+  double damping;           // linearDamping and angularDamping, the share of the velocity lost in a second
+  double step;              // [s]
+  double overlap;           // of the shapes, by which the adapter poses the contact [m]
+};
+
+/// Stiffness 1e7 and relaxation 3; without gravity the bound on friction is 0.
+[[nodiscard]] inline CannonSettings cannon_as_shipped(double overlap) {
+  constexpr double step = 1.0 / 60;
+  constexpr double relaxation = 1 + 4 * 3;
+  const double softness = 4 / (step * step * 1e7 * relaxation);
+  return {4 / (step * relaxation), 12 / relaxation, softness, 1e6, 0, 10, 1e-7, 0.01, step, overlap};
+}
+
+/// SPOOK as for an infinite relaxation. The bound on friction is μ times the impulse that would stop and turn round the
+/// two masses if they did not spin: (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
+[[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
+  const Problem problem = problem_of(collision);
+  const double approach = std::max(0.0, -problem.normal.dot(problem.velocity));
+  constexpr double none = std::numeric_limits<double>::infinity();
+  return {0, 1, 0, none, (1 + problem.restitution) * approach, 100, 0, 0, 1.0 / 60, overlap};
+}
+
+/// The impulse of cannon-es: Gauss and Seidel on three rows, d = T_1, T_2, N in this order:
+///
+///   F = λ_1 T_1 + λ_2 T_2 + λ_N N
+///   λ_d becomes λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), cut to its bounds
+///   B_d = −b d·V⁻ for T_1 and T_2, −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap for N, v of the centres of mass
+///   |λ_i| ≤ μ g / (1/m_A + 1/m_B), whatever the normal impulse is, and 0 ≤ λ_N ≤ maxForce
+///   T_1 = N × e_x where |N_x| < 0.9, else N × e_y; T_2 = N × T_1: both of one length, at most 1.
+///
+/// cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
+/// ContactEquation.computeB, Equation.computeGiMGt (which takes every direction for a unit vector), GSSolver.solve.
+[[nodiscard]] inline Vector3<double> cannon_impulse(const Collision& collision, const CannonSettings& settings) {
+  struct Row {
+    Vector3<double> direction;
+    double wanted;
+    double least;
+    double most;
+    double impulse = 0;
+  };
+  const Problem problem = problem_of(collision);
+  const Vector3<double>& normal = problem.normal;
+  const Vector3<double> axis = std::abs(normal.x()) < 0.9 ? Vector3<double>::UnitX() : Vector3<double>::UnitY();
+  const Vector3<double> tangent = normal.cross(axis);
+  const auto inverse_mass = [](const Body& body) { return body.immovable ? 0 : 1 / body.mass; };
+  const double inverse_masses = inverse_mass(collision.a) + inverse_mass(collision.b);
+  const double bound = problem.friction * settings.friction_gravity / inverse_masses;
+  const double between_centres = normal.dot(collision.a.velocity - collision.b.velocity);
+  const double asked = normal.dot(problem.velocity) + problem.restitution * between_centres;
+  const auto friction_row = [&](const Vector3<double>& direction) -> Row {
+    return {direction, -settings.b * direction.dot(problem.velocity), -bound, bound};
+  };
+  std::array<Row, 3> rows{friction_row(tangent), friction_row(normal.cross(tangent)),
+                          Row{normal, settings.a * settings.overlap - settings.b * asked, 0, settings.largest_push}};
+  Vector3<double> impulse = Vector3<double>::Zero();
+  for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+    double changed = 0;
+    for (Row& row : rows) {
+      const Vector3<double> response = problem.k * row.direction;
+      const double missing = row.wanted - response.dot(impulse) - settings.softness * row.impulse;
+      const double missing_length = 1 - row.direction.squaredNorm();
+      const double mobility = response.dot(row.direction) + missing_length * inverse_masses + settings.softness;
+      const double next = row.impulse + missing / mobility;
+      const double change = std::clamp(next, row.least, row.most) - row.impulse;
+      row.impulse += change;
+      impulse += change * row.direction;
+      changed += std::abs(change);
+    }
+    if (changed * changed < settings.tolerance * settings.tolerance) {
+      break;
+    }
+  }
+  return impulse;
+}
+
+/// What cannon-es answers: each body's lever arm ends where its shape does, half the overlap beyond P, and the
+/// velocities of movable bodies are damped after the contact (World.internalStep). Precondition: the collision is valid
+/// and at least one body can move.
+[[nodiscard]] inline Outcome<double> cannon(const Collision& collision, const CannonSettings& settings) {
+  Collision posed = collision;
+  const Vector3<double> beyond = settings.overlap / 2 * problem_of(collision).normal;
+  posed.a.position += beyond;
+  posed.b.position -= beyond;
+  Outcome<double> outcome = outcome_of(posed, cannon_impulse(posed, settings));
+  const double kept = std::pow(1 - settings.damping, settings.step);
+  const auto damp = [kept](const Body& body, BodyVelocity<double>& velocity) {
+    if (!body.immovable) {
+      velocity.velocity *= kept;
+      velocity.angular_velocity *= kept;
+    }
+  };
+  damp(collision.a, outcome.a);
+  damp(collision.b, outcome.b);
+  return outcome;
+}
+
+}  // namespace carom::formulas

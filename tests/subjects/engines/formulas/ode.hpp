@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "plane_space.hpp"
+#include "problem.hpp"
+
+namespace carom::formulas {
+
+/// The x in a box, lower ≤ x ≤ upper, where each component of A x + b is 0, or pushes x against its bound: a linear
+/// complementarity problem, with one solution since A is positive definite. All 27 ways to be at a bound are tried.
+[[nodiscard]] inline Vector3<double> in_box(const Matrix3<double>& a, const Vector3<double>& b,
+                                            const Vector3<double>& lower, const Vector3<double>& upper) {
+  Vector3<double> best = Vector3<double>::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (int way = 0; way < 27; ++way) {
+    const int at[] = {way % 3, way / 3 % 3, way / 9};  // 0 between the bounds, 1 at the lower, 2 at the upper
+    Matrix3<double> rows = a;
+    Vector3<double> right = -b;
+    for (int i = 0; i < 3; ++i) {
+      if (at[i] != 0) {
+        rows.row(i) = Vector3<double>::Unit(i);
+        right[i] = at[i] == 1 ? lower[i] : upper[i];
+      }
+    }
+    if (!right.allFinite()) {
+      continue;
+    }
+    const Vector3<double> x = rows.fullPivLu().solve(right);
+    const Vector3<double> rest = a * x + b;
+    double violation = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double outside = std::max(lower[i] - x[i], x[i] - upper[i]) * a(i, i);
+      violation = std::max({violation, outside, at[i] == 1 ? -rest[i] : at[i] == 2 ? rest[i] : 0.0});
+    }
+    if (violation < least) {
+      least = violation;
+      best = x;
+    }
+  }
+  return best;
+}
+
+struct OdeSettings {
+  bool pyramid = false;         // dContactApprox1; else μ is a limit on the force
+  bool along_slip = false;      // dContactFDir1 = V_T⁻/‖V_T⁻‖
+  double step = 1.0 / 60.0;     // [s]
+  double force_mixing = 1e-10;  // CFM
+};
+
+/// The impulse on A of ODE 0.16's dWorldStep on one contact joint (joints/contact.cpp, lcp.cpp: dSolveLCP), without
+/// gyroscopic torque and at depth 0.
+///
+/// Directions: N; s₁ = V_T⁻/‖V_T⁻‖ where asked for, else the first of the plane alone; s₂ = N × s₁. With
+/// A = K + CFM/step in these and w the limit on friction, F is the one solution of
+///
+///   F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ but where F is at its bound;  V⁺ = V⁻ + A F.
+///
+/// w = μ · step in N s where μ is a limit on the force; else μ times the *frictionless* F_N, for it is set before the
+/// rows of friction are solved and not changed after.
+[[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
+  const Vector3<double>& n = problem.normal;
+  const double approach = n.dot(problem.velocity);
+  const Vector3<double> slip = problem.velocity - approach * n;
+  const Vector3<double> first = settings.along_slip && !slip.isZero(0) ? slip.normalized() : plane_space(n).p;
+  Matrix3<double> basis;
+  basis << n, first, n.cross(first);
+  Matrix3<double> a = basis.transpose() * problem.k * basis;
+  a.diagonal().array() += settings.force_mixing / settings.step;
+  Vector3<double> b = basis.transpose() * problem.velocity;
+  b[0] += std::min(0.0, problem.restitution * approach);
+  const double frictionless = std::max(0.0, -b[0] / a(0, 0));
+  const double limit = problem.friction * (settings.pyramid ? frictionless : settings.step);
+  const double none = std::numeric_limits<double>::infinity();
+  return basis * in_box(a, b, {0, -limit, -limit}, {none, limit, limit});
+}
+
+/// As the subjects `ode-double-coulomb` and `ode-double-coulomb-as-shipped` have it.
+[[nodiscard]] inline Vector3<double> ode_impulse(const Collision& collision, bool configured) {
+  return ode_impulse(problem_of(collision), configured ? OdeSettings{true, true, 1.0 / 60.0, 0} : OdeSettings{});
+}
+
+}  // namespace carom::formulas

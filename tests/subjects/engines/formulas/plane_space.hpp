@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include <carom/collision/vector.hpp>
+
+namespace carom::formulas {
+
+/// Two directions across a unit normal n that no velocity enters: p = (0, −n_z, n_y)/‖·‖ where |n_z| > 1/√2, else
+/// (−n_y, n_x, 0)/‖·‖, and q = n × p. Bullet's btPlaneSpace1 (LinearMath/btVector3.h), which has it from ODE's
+/// dPlaneSpace (ode/src/odemath.cpp).
+struct PlaneSpace {
+  Vector3<double> p;
+  Vector3<double> q;
+};
+[[nodiscard]] inline PlaneSpace plane_space(const Vector3<double>& n) {
+  const Vector3<double> p = std::abs(n.z()) > std::sqrt(0.5) ? Vector3<double>(0, -n.z(), n.y()).normalized()
+                                                             : Vector3<double>(-n.y(), n.x(), 0).normalized();
+  return {p, n.cross(p)};
+}
+
+}  // namespace carom::formulas
