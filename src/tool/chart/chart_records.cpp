@@ -25,7 +25,7 @@ json spread_record(const Spread& spread) {
 json exactness_record(const Exactness& exactness) {
   return {{"cases", exactness.cases},
           {"failures", exactness.failures},
-          {"digits", quantiles_record(exactness.digits)},
+          {"digits", exactness.has_digits ? quantiles_record(exactness.digits) : json()},
           {"backward_error_ulps", exactness.has_backward_error ? quantiles_record(exactness.backward_error) : json()}};
 }
 

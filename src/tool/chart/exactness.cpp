@@ -63,11 +63,21 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
 
 /// A collision as the law `coulomb` answers it.
 struct CoulombCase {
-  explicit CoulombCase(const Collision& collision)
-      : judged({collision, false}), answers(oracles::coulomb_answers(judged.exact())) {}
+  CoulombCase(const Collision& collision, AnswersOfCoulomb asked)
+      : judged({collision, false}),
+        answers(asked == AnswersOfCoulomb::found ? oracles::coulomb_answers(judged.exact())
+                                                 : std::vector<oracles::CoulombAnswer>()) {}
 
   properties::JudgedCase judged;
-  std::vector<oracles::CoulombAnswer> answers;
+  std::vector<oracles::CoulombAnswer> answers;  // empty where they were left out
+
+  void add_to(ExactnessBuilder& builder, double digits, bool holds) const {
+    if (answers.empty()) {
+      builder.add(holds);
+    } else {
+      builder.add(digits, holds);
+    }
+  }
 };
 
 /// All that is claimed of one outcome, without the relations to others.
@@ -86,7 +96,7 @@ void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const
   }
   const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
   if (outcome == nullptr || !oracles::is_finite(*outcome)) {
-    builder.add(0, false);
+    one.add_to(builder, 0, false);
     return;
   }
   const properties::Judgement judgement = properties::try_case(
@@ -95,7 +105,7 @@ void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const
   const bool is_violated = std::any_of(
       judgement.verdicts.begin(), judgement.verdicts.end(),
       [](const properties::NamedVerdict& named) { return named.verdict.status == properties::Status::violated; });
-  builder.add(oracles::nearest_answer(one.judged.exact(), one.answers, *outcome).digits, !is_violated);
+  one.add_to(builder, oracles::nearest_answer(one.judged.exact(), one.answers, *outcome).digits, !is_violated);
 }
 
 }  // namespace
@@ -121,7 +131,8 @@ std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double qu
 }
 
 std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
-                                          std::span<const Collision> collisions, double limit_ulps, unsigned jobs) {
+                                          std::span<const Collision> collisions, double limit_ulps, unsigned jobs,
+                                          AnswersOfCoulomb answers_of_coulomb) {
   std::vector<std::vector<Answer>> answers;
   for (const subjects::Method& method : methods) {
     Session session = method.subject.open();
@@ -141,7 +152,7 @@ std::vector<Exactness> measured_exactness(std::span<const subjects::Method> meth
             const Subject& subject = methods[m].subject;
             if (subject.model == Model::coulomb) {
               if (!coulomb_case) {
-                coulomb_case.emplace(collisions[i]);
+                coulomb_case.emplace(collisions[i], answers_of_coulomb);
               }
               add_coulomb_result(part[m], *coulomb_case, subject, answers[m][i], limit_ulps);
             } else {

@@ -21,11 +21,15 @@ namespace carom::tool::chart {
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity,
                                                      std::uint64_t seed, std::size_t count);
 
+/// To find all answers of the law `coulomb` takes some milliseconds a case; its equations say whether one is lawful,
+/// and not how many digits it has.
+enum class AnswersOfCoulomb { found, left_out };
+
 /// How exact each method is on the same colliding collisions, judged against the exact truth, or the equations
 /// of a law that has none and the nearest of its answers: one for each method, without the cases that its precision
 /// cannot hold, or of which nothing is asked. So many threads at once.
 [[nodiscard]] std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                         std::span<const Collision> collisions, double limit_ulps,
-                                                        unsigned jobs);
+                                                        unsigned jobs, AnswersOfCoulomb answers_of_coulomb);
 
 }  // namespace carom::tool::chart

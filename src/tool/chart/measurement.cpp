@@ -46,25 +46,31 @@ std::string in_three_digits(double number) {
 
 void ExactnessBuilder::add(double backward_error, double digits, bool within_limit) {
   backward_errors_.push_back(backward_error);
-  digits_.push_back(digits);
-  failures_ += within_limit ? 0 : 1;
+  add(digits, within_limit);
 }
 
 void ExactnessBuilder::add(double digits, bool holds) {
   digits_.push_back(digits);
+  add(holds);
+}
+
+void ExactnessBuilder::add(bool holds) {
+  ++cases_;
   failures_ += holds ? 0 : 1;
 }
 
 ExactnessBuilder& ExactnessBuilder::operator+=(const ExactnessBuilder& other) {
   backward_errors_.insert(backward_errors_.end(), other.backward_errors_.begin(), other.backward_errors_.end());
   digits_.insert(digits_.end(), other.digits_.begin(), other.digits_.end());
+  cases_ += other.cases_;
   failures_ += other.failures_;
   return *this;
 }
 
 Exactness ExactnessBuilder::built() const {
   Exactness exactness;
-  exactness.cases = digits_.size();
+  exactness.cases = cases_;
+  exactness.has_digits = digits_.size() == cases_;
   exactness.failures = failures_;
   if (!digits_.empty()) {
     exactness.digits = quantiles_where_large_is_good(digits_);

@@ -31,6 +31,7 @@ struct Spread {
 struct Exactness {
   std::size_t cases = 0;
   std::size_t failures = 0;        // beyond the limit on the backward error, or violating an equation, or not finite
+  bool has_digits = true;          // false where they were not asked for
   Quantiles digits;                // correct ones, of the change of the velocities (forward error)
   bool has_backward_error = true;  // false of a law that determines no outcome
   Quantiles backward_error;        // ulps of the method's own precision; infinite where an outcome is not finite
@@ -82,14 +83,16 @@ class ExactnessBuilder {
  public:
   /// `backward_error` is infinite and `digits` 0 where the outcome is not finite.
   void add(double backward_error, double digits, bool within_limit);
-  /// Of a law that has no backward error.
+  /// Of a law that has no backward error; where the digits were not asked for, whether it holds alone.
   void add(double digits, bool holds);
+  void add(bool holds);
   ExactnessBuilder& operator+=(const ExactnessBuilder& other);
   [[nodiscard]] Exactness built() const;
 
  private:
   std::vector<double> backward_errors_;
   std::vector<double> digits_;
+  std::size_t cases_ = 0;
   std::size_t failures_ = 0;
 };
 

@@ -79,8 +79,8 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
     result.push_back({method.subject.name, method.subject.summary, method.subject.model, method.subject.precision, {}});
   }
   for (std::size_t f = 0; f < families.size(); ++f) {
-    std::vector<Exactness> exactness =
-        chart::measured_exactness(methods, families[f].collisions, oracles::default_limit_ulps, jobs);
+    std::vector<Exactness> exactness = chart::measured_exactness(
+        methods, families[f].collisions, oracles::default_limit_ulps, jobs, chart::AnswersOfCoulomb::found);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       result[m].families.push_back(
           {std::string(families[f].family->name), std::move(exactness[m]), times[m * families.size() + f]});
@@ -118,8 +118,8 @@ std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& argum
     for (const double quantity : quantities_of(sweep)) {
       const std::vector<Collision> collisions =
           chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
-      const std::vector<Exactness> exactness =
-          chart::measured_exactness(methods, collisions, oracles::default_limit_ulps, jobs);
+      const std::vector<Exactness> exactness = chart::measured_exactness(
+          methods, collisions, oracles::default_limit_ulps, jobs, chart::AnswersOfCoulomb::left_out);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         measurement.lines[m].exactness.push_back(exactness[m]);
       }

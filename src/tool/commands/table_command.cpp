@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,16 @@ std::string cell(const std::string& text) {
     }
   }
   return escaped;
+}
+
+/// Of a law that determines no outcome there is none.
+std::string worst_cell(const json& subject) {
+  const std::optional<Model> model = model_named(subject.at("model").get<std::string>());
+  if (!model || !determines_outcome(*model)) {
+    return "–";
+  }
+  const json& worst = subject.at("worst_backward_error").at("ulps");
+  return worst.is_number() ? fmt::format("{:.2g}", worst.get<double>()) : worst.get<std::string>();
 }
 
 std::string digits_cell(const json& digits) {
@@ -85,12 +96,10 @@ std::string row(const json& subject) {
   for (const json& violation : subject.at("violations")) {
     invariants.push_back(violation.at("invariant"));
   }
-  const json& worst = subject.at("worst_backward_error").at("ulps");
   return fmt::format("| {} {} | {}, {} | {} | {} | {} | {} | {} | {:.0f} |\n", name, cell(subject.value("version", "")),
                      subject.at("precision").get<std::string>(), subject.at("model").get<std::string>(),
-                     subject.at("status").get<std::string>(),
-                     worst.is_number() ? fmt::format("{:.2g}", worst.get<double>()) : worst.get<std::string>(),
-                     digits_cell(subject.at("digits")), list(invariants), families_cell(subject.at("families")),
+                     subject.at("status").get<std::string>(), worst_cell(subject), digits_cell(subject.at("digits")),
+                     list(invariants), families_cell(subject.at("families")),
                      subject.at("nanoseconds_per_solve").get<double>());
 }
 
