@@ -7,7 +7,7 @@ import { serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const { configured, model } = settings();
-const overlap = 4500 * Number.EPSILON;  // some thousand roundings of the spheres' distance must leave no gap
+const overlap = 64 * Number.EPSILON;  // the roundings of the spheres' distance, some 10, must leave no gap
 const step = 1 / 60;  // [s]; configured, its length enters nothing
 
 function make_body(body, sphere) {

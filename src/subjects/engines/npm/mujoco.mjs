@@ -7,7 +7,7 @@ import { spheres, unit } from './posing.mjs';
 const silent = () => {};  // its warnings go to standard output, which belongs to the protocol
 const mujoco = await initialize({ print: silent, printErr: silent });
 const { configured, model } = settings();
-const overlap = 4500 * Number.EPSILON;  // some thousand roundings of the spheres' distance must leave no gap
+const overlap = 64 * Number.EPSILON;  // the roundings of the spheres' distance, some 10, must leave no gap
 const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped its own default
 
 // All numbers are set anew for each case. An immovable body has no joint. The normal points from `geom1` to `geom2`.

@@ -59,7 +59,7 @@ namespace detail {
       return jolt(c, configured ? jolt_configured() : jolt_as_shipped());
     });
     add("cannon", [](const Collision& c, bool configured) {
-      const double overlap = detail::overlap_of(c, 4500 * std::numeric_limits<double>::epsilon());
+      const double overlap = detail::overlap_of(c, 64 * std::numeric_limits<double>::epsilon());
       return cannon(c, configured ? cannon_configured(c, overlap) : cannon_as_shipped(overlap));
     });
     add("oimo", oimo);
