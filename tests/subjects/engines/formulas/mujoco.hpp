@@ -147,7 +147,7 @@ struct MujocoProblem {
     return {frame, k, c, (1 - impedance) / impedance * k(0, 0)};
   }
   constexpr double impedance = 0.9;
-  constexpr double time = 0.95 * 0.02;                                       // [s]
+  constexpr double time = 0.95 * 0.02;                                     // [s]
   constexpr double overlap = 64 * std::numeric_limits<double>::epsilon();  // of the longer lever arm, by the adapter
   const auto contact = impulse::make_contact<double>(collision);
   const double longer = std::max(contact.a.lever_arm.norm(), contact.b.lever_arm.norm());
