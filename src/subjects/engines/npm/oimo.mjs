@@ -4,7 +4,7 @@ import { createRequire } from 'node:module';
 import { oimo } from 'oimophysics';
 
 import { serve, settings, subject_name } from './line_protocol.mjs';
-import { spheres, unit } from './posing.mjs';
+import { components, spheres, unit } from './posing.mjs';
 
 const { Mat3, Quat, Setting, Vec3 } = oimo.common;
 const { MassData, RigidBody, RigidBodyConfig, RigidBodyType, Shape, ShapeConfig } = oimo.dynamics.rigidbody;
@@ -53,8 +53,7 @@ function make_body(body, sphere, collision) {
 }
 
 function velocity_of(body) {
-  const numbers = ({ x, y, z }) => [x, y, z];
-  return { velocity: numbers(body.getLinearVelocity()), angular_velocity: numbers(body.getAngularVelocity()) };
+  return { velocity: components(body.getLinearVelocity()), angular_velocity: components(body.getAngularVelocity()) };
 }
 
 function solve(collision) {

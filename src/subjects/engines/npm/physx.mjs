@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import initialize from 'physx-js-webidl';
 
 import { serve, settings, subject_name } from './line_protocol.mjs';
-import { spheres, unit, xyz } from './posing.mjs';
+import { components, spheres, unit, xyz } from './posing.mjs';
 
 const require = createRequire(import.meta.url);
 
@@ -79,8 +79,7 @@ function make_body(scene, body, sphere) {
 }
 
 function velocity_of(body) {
-  const numbers = ({ x, y, z }) => [x, y, z];
-  return { velocity: numbers(body.getLinearVelocity()), angular_velocity: numbers(body.getAngularVelocity()) };
+  return { velocity: components(body.getLinearVelocity()), angular_velocity: components(body.getAngularVelocity()) };
 }
 
 function solve(collision) {

@@ -13,6 +13,11 @@ export function xyz([x, y, z]) {
   return { x, y, z };
 }
 
+/** The numbers of such an object. */
+export function components({ x, y, z }) {
+  return [x, y, z];
+}
+
 /**
  * A contact for engines that find contacts by themselves: two spheres, one fixed to each body, that meet at P with the
  * normal N. The origin is at P, for lever arms would lose digits far away from it. They overlap by `overlap` of the

@@ -2,7 +2,7 @@
 import RAPIER from '@dimforge/rapier3d-compat';
 
 import { serve, settings, subject_name } from './line_protocol.mjs';
-import { spheres, unit, xyz } from './posing.mjs';
+import { components, spheres, unit, xyz } from './posing.mjs';
 
 const { configured, model } = settings();
 const overlap = 1e-5;  // some 80 roundings of binary32: the distance of the spheres must leave no gap
@@ -37,9 +37,7 @@ function make_body(world, body, sphere, { friction, restitution }) {
 }
 
 function velocity_of(body) {
-  const v = body.linvel();
-  const w = body.angvel();
-  return { velocity: [v.x, v.y, v.z], angular_velocity: [w.x, w.y, w.z] };
+  return { velocity: components(body.linvel()), angular_velocity: components(body.angvel()) };
 }
 
 function solve(collision) {
