@@ -25,9 +25,9 @@ namespace detail {
 template <class S>
 [[nodiscard]] S length(const Vector3<S>& v) {
   using std::sqrt;
-  const S scale = finite_reciprocal(sum_of_sizes(v));
-  const Vector3<S> scaled = v * scale;
-  return sqrt(dot(scaled, scaled)) / scale;
+  const S size = at_least_normal(sum_of_sizes(v));
+  const Vector3<S> scaled = v * S(S(1) / size);
+  return sqrt(dot(scaled, scaled)) * size;
 }
 
 }  // namespace detail
@@ -47,14 +47,18 @@ template <class Solve, class S, class Inertia>
     return {normal, normal.colliding, n};
   }
   // P_II by itself: K⁻¹ (V⁻ + K P_I) would multiply what rounding leaves of K P_I by κ(K).
-  const Vector3<S> stops_point = -Solve::template solve<S>(
-      collision_matrix(contact), relative_velocity_along_normal(contact), inverse_mass(contact));
-  const Vector3<S> d = stops_point - normal.on_a * S(S(1) / (S(1) + contact.restitution));
+  const Vector3<S> velocity = relative_velocity(contact);
+  const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
+  const Vector3<S> stops_point =
+      -Solve::template solve<S>(collision_matrix(contact), approaching, inverse_mass(contact));
+  // (1 + ε) D, and κ / (1 + ε) with it, need one division only.
+  const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;
+  const Vector3<S> d = stops_point * rebound - normal.on_a;
   const S limit = contact.friction * dot(n, normal.on_a);
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
-  const auto is_outside = limit < whole * divisor;
-  const S share = select(is_outside, S(limit / select(is_outside, divisor, S(1))), whole);
+  const auto is_outside = limit * rebound < whole * divisor;
+  const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
   // Where D lies along N but for rounding no friction is asked for, and whatever κ is, without μ there is none.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};

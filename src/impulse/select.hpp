@@ -57,10 +57,10 @@ template <class S>
   }
 }
 
-/// 1/x for x at least the least normal number of S, of packs that of their lanes; below that its reciprocal, which is
-/// finite. Scalar types that are no type of the language's have the range of binary64 or more.
+/// x, or the least normal number of S where that is more; of packs that of their lanes. Scalar types that are no type
+/// of the language's have the range of binary64 or more.
 template <class S>
-[[nodiscard]] S finite_reciprocal(const S& x) {
+[[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {
     if constexpr (std::is_floating_point_v<S>) {
       return std::numeric_limits<S>::min();
@@ -70,7 +70,13 @@ template <class S>
       return std::numeric_limits<double>::min();
     }
   }();
-  return S(1) / at_least(S(least), x);
+  return at_least(S(least), x);
+}
+
+/// 1/x, which is finite also below the least normal number.
+template <class S>
+[[nodiscard]] S finite_reciprocal(const S& x) {
+  return S(1) / at_least_normal(x);
 }
 
 template <class Condition, class S>
