@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <carom/collision/precision.hpp>
+#include <carom/scene/motion.hpp>
+
+namespace carom::scene {
+
+/// Bounds of when something happens. Where it never does both are `never`.
+struct TimeBounds {
+  double earliest = never;
+  double latest = never;
+};
+
+/// c₀ + c₁ s + c₂ s², each coefficient known within a radius.
+struct UncertainQuadratic {
+  double c0, c1, c2;
+  double e0, e1, e2;
+};
+
+enum class Decision { none, bounded, undecided };
+
+/// The least s ≥ 0 at which a quadratic falls below 0, from at least 0 at s = 0, if it does: within `error` of s.
+struct Crossing {
+  Decision decision = Decision::none;
+  double s = 0;
+  double error = 0;
+};
+
+/// u of what the state is kept in.
+inline constexpr double roundoff = unit_roundoff(Precision::binary64);
+
+/// Precondition: every quadratic within the radii has a value at s = 0 that is at least 0 or, but for its radius, is.
+///
+/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true one, D = c₁² − 4 c₀ c₂ its discriminant, so that |s₂ − s₁| = √D/|c₂|. For
+/// the computed s, which lies on the side of s₁ from the vertex, |s − s₂| ≥ √D/(2|c₂|) wherever |q(s)| |c₂| ≤ D/4, and
+/// so |s − s₁| ≤ 2 |q(s)|/√D. What q(s) is at most comes from its computed value and the radii. Where D may be 0 or the
+/// side is not certain, it is left undecided.
+[[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
+  const double square = q.c1 * q.c1;
+  const double product = 4 * q.c0 * q.c2;
+  const double discriminant = square - product;
+  const double size0 = std::abs(q.c0);
+  const double size1 = std::abs(q.c1);
+  const double size2 = std::abs(q.c2);
+  const double e_discriminant = (2 * size1 + q.e1) * q.e1 + 4 * ((size0 + q.e0) * q.e2 + size2 * q.e0) +
+                                8 * roundoff * (square + std::abs(product));
+  const bool falls = q.c1 < -q.e1;
+  if (!falls) {
+    // Not falling at first: it stays above where it bends upwards, and comes down where it bends downwards.
+    const bool rises = q.c1 > q.e1 || (q.c1 == 0 && q.e1 == 0 && q.c0 > q.e0);
+    if (q.c2 > q.e2 || (q.c2 == 0 && q.e2 == 0)) {
+      if (rises || discriminant < -e_discriminant || (q.c1 >= 0 && q.e1 == 0)) {
+        return {};
+      }
+      return {Decision::undecided};
+    }
+    if (!rises || q.c2 >= -q.e2) {
+      return {Decision::undecided};
+    }
+  } else if (discriminant < -e_discriminant) {
+    return {};
+  }
+  const double least_discriminant = discriminant - e_discriminant;
+  if (!(least_discriminant > 0)) {
+    return {Decision::undecided};
+  }
+  const double root = std::sqrt(discriminant);
+  const double s = falls ? 2 * q.c0 / (root - q.c1) : (q.c1 + root) / (-2 * q.c2);
+  const double size = std::abs(s);
+  const double terms = (size2 * size + size1) * size + size0;
+  const double residual =
+      std::abs((q.c2 * s + q.c1) * s + q.c0) + (q.e2 * size + q.e1) * size + q.e0 + 8 * roundoff * terms;
+  if (!(8 * residual * (size2 + q.e2) <= least_discriminant)) {
+    return {Decision::undecided};
+  }
+  // The quotient and the root are rounded too: a relative 8 u covers them.
+  return {Decision::bounded, s, (1 + 16 * roundoff) * 2 * residual / std::sqrt(least_discriminant)};
+}
+
+/// From `now` on, as bounds of time.
+[[nodiscard]] inline TimeBounds bounds_from(double now, const Crossing& crossing) {
+  const double time = now + crossing.s;
+  const double error = (crossing.error + 2 * roundoff * (std::abs(now) + std::abs(crossing.s))) * (1 + 8 * roundoff);
+  return {std::max(now, time - error), std::max(now, time + error)};
+}
+
+}  // namespace carom::scene

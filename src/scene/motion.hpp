@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include <carom/collision/vector.hpp>
+
+namespace carom::scene {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// How a sphere moves between two of its events.
+enum class Phase : std::uint8_t {
+  flying,   // under gravity alone
+  sliding,  // on a level plane, its lowest point slipping
+  rolling,  // on a level plane, without slip
+  resting,  // on a level plane; it may still spin about the normal
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Phase phase) {
+  switch (phase) {
+    case Phase::flying:
+      return "flying";
+    case Phase::sliding:
+      return "sliding";
+    case Phase::rolling:
+      return "rolling";
+    case Phase::resting:
+      break;
+  }
+  return "resting";
+}
+
+/// The path of a sphere's centre from `start` on: x + v s + a s²/2, s = t − start, exactly, of the doubles that stand
+/// here. What is predicted from it is read often: radius and sizes stand beside it.
+struct Path {
+  double start = 0;                       // [s]
+  double end = never;                     // where the phase changes by itself [s]
+  Vector3<double> position{0, 0, 0};      // x [m]
+  Vector3<double> velocity{0, 0, 0};      // v [m/s]
+  Vector3<double> acceleration{0, 0, 0};  // a [m/s²]
+  double radius = 0;                      // of the sphere [m]
+  double position_size = 0;               // ‖x‖₁
+  double velocity_size = 0;               // ‖v‖₁
+  double acceleration_size = 0;           // ‖a‖₁
+};
+
+/// What ends a phase by itself.
+enum class Ending : std::uint8_t { none, slip, roll, spin };
+
+/// How a sphere turns, and on what it is.
+struct Turning {
+  Vector3<double> angular_velocity{0, 0, 0};      // w at the path's start; w + α s later [rad/s]
+  Vector3<double> angular_acceleration{0, 0, 0};  // α [rad/s²]
+  Phase phase = Phase::flying;
+  Ending ending = Ending::none;  // at the path's end
+  std::uint32_t plane = 0;       // index of the plane that the sphere is on, where it is not flying
+};
+
+/// All of a sphere's motion between two of its events.
+struct Arc {
+  Path path;
+  Turning turning;
+};
+
+/// Sums of sizes once for all predictions.
+inline void measure(Path& path) {
+  path.position_size = path.position.cwiseAbs().sum();
+  path.velocity_size = path.velocity.cwiseAbs().sum();
+  path.acceleration_size = path.acceleration.cwiseAbs().sum();
+}
+
+[[nodiscard]] inline Vector3<double> position_at(const Path& path, double time) {
+  const double s = time - path.start;
+  return path.position + s * (path.velocity + (0.5 * s) * path.acceleration);
+}
+
+[[nodiscard]] inline Vector3<double> velocity_at(const Path& path, double time) {
+  return path.velocity + (time - path.start) * path.acceleration;
+}
+
+[[nodiscard]] inline Vector3<double> angular_velocity_at(const Arc& arc, double time) {
+  return arc.turning.angular_velocity + (time - arc.path.start) * arc.turning.angular_acceleration;
+}
+
+}  // namespace carom::scene

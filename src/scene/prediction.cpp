@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
+#include <carom/scene/prediction.hpp>
+#include <carom/scene/quartic.hpp>
+
+namespace carom::scene {
+namespace {
+
+TimeBounds up_to(double horizon, const TimeBounds& bounds) { return bounds.earliest > horizon ? TimeBounds{} : bounds; }
+
+template <class Other>
+TimeBounds exactly(const Path& path, const Other& other, double now, double horizon, ExactCounts& counts) {
+  ++counts.predictions;
+  const std::optional<ExactTime> contact = exact_contact(path, other, now);
+  return contact ? up_to(horizon, contact->bounds()) : TimeBounds{};
+}
+
+}  // namespace
+
+TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
+                           ExactCounts& counts) {
+  Crossing crossing;
+  if (a.acceleration == b.acceleration) {
+    crossing = first_crossing(squared_gap(pair));
+  } else if (horizon > now) {
+    crossing = first_crossing(squared_gap(pair, a, b, horizon - now));
+  }
+  switch (crossing.decision) {
+    case Decision::none:
+      return {};
+    case Decision::bounded:
+      return up_to(horizon, bounds_from(now, crossing));
+    case Decision::undecided:
+      break;
+  }
+  return exactly(a, b, now, horizon, counts);
+}
+
+TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon, ExactCounts& counts) {
+  const Crossing crossing = first_crossing(height_over(sphere, plane, now));
+  switch (crossing.decision) {
+    case Decision::none:
+      return {};
+    case Decision::bounded:
+      return up_to(horizon, bounds_from(now, crossing));
+    case Decision::undecided:
+      break;
+  }
+  return exactly(sphere, plane, now, horizon, counts);
+}
+
+}  // namespace carom::scene

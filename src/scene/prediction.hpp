@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <carom/scene/crossing.hpp>
+#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/motion.hpp>
+
+/// When a sphere next touches another, or a plane, bounded by rounding alone, and exactly where that does not decide.
+namespace carom::scene {
+
+/// Where a path is at a time, in double, and how far off at most. A coordinate x + s (v + (s/2) a) has at most 6
+/// roundings of each of its terms (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed. 2002, ch.
+/// 3).
+struct Placed {
+  Vector3<double> position, velocity;
+  double position_error, velocity_error;  // in the 1-norm
+};
+
+[[nodiscard]] inline Placed placed(const Path& path, double now) {
+  const double s = now - path.start;
+  if (s == 0) {
+    return {path.position, path.velocity, 0, 0};
+  }
+  const double turn = path.acceleration_size * s;
+  return {path.position + s * (path.velocity + (0.5 * s) * path.acceleration), path.velocity + s * path.acceleration,
+          7 * roundoff * (path.position_size + s * (path.velocity_size + turn)),
+          path.acceleration_size == 0 ? 0 : 4 * roundoff * (path.velocity_size + turn)};
+}
+
+/// Two spheres beside each other. Sizes and errors in the 1-norm, which is at least the Euclidean one.
+struct Beside {
+  Vector3<double> distance, velocity;  // of A from B, and as it changes
+  double distance_size, velocity_size;
+  double distance_error, velocity_error;
+  double radii;
+
+  Beside(const Placed& a, const Placed& b, double both_radii)
+      : distance(a.position - b.position),
+        velocity(a.velocity - b.velocity),
+        distance_size(distance.cwiseAbs().sum()),
+        velocity_size(velocity.cwiseAbs().sum()),
+        distance_error(a.position_error + b.position_error + 2 * roundoff * distance_size),
+        velocity_error(a.velocity_error + b.velocity_error + 2 * roundoff * velocity_size),
+        radii(both_radii) {}
+
+  [[nodiscard]] double squared_gap() const { return distance.dot(distance) - radii * radii; }
+  [[nodiscard]] double squared_gap_error() const {
+    return (2 * distance_size + distance_error) * distance_error +
+           8 * roundoff * (distance_size * distance_size + radii * radii);
+  }
+  /// d·v, and what bounds its rounding.
+  [[nodiscard]] double receding() const { return distance.dot(velocity); }
+  [[nodiscard]] double receding_error() const {
+    return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
+           4 * roundoff * distance_size * velocity_size;
+  }
+};
+
+/// |d + v s|² − R² of s = t − now, for two paths of the same acceleration.
+[[nodiscard]] inline UncertainQuadratic squared_gap(const Beside& pair) {
+  return {pair.squared_gap(),
+          2 * pair.receding(),
+          pair.velocity.dot(pair.velocity),
+          pair.squared_gap_error(),
+          2 * pair.receding_error(),
+          (2 * pair.velocity_size + pair.velocity_error) * pair.velocity_error +
+              8 * roundoff * pair.velocity_size * pair.velocity_size};
+}
+
+[[nodiscard]] inline UncertainQuadratic height_over(const Path& sphere, const Reach& plane, double now) {
+  const Placed at = placed(sphere, now);
+  const Vector3<double>& n = plane.normal;
+  const double n_size = n.cwiseAbs().maxCoeff();
+  const auto rounding_of_dot = [&](const Vector3<double>& x) { return 5 * roundoff * n.cwiseAbs().dot(x.cwiseAbs()); };
+  return {n.dot(at.position) - plane.reach,
+          n.dot(at.velocity),
+          0.5 * n.dot(sphere.acceleration),
+          rounding_of_dot(at.position) + 2 * roundoff * std::abs(plane.reach) + n_size * at.position_error,
+          rounding_of_dot(at.velocity) + n_size * at.velocity_error,
+          0.5 * rounding_of_dot(sphere.acceleration)};
+}
+
+/// Counts of what the bounds did not decide.
+struct ExactCounts {
+  unsigned long long predictions = 0;  // whether and when two paths touch
+  unsigned long long orders = 0;       // which of two events is first
+  unsigned long long gaps = 0;         // whether stored positions overlap
+  unsigned long long ties = 0;         // two events at one instant, exactly
+};
+
+/// When the gap of two spheres first falls below 0, from `now` up to `horizon`; `never` where it does not, or later.
+/// Precondition: at `now` the gap is at least 0.
+[[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
+                                         ExactCounts& counts);
+
+/// The same of a sphere and a plane.
+[[nodiscard]] TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon,
+                                         ExactCounts& counts);
+
+/// Whether two spheres certainly do not touch up to the horizon: they are too far apart, or recede. Most neighbours do.
+[[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const Beside& pair, double now, double horizon) {
+  const double span = std::max(0.0, horizon - now);
+  const bool bends = a.acceleration != b.acceleration;
+  const double bend = bends ? 0.5 * (a.acceleration_size + b.acceleration_size) * span : 0;
+  // Some products and sums of positive numbers: a relative 16 u covers their rounding.
+  const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
+                       (1 + 16 * roundoff);
+  if (pair.distance.dot(pair.distance) > reach * reach) {
+    return true;
+  }
+  return !bends && pair.receding() > pair.receding_error();
+}
+
+}  // namespace carom::scene

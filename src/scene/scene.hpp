@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <carom/collision/model.hpp>
+#include <carom/collision/precision.hpp>
+#include <carom/collision/vector.hpp>
+
+namespace carom::scene {
+
+/// How two materials meet.
+struct MaterialPair {
+  double restitution = 1;             // ε in [0, 1]
+  double friction = 0;                // μ ≥ 0, at impacts and where a sphere slides on a plane
+  double tangential_restitution = 0;  // e_t in [-1, 1]; read by the law `rough`
+  double rolling_resistance = 0;      // μ_r ≥ 0: a sphere that rolls on a plane loses μ_r g of its speed a second
+  double spinning_resistance = 0;     // μ_s ≥ 0: its spin about the plane's normal loses (5/2) μ_s g/R a second
+};
+
+/// The pairs of `count` materials, in whichever order they meet.
+class MaterialPairs {
+ public:
+  explicit MaterialPairs(std::size_t count = 0) : count_(count), pairs_(count * count) {}
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] const MaterialPair& of(std::size_t a, std::size_t b) const { return pairs_[a * count_ + b]; }
+  void set(std::size_t a, std::size_t b, const MaterialPair& pair) {
+    pairs_[a * count_ + b] = pair;
+    pairs_[b * count_ + a] = pair;
+  }
+
+ private:
+  std::size_t count_;
+  std::vector<MaterialPair> pairs_;
+};
+
+/// A uniform solid ball, at the scene's beginning. World coordinates.
+struct Sphere {
+  std::string name;
+  double radius = 1;                          // > 0 [m]
+  double density = 1;                         // > 0 [kg/m³]
+  std::size_t material = 0;                   // index into Scene::materials
+  Vector3<double> position{0, 0, 0};          // centre [m]
+  Vector3<double> velocity{0, 0, 0};          // [m/s]
+  Vector3<double> angular_velocity{0, 0, 0};  // [rad/s]
+};
+
+/// A fixed half-space: bodies stay on the side that the normal points to.
+struct Plane {
+  std::string name;
+  std::size_t material = 0;         // index into Scene::materials
+  Vector3<double> normal{0, 0, 1};  // any nonzero length
+  Vector3<double> point{0, 0, 0};   // one of the plane's [m]
+};
+
+/// Rebounds from a level plane that rise no higher than this part of the sphere's radius are not followed: the sphere
+/// stays on the plane. Where nothing can rest, an approach so slow is met elastically.
+inline constexpr double default_capture_height = 1e-6;
+
+struct Scene {
+  std::string title;
+  Model law = Model::frictionless;            // not `any`
+  Precision precision = Precision::binary64;  // that impulses are computed in; the state is kept in binary64
+  double duration = 1;                        // ≥ 0 [s]
+  Vector3<double> gravity{0, 0, 0};           // [m/s²]; along an axis of the world, or none
+  double capture_height = default_capture_height;
+  std::vector<std::string> materials;
+  MaterialPairs pairs;
+  std::vector<Sphere> spheres;
+  std::vector<Plane> planes;
+};
+
+}  // namespace carom::scene

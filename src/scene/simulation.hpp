@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <carom/collision/outcome.hpp>
+#include <carom/scene/cell_grid.hpp>
+#include <carom/scene/event_queue.hpp>
+#include <carom/scene/impact.hpp>
+#include <carom/scene/level_motion.hpp>
+#include <carom/scene/prediction.hpp>
+#include <carom/scene/scene.hpp>
+
+namespace carom::scene {
+
+/// What ends a run before its time: bodies that overlap at the beginning, impacts at one instant that do not end.
+class SceneError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class EventKind : std::uint8_t {
+  impact,        // of two spheres
+  plane_impact,  // of a sphere and a plane
+  capture,       // a sphere stays on a level plane
+  phase,         // slip, rolling or spin has ended
+};
+
+[[nodiscard]] std::string_view name_of(EventKind kind);
+
+/// A sphere's motion up to an event, and from it on.
+struct Change {
+  std::uint32_t sphere = 0;
+  Arc before, after;
+};
+
+struct Event {
+  double time = 0;  // [s]
+  EventKind kind = EventKind::impact;
+  Change a;
+  std::optional<Change> b;        // of an impact of two spheres
+  std::uint32_t plane = 0;        // of the other kinds
+  bool has_impulse = false;       // of impacts always; of a capture where the sphere came down
+  Collision collision;            // where there is an impulse: its origin is the contact point
+  Outcome<double> outcome;        // where there is an impulse, as the law gave it; `after` has what was stored
+  bool was_made_elastic = false;  // too slow for its restitution where nothing can rest
+};
+
+/// What a run has counted.
+struct Counts {
+  unsigned long long events = 0;
+  unsigned long long impacts = 0;  // of two spheres
+  unsigned long long plane_impacts = 0;
+  unsigned long long captures = 0;
+  unsigned long long phases = 0;
+  unsigned long long crossings = 0;  // of cells; no events of the scene
+  unsigned long long made_elastic = 0;
+  unsigned long long moved_clear = 0;     // stored positions that had to be moved by ulps, for a third body
+  unsigned long long at_one_instant = 0;  // most impacts at one time
+  ExactCounts exact;
+};
+
+/// Runs a scene of spheres, one event at a time, in certified order: whatever the bounds of prediction.hpp leave open
+/// is decided exactly, and of two events at one instant that with the lower spheres is first. An event takes place at a
+/// double that is not after its exact time, by what the bounds leave: so nothing ever overlaps, and what is stored is
+/// rounded so that nothing does (placing.hpp).
+///
+/// Each sphere keeps its own next event alone, and is looked at again when that is due: an event that no longer holds,
+/// since its partner has been struck, is too early and never too late (B. Lubachevsky 1991).
+class Simulation {
+ public:
+  /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError where bodies overlap.
+  explicit Simulation(Scene scene);
+
+  /// The next event; nothing after the scene's duration. The reference holds until the next call. Throws SceneError
+  /// where impacts at one instant do not end.
+  [[nodiscard]] const Event* advance();
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] double time() const { return now_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] std::size_t size() const { return paths_.size(); }
+  [[nodiscard]] Arc arc(std::size_t sphere) const { return {paths_[sphere], turnings_[sphere]}; }
+  [[nodiscard]] double mass(std::size_t sphere) const { return masses_[sphere]; }
+  [[nodiscard]] double moment(std::size_t sphere) const { return moments_[sphere]; }
+  /// Which plane spheres can rest on, and how.
+  [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
+  [[nodiscard]] std::size_t bytes_per_sphere() const;
+
+ private:
+  using Index = std::uint32_t;
+  enum class Kind : std::uint8_t { none, sphere, plane, phase, crossing };
+  struct Planned {
+    TimeBounds when;
+    Kind kind = Kind::none;
+    Index partner = 0;
+    Index partner_version = 0;
+  };
+
+  /// Finds and keeps the sphere's next event. False where it may overlap another body.
+  [[nodiscard]] bool plan_or_doubt(Index sphere);
+  /// The same of a sphere that is known to overlap nothing.
+  void plan(Index sphere);
+  /// The same of one that has been stored anew; what overlaps is moved clear first.
+  void place_and_plan(Index sphere);
+  void keep(Index sphere, const Planned& planned);
+  [[nodiscard]] bool is_stale(const Planned& planned) const;
+  [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
+  [[nodiscard]] bool comes_before(Index left, Index right);
+  [[nodiscard]] std::optional<Index> next_sphere();
+
+  void strike(Index a, Index b);
+  void strike_plane(Index sphere, Index plane);
+  void end_phase(Index sphere);
+  void count_instant(const char* what, Index sphere);
+
+  [[nodiscard]] Arc moved_on(Index sphere, const Vector3<double>& away) const;
+  void set_flying(Index sphere, const Arc& arc, const BodyVelocity<double>& velocity);
+  void set_arc(Index sphere, const Arc& arc);
+  [[nodiscard]] bool is_clear(Index sphere);
+  void move_clear(Index sphere);
+  [[nodiscard]] StruckSphere struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const;
+  [[nodiscard]] double slow_speed(double radius, double restitution) const;
+  void begin_change(Change& change, Index sphere) const;
+
+  Scene scene_;
+  double now_ = 0;
+  std::vector<Path> paths_;
+  std::vector<Turning> turnings_;
+  std::vector<Index> versions_;
+  std::vector<Planned> planned_;
+  std::vector<CellGrid::Leaving> leavings_;
+  std::vector<double> masses_, moments_;
+  std::vector<Reach> reaches_;  // of sphere i and plane k at i · planes + k
+  std::vector<std::optional<Level>> levels_;
+  CellGrid grid_;
+  EventQueue queue_;
+  Event event_;
+  Counts counts_;
+  unsigned long long at_this_instant_ = 0;
+};
+
+}  // namespace carom::scene
