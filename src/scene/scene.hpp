@@ -56,8 +56,9 @@ struct Plane {
   Vector3<double> point{0, 0, 0};   // one of the plane's [m]
 };
 
-/// Rebounds from a level plane that rise no higher than this part of the sphere's radius are not followed: the sphere
-/// stays on the plane. Where nothing can rest, an approach so slow is met elastically.
+/// Rebounds from a level plane that rise no higher than this part h of the sphere's radius are not followed: the sphere
+/// stays on the plane, as ε = 0 would have it. Where nothing can rest, on another sphere or on a slope, what approaches
+/// slower than √(2 g h R) is met elastically and leaves at that speed: it hops on, no higher than that.
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {

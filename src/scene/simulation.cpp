@@ -305,7 +305,7 @@ const Event* Simulation::advance() {
   now_ = time;
   event_.time = time;
   event_.has_impulse = false;
-  event_.was_made_elastic = false;
+  event_.was_slow = false;
   event_.b.reset();
   ++counts_.events;
   switch (planned.kind) {
@@ -420,20 +420,27 @@ void Simulation::strike(Index a, Index b) {
   const StruckSphere struck_a = struck_sphere(a, moved_a.path.position, event_.a.before);
   const StruckSphere struck_b = struck_sphere(b, moved_b.path.position, event_.b->before);
   MaterialPair pair = scene_.pairs.of(scene_.spheres[a].material, scene_.spheres[b].material);
-  if (pair.restitution < 1) {
-    const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
-    const double approach = -normal.dot(struck_a.velocity - struck_b.velocity);
-    if (approach < slow_speed(std::min(struck_a.radius, struck_b.radius), pair.restitution)) {
-      pair.restitution = 1;
-      event_.was_made_elastic = true;
-      ++counts_.made_elastic;
-    }
+  const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
+  const double slow = slow_speed(std::min(struck_a.radius, struck_b.radius), pair.restitution);
+  event_.was_slow = -normal.dot(struck_a.velocity - struck_b.velocity) < slow;
+  if (event_.was_slow) {
+    pair.restitution = 1;
   }
   event_.collision = collision_of(struck_a, struck_b, pair);
   event_.outcome = struck(scene_.law, scene_.precision, event_.collision);
   event_.has_impulse = true;
   Outcome<double> stored = event_.outcome;
+  if (event_.was_slow) {
+    ++counts_.slow;
+    const double missing = std::max(0.0, slow - normal.dot(stored.a.velocity - stored.b.velocity));
+    const double impulse = missing / (1 / masses_[a] + 1 / masses_[b]);
+    stored.a.velocity += (impulse / masses_[a]) * normal;
+    stored.b.velocity -= (impulse / masses_[b]) * normal;
+  }
   keep_apart(struck_a.position, struck_b.position, stored.a.velocity, stored.b.velocity);
+  if (!event_.was_slow) {
+    event_.outcome = stored;
+  }
   set_flying(a, moved_a, stored.a);
   set_flying(b, moved_b, stored.b);
   place_and_plan(a);
@@ -452,16 +459,15 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   const StruckSphere struck_one = struck_sphere(sphere, moved.path.position, event_.a.before);
   MaterialPair pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
   const double approach = -normal.dot(struck_one.velocity) / normal.norm();
-  const bool is_slow = pair.restitution * approach <= slow_speed(struck_one.radius, pair.restitution);
+  const double slow = slow_speed(struck_one.radius, pair.restitution);
   const std::optional<Level>& level = levels_[plane];
-  const bool stays = level && is_slow;
+  const bool stays = level && pair.restitution * approach <= slow;
+  event_.was_slow = !level && approach < slow;
   if (stays) {
     pair.restitution = 0;
     event_.kind = EventKind::capture;
-  } else if (is_slow && pair.restitution < 1) {
+  } else if (event_.was_slow) {
     pair.restitution = 1;
-    event_.was_made_elastic = true;
-    ++counts_.made_elastic;
   }
   BodyVelocity<double> stored{struck_one.velocity, struck_one.angular_velocity};
   if (approach > 0) {
@@ -469,6 +475,11 @@ void Simulation::strike_plane(Index sphere, Index plane) {
     event_.outcome = struck(scene_.law, scene_.precision, event_.collision);
     event_.has_impulse = true;
     stored = event_.outcome.a;
+  }
+  if (event_.was_slow) {
+    ++counts_.slow;
+    const double missing = std::max(0.0, slow - normal.dot(stored.velocity) / normal.norm());
+    stored.velocity += normal * (missing / normal.norm());
   }
   if (stays) {
     ++counts_.captures;
@@ -478,6 +489,9 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   } else {
     ++counts_.plane_impacts;
     keep_apart(normal, stored.velocity);
+    if (!event_.was_slow) {
+      event_.outcome.a = stored;
+    }
     set_flying(sphere, moved, stored);
   }
   place_and_plan(sphere);

@@ -42,12 +42,13 @@ struct Event {
   double time = 0;  // [s]
   EventKind kind = EventKind::impact;
   Change a;
-  std::optional<Change> b;        // of an impact of two spheres
-  std::uint32_t plane = 0;        // of the other kinds
-  bool has_impulse = false;       // of impacts always; of a capture where the sphere came down
-  Collision collision;            // where there is an impulse: its origin is the contact point
-  Outcome<double> outcome;        // where there is an impulse, as the law gave it; `after` has what was stored
-  bool was_made_elastic = false;  // too slow for its restitution where nothing can rest
+  std::optional<Change> b;   // of an impact of two spheres
+  std::uint32_t plane = 0;   // of the other kinds
+  bool has_impulse = false;  // of impacts always; of a capture where the sphere came down
+  Collision collision;       // where there is an impulse: its origin is the contact point
+  Outcome<double> outcome;   // where there is an impulse, as the law gave it; `after` has what was stored
+  /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `slow_speed`.
+  bool was_slow = false;
 };
 
 /// What a run has counted.
@@ -57,8 +58,8 @@ struct Counts {
   unsigned long long plane_impacts = 0;
   unsigned long long captures = 0;
   unsigned long long phases = 0;
-  unsigned long long crossings = 0;  // of cells; no events of the scene
-  unsigned long long made_elastic = 0;
+  unsigned long long crossings = 0;       // of cells; no events of the scene
+  unsigned long long slow = 0;            // impacts that were sent off at the least speed
   unsigned long long moved_clear = 0;     // stored positions that had to be moved by ulps, for a third body
   unsigned long long at_one_instant = 0;  // most impacts at one time
   ExactCounts exact;

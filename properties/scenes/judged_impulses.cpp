@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <carom/properties/scenes/judged_impulses.hpp>
+
+namespace carom::properties {
+namespace {
+
+Subject solver_of_scene(Model law, Precision precision) {
+  Subject subject;
+  subject.name = "scene";
+  subject.model = law;
+  subject.precision = precision;
+  return subject;
+}
+
+}  // namespace
+
+ImpulseJudge::ImpulseJudge(Model law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick)
+    : subject_(solver_of_scene(law, precision)), claim_(claim_of(subject_, yardstick)), every_(every) {}
+
+void ImpulseJudge::record(const scene::Event& event) {
+  if (!event.has_impulse || every_ == 0 || impulses_++ % every_ != 0) {
+    return;
+  }
+  ++judged_;
+  ReportedOutcome outcome;
+  const auto widen = [](const BodyVelocity<double>& body) -> BodyVelocity<long double> {
+    return {body.velocity.cast<long double>(), body.angular_velocity.cast<long double>()};
+  };
+  outcome.a = widen(event.outcome.a);
+  outcome.b = widen(event.outcome.b);
+  // Spheres are convex, uniform, and are struck on their surfaces.
+  const JudgedCase judged_case({event.collision, true});
+  const Trial trial(judged_case, claim_, lift(Answer(outcome)), std::nullopt, no_relations);
+  const Judgement judgement = trial.judge(std::span<const ExactAnswer>{}, worst_backward_error_);
+  bool is_bad = false;
+  for (const NamedVerdict& named : judgement.verdicts) {
+    if (named.verdict.status == Status::holds) {
+      ++held_[named.invariant->name];
+    } else if (named.verdict.status == Status::violated) {
+      is_bad = true;
+      if (!first_bad_) {
+        first_bad_ = BadImpulse{event.time, named.invariant->name, event.collision, outcome};
+      }
+    }
+  }
+  violated_ += is_bad ? 1 : 0;
+  if (judgement.accuracy) {
+    worst_backward_error_ =
+        std::max(worst_backward_error_, judgement.accuracy->backward_error(claim_.yardstick.unit_roundoff));
+  }
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/trial/trial.hpp>
+#include <carom/scene/simulation.hpp>
+
+namespace carom::properties {
+
+/// An impulse of a scene that an invariant does not hold for.
+struct BadImpulse {
+  double time = 0;
+  std::string_view invariant;
+  Collision collision;
+  ReportedOutcome outcome;
+};
+
+/// Judges the impulses of a scene as the gate judges a subject of the scene's law and precision.
+class ImpulseJudge {
+ public:
+  /// Every `every`-th impulse is judged; 0: none.
+  ImpulseJudge(Model law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
+
+  void record(const scene::Event& event);
+
+  [[nodiscard]] std::uint64_t impulses() const { return impulses_; }
+  [[nodiscard]] std::uint64_t judged() const { return judged_; }
+  [[nodiscard]] std::uint64_t violated() const { return violated_; }
+  [[nodiscard]] double worst_backward_error() const { return worst_backward_error_; }
+  /// Of each invariant, how many impulses it was decided for.
+  [[nodiscard]] const std::map<std::string_view, std::uint64_t>& held() const { return held_; }
+  [[nodiscard]] const std::optional<BadImpulse>& first_bad() const { return first_bad_; }
+
+ private:
+  Subject subject_;
+  Claim claim_;
+  std::uint64_t every_;
+  std::uint64_t impulses_ = 0;
+  std::uint64_t judged_ = 0;
+  std::uint64_t violated_ = 0;
+  double worst_backward_error_ = 0;
+  std::map<std::string_view, std::uint64_t> held_;
+  std::optional<BadImpulse> first_bad_;
+};
+
+}  // namespace carom::properties
