@@ -8,24 +8,17 @@
 #include <utility>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/json/object_reader.hpp>
 
 namespace carom {
 namespace {
 
 using nlohmann::json;
 
-template <class Json>
-std::string shortened(const Json& value) {
-  constexpr std::size_t most = 60;
-  // The library prints no long double.
-  const std::string text = json(value).dump(-1, ' ', true, json::error_handler_t::replace);
-  return text.size() > most ? text.substr(0, most) + "…" : text;
-}
-
-template <class Json>
-std::string found(const Json& value) {
-  return ", found " + shortened(value);
-}
+using detail::found;
+using detail::ObjectReader;
+using detail::read_number;
+using detail::shortened;
 
 template <class Vector>
 json numbers_to_json(const Vector& vector) {
@@ -34,25 +27,6 @@ json numbers_to_json(const Vector& vector) {
     array.push_back(number_to_json(vector[i]));
   }
   return array;
-}
-
-/// `place` is called where the number is none.
-template <class Number, class Json, class Place>
-Number read_number(const Json& value, const Place& place) {
-  using Limits = std::numeric_limits<Number>;
-  if (value.is_number()) {
-    return value.template get<Number>();
-  }
-  if (value == "nan") {
-    return Limits::quiet_NaN();
-  }
-  if (value == "inf") {
-    return Limits::infinity();
-  }
-  if (value == "-inf") {
-    return -Limits::infinity();
-  }
-  throw FormatError(place(), "expected a number" + found(value));
 }
 
 /// The text of a number as binary64, rounded once; `wide` is the same number in the range of long double.
@@ -170,73 +144,6 @@ Json built(std::string_view text, Number number) {
   (void)WideJson::sax_parse(text, &builder);
   return builder.take();
 }
-
-/// Reads the fields of one JSON object, and knows which were asked for.
-template <class Json>
-class ObjectReader {
- public:
-  ObjectReader(const Json& value, std::string place) : object_(value), place_(std::move(place)) {
-    if (!value.is_object()) {
-      throw FormatError(place_, "expected an object" + found(value));
-    }
-  }
-
-  [[nodiscard]] bool has(const char* name) {
-    if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
-      asked_.emplace_back(name);
-    }
-    return object_.contains(name);
-  }
-
-  [[nodiscard]] const Json& required(const char* name) {
-    if (!has(name)) {
-      throw FormatError(at(name), "is missing");
-    }
-    return object_.at(name);
-  }
-
-  [[nodiscard]] std::string at(std::string_view name) const { return place_ + '/' + std::string(name); }
-
-  void number(const char* name, double& into) {
-    into = read_number<double>(required(name), [&] { return at(name); });
-  }
-
-  void optional_number(const char* name, double& into) {
-    if (has(name)) {
-      number(name, into);
-    }
-  }
-
-  template <class Vector>
-  void numbers(const char* name, Vector& into) {
-    const Json& array = required(name);
-    if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
-      throw FormatError(at(name), "expected an array of " + std::to_string(into.size()) + " numbers" + found(array));
-    }
-    for (Eigen::Index i = 0; i < into.size(); ++i) {
-      using Number = typename Vector::Scalar;
-      into[i] =
-          read_number<Number>(array[static_cast<std::size_t>(i)], [&] { return at(name) + '/' + std::to_string(i); });
-    }
-  }
-
-  void reject_others() const {
-    for (const auto& [name, value] : object_.items()) {
-      if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
-        std::string known;
-        for (const std::string& field : asked_) {
-          known += (known.empty() ? "" : ", ") + field;
-        }
-        throw FormatError(at(name), "unknown field; expected one of " + known);
-      }
-    }
-  }
-
- private:
-  const Json& object_;
-  std::string place_;
-  std::vector<std::string> asked_;
-};
 
 json body_to_json(const Body& body) {
   json result = json::object();

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <carom/collision/json/object_reader.hpp>
+#include <carom/collision/vector.hpp>
+
+/// Fields of a scene file as values. All throw FormatError; the ranges of numbers that a scene has are asked for once
+/// it is read (valid_scene.hpp).
+namespace carom::scene {
+
+using Fields = detail::ObjectReader<nlohmann::json>;
+
+[[nodiscard]] inline double finite_number(const nlohmann::json& value, const std::string& place) {
+  if (!value.is_number() || !std::isfinite(value.get<double>())) {
+    throw FormatError(place, "expected a finite number" + detail::found(value));
+  }
+  return value.get<double>();
+}
+
+inline void read(Fields& fields, const char* name, double& into) {
+  into = finite_number(fields.required(name), fields.at(name));
+}
+
+inline void read(Fields& fields, const char* name, Vector3<double>& into) {
+  const nlohmann::json& array = fields.required(name);
+  if (!array.is_array() || array.size() != 3) {
+    throw FormatError(fields.at(name), "expected an array of 3 numbers" + detail::found(array));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    into[axis] = finite_number(array[static_cast<std::size_t>(axis)], fields.at(name) + '/' + std::to_string(axis));
+  }
+}
+
+inline void read(Fields& fields, const char* name, std::string& into) {
+  const nlohmann::json& value = fields.required(name);
+  if (!value.is_string()) {
+    throw FormatError(fields.at(name), "expected a string" + detail::found(value));
+  }
+  into = value.get<std::string>();
+}
+
+inline void read(Fields& fields, const char* name, bool& into) {
+  const nlohmann::json& value = fields.required(name);
+  if (!value.is_boolean()) {
+    throw FormatError(fields.at(name), "expected true or false" + detail::found(value));
+  }
+  into = value.get<bool>();
+}
+
+inline void read(Fields& fields, const char* name, std::uint64_t& into) {
+  const nlohmann::json& value = fields.required(name);
+  if (!value.is_number_integer() || (!value.is_number_unsigned() && value.get<std::int64_t>() < 0)) {
+    throw FormatError(fields.at(name), "expected an integer from 0 to 2^64 - 1" + detail::found(value));
+  }
+  into = value.get<std::uint64_t>();
+}
+
+/// Leaves the value as it is where the field is absent.
+template <class Value>
+void read_optional(Fields& fields, const char* name, Value& into) {
+  if (fields.has(name)) {
+    read(fields, name, into);
+  }
+}
+
+/// A list that may be absent, and is empty then.
+[[nodiscard]] inline const nlohmann::json& read_list(Fields& fields, const char* name) {
+  static const nlohmann::json none = nlohmann::json::array();
+  if (!fields.has(name)) {
+    return none;
+  }
+  const nlohmann::json& list = fields.required(name);
+  if (!list.is_array()) {
+    throw FormatError(fields.at(name), "expected an array" + detail::found(list));
+  }
+  return list;
+}
+
+}  // namespace carom::scene

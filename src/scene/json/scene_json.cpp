@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/model.hpp>
+#include <carom/collision/precision.hpp>
+#include <carom/scene/json/fields.hpp>
+#include <carom/scene/json/materials.hpp>
+#include <carom/scene/json/scene_json.hpp>
+#include <carom/scene/lattice.hpp>
+#include <carom/scene/valid_scene.hpp>
+
+namespace carom::scene {
+namespace {
+
+using detail::found;
+using nlohmann::json;
+
+/// Reads one file; it remembers where each body stands, so that an error of the whole scene names the place too.
+class SceneReader {
+ public:
+  explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}
+
+  [[nodiscard]] Scene read() {
+    if (root_.has("polyhedra")) {
+      throw FormatError("/polyhedra", "not supported yet");
+    }
+    read_settings();
+    materials_.read(root_);
+    read_room();
+    read_planes();
+    read_spheres();
+    read_lattices();
+    root_.reject_others();
+    materials_.check_all_listed();
+    if (const std::optional<SceneDefect> defect = first_defect(scene_)) {
+      reject(*defect);
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  void read_settings() {
+    read_optional(root_, "title", scene_.title);
+    scene_.law = Model::rough;
+    if (root_.has("law")) {
+      scene_.law = law_of(root_.required("law"));
+    }
+    if (root_.has("precision")) {
+      scene_.precision = precision_of_name(root_.required("precision"));
+    }
+    carom::scene::read(root_, "duration", scene_.duration);
+    read_optional(root_, "gravity", scene_.gravity);
+    read_optional(root_, "capture_height", scene_.capture_height);
+  }
+
+  [[nodiscard]] static Model law_of(const json& value) {
+    const std::optional<Model> law =
+        value.is_string() ? model_named(value.get_ref<const std::string&>()) : std::nullopt;
+    if (!law || *law == Model::any) {
+      throw FormatError("/law", "expected frictionless, reflection, sticking, rough or coulomb" + found(value));
+    }
+    return *law;
+  }
+
+  [[nodiscard]] static Precision precision_of_name(const json& value) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+      if (value == name_of(precision)) {
+        return precision;
+      }
+    }
+    throw FormatError("/precision", "expected binary32, binary64 or extended" + found(value));
+  }
+
+  void read_room() {
+    if (!root_.has("room")) {
+      return;
+    }
+    Fields room(root_.required("room"), "/room");
+    Vector3<double> least;
+    Vector3<double> greatest;
+    carom::scene::read(room, "least", least);
+    carom::scene::read(room, "greatest", greatest);
+    const std::size_t material = materials_.material_of(room);
+    room.reject_others();
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string letter(1, "xyz"[axis]);
+      if (!(least[axis] < greatest[axis])) {
+        const std::string place = "/" + std::to_string(axis);
+        throw FormatError("/room/greatest" + place,
+                          "expected a number greater than that of /room/least" + place +
+                              found(root_.required("room").at("greatest").at(static_cast<std::size_t>(axis))));
+      }
+      Vector3<double> inward{0, 0, 0};
+      inward[axis] = 1;
+      scene_.planes.push_back({"room -" + letter, material, inward, least});
+      scene_.planes.push_back({"room +" + letter, material, Vector3<double>::Zero() - inward, greatest});
+    }
+    planes_of_room_ = scene_.planes.size();
+  }
+
+  void read_planes() {
+    const json& list = read_list(root_, "planes");
+    if (list.size() > most_planes) {
+      throw FormatError("/planes", "expected at most " + std::to_string(most_planes) + " planes, found " +
+                                       std::to_string(list.size()));
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Fields fields(list[i], "/planes/" + std::to_string(i));
+      Plane plane;
+      plane.name = "plane " + std::to_string(i);
+      read_optional(fields, "name", plane.name);
+      carom::scene::read(fields, "normal", plane.normal);
+      carom::scene::read(fields, "point", plane.point);
+      plane.material = materials_.material_of(fields);
+      fields.reject_others();
+      scene_.planes.push_back(std::move(plane));
+    }
+  }
+
+  void read_spheres() {
+    const json& list = read_list(root_, "spheres");
+    require_room_for(list.size(), "/spheres");
+    scene_.spheres.reserve(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Fields fields(list[i], "/spheres/" + std::to_string(i));
+      Sphere sphere;
+      sphere.name = "sphere " + std::to_string(i);
+      read_optional(fields, "name", sphere.name);
+      read_substance(fields, sphere);
+      carom::scene::read(fields, "position", sphere.position);
+      read_optional(fields, "velocity", sphere.velocity);
+      read_optional(fields, "angular_velocity", sphere.angular_velocity);
+      fields.reject_others();
+      scene_.spheres.push_back(std::move(sphere));
+    }
+  }
+
+  void read_substance(Fields& fields, Sphere& sphere) const {
+    carom::scene::read(fields, "radius", sphere.radius);
+    carom::scene::read(fields, "density", sphere.density);
+    sphere.material = materials_.material_of(fields);
+  }
+
+  void read_lattices() {
+    const json& list = read_list(root_, "lattices");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Fields fields(list[i], "/lattices/" + std::to_string(i));
+      Lattice lattice;
+      read_count(fields, lattice);
+      carom::scene::read(fields, "first", lattice.first);
+      carom::scene::read(fields, "spacing", lattice.spacing);
+      lattice.sphere.name = "lattice " + std::to_string(i) + " sphere";
+      read_optional(fields, "name", lattice.sphere.name);
+      read_substance(fields, lattice.sphere);
+      read_optional(fields, "speed", lattice.speed);
+      if (lattice.speed < 0) {
+        throw FormatError(fields.at("speed"), "expected a number of at least 0" + found(fields.required("speed")));
+      }
+      read_optional(fields, "seed", lattice.seed);
+      read_optional(fields, "at_rest_as_a_whole", lattice.at_rest_as_a_whole);
+      fields.reject_others();
+      first_of_lattices_.push_back(scene_.spheres.size());
+      const std::vector<Sphere> spheres = spheres_of(lattice);
+      scene_.spheres.insert(scene_.spheres.end(), spheres.begin(), spheres.end());
+    }
+  }
+
+  void read_count(Fields& fields, Lattice& lattice) const {
+    const json& counts = fields.required("count");
+    const auto is_count = [](const json& value) {
+      return value.is_number_integer() && (value.is_number_unsigned() || value.get<std::int64_t>() > 0) &&
+             value.get<std::uint64_t>() > 0;
+    };
+    if (!counts.is_array() || counts.size() != 3 || !std::all_of(counts.begin(), counts.end(), is_count)) {
+      throw FormatError(fields.at("count"), "expected three integers of at least 1" + found(counts));
+    }
+    std::size_t total = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // So kept, no product leaves 64 bits.
+      const std::uint64_t count = std::min<std::uint64_t>(counts[axis].get<std::uint64_t>(), most_spheres + 1);
+      lattice.count[axis] = count;
+      total = std::min(total * count, most_spheres + 1);
+    }
+    require_room_for(total, fields.at("count"));
+  }
+
+  void require_room_for(std::size_t further, const std::string& place) const {
+    if (scene_.spheres.size() + further > most_spheres) {
+      throw FormatError(place, "expected at most " + std::to_string(most_spheres) + " spheres in total");
+    }
+  }
+
+  /// Where the body, or what else has the defect, stands in the file.
+  [[nodiscard]] std::string place_of(const SceneDefect& defect) const {
+    switch (defect.of) {
+      case SceneDefect::Of::scene:
+        break;
+      case SceneDefect::Of::pair:
+        return materials_.place_of(defect.index, defect.other);
+      case SceneDefect::Of::plane:
+        return defect.index < planes_of_room_ ? "/room" : "/planes/" + std::to_string(defect.index - planes_of_room_);
+      case SceneDefect::Of::sphere: {
+        const auto lattice = std::upper_bound(first_of_lattices_.begin(), first_of_lattices_.end(), defect.index);
+        return lattice == first_of_lattices_.begin()
+                   ? "/spheres/" + std::to_string(defect.index)
+                   : "/lattices/" + std::to_string(lattice - first_of_lattices_.begin() - 1);
+      }
+    }
+    return {};
+  }
+
+  [[noreturn]] void reject(const SceneDefect& defect) const {
+    const std::string body = place_of(defect);
+    const std::string place = body + '/' + defect.field;
+    const json::json_pointer pointer(place);
+    if (defect.field.empty() || !json_.contains(pointer)) {
+      // Of a lattice: its spheres have fields that stand nowhere.
+      throw FormatError(body, defect.field.empty() ? defect.what : describe(defect));
+    }
+    throw FormatError(place, defect.what + found(json_.at(pointer)));
+  }
+
+  const json& json_;
+  Scene scene_;
+  Fields root_;
+  MaterialsReader materials_;
+  std::size_t planes_of_room_ = 0;
+  std::vector<std::size_t> first_of_lattices_;  // each one's first sphere
+};
+
+json contacts_to_json(const Scene& scene) {
+  json contacts = json::array();
+  for (std::size_t a = 0; a < scene.materials.size(); ++a) {
+    for (std::size_t b = a; b < scene.materials.size(); ++b) {
+      const MaterialPair& pair = scene.pairs.of(a, b);
+      contacts.push_back({{"materials", {scene.materials[a], scene.materials[b]}},
+                          {"restitution", pair.restitution},
+                          {"friction", pair.friction},
+                          {"tangential_restitution", pair.tangential_restitution},
+                          {"rolling_resistance", pair.rolling_resistance},
+                          {"spinning_resistance", pair.spinning_resistance}});
+    }
+  }
+  return contacts;
+}
+
+}  // namespace
+
+Scene scene_from_json(const json& value) { return SceneReader(value).read(); }
+
+json scene_to_json(const Scene& scene) {
+  json result = json::object();
+  if (!scene.title.empty()) {
+    result["title"] = scene.title;
+  }
+  result["law"] = name_of(scene.law);
+  result["precision"] = name_of(scene.precision);
+  result["duration"] = scene.duration;
+  result["gravity"] = vector_to_json(scene.gravity);
+  result["capture_height"] = scene.capture_height;
+  result["materials"] = scene.materials;
+  result["contacts"] = contacts_to_json(scene);
+  json& planes = result["planes"] = json::array();
+  for (const Plane& plane : scene.planes) {
+    planes.push_back({{"name", plane.name},
+                      {"material", scene.materials[plane.material]},
+                      {"normal", vector_to_json(plane.normal)},
+                      {"point", vector_to_json(plane.point)}});
+  }
+  json& spheres = result["spheres"] = json::array();
+  for (const Sphere& sphere : scene.spheres) {
+    spheres.push_back({{"name", sphere.name},
+                       {"radius", sphere.radius},
+                       {"density", sphere.density},
+                       {"material", scene.materials[sphere.material]},
+                       {"position", vector_to_json(sphere.position)},
+                       {"velocity", vector_to_json(sphere.velocity)},
+                       {"angular_velocity", vector_to_json(sphere.angular_velocity)}});
+  }
+  return result;
+}
+
+}  // namespace carom::scene

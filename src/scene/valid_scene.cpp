@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include <carom/scene/grid_around.hpp>
+#include <carom/scene/placing.hpp>
+#include <carom/scene/valid_scene.hpp>
+
+namespace carom::scene {
+namespace {
+
+using Of = SceneDefect::Of;
+using Found = std::optional<SceneDefect>;
+
+/// In largest diameters: beyond it a double knows a place to less than 2⁻¹² of one.
+constexpr double farthest = 0x1p40;
+
+/// The numbers that the precision of the impulses knows to a roundoff.
+struct Range {
+  double least, greatest;
+};
+
+Range range_of(Precision precision) {
+  if (precision == Precision::binary32) {
+    return {std::numeric_limits<float>::min(), std::numeric_limits<float>::max()};
+  }
+  return {std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
+}
+
+template <class... Parts>
+std::string text_of(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+Found scene_defect(const Scene& scene) {
+  const auto defect = [](const char* field, const char* what) { return SceneDefect{Of::scene, 0, 0, field, what}; };
+  if (scene.law == Model::any) {
+    return defect("law", "expected frictionless, reflection, sticking, rough or coulomb");
+  }
+  if (!(scene.duration >= 0 && std::isfinite(scene.duration))) {
+    return defect("duration", "expected a finite number of at least 0");
+  }
+  if (!scene.gravity.allFinite()) {
+    return defect("gravity", "expected finite numbers");
+  }
+  if ((scene.gravity.array() != 0).count() > 1) {
+    return defect(
+        "gravity",
+        "expected gravity along one axis of the world, two of three numbers 0: the planes that spheres rest on "
+        "are level");
+  }
+  if (!(scene.capture_height > 0 && std::isfinite(scene.capture_height))) {
+    return defect("capture_height", "expected a finite number greater than 0");
+  }
+  if (scene.pairs.count() != scene.materials.size()) {
+    return defect("pairs", "expected the pairs of as many materials as there are");
+  }
+  return std::nullopt;
+}
+
+Found pair_defect(const Scene& scene) {
+  for (std::size_t a = 0; a < scene.materials.size(); ++a) {
+    for (std::size_t b = a; b < scene.materials.size(); ++b) {
+      const MaterialPair& pair = scene.pairs.of(a, b);
+      const auto defect = [&](const char* field, const char* what) { return SceneDefect{Of::pair, a, b, field, what}; };
+      if (!(pair.restitution >= 0 && pair.restitution <= 1)) {
+        return defect("restitution", "expected a number from 0 to 1");
+      }
+      if (!(pair.tangential_restitution >= -1 && pair.tangential_restitution <= 1)) {
+        return defect("tangential_restitution", "expected a number from -1 to 1");
+      }
+      const char* const at_least_0 = "expected a finite number of at least 0";
+      if (!(pair.friction >= 0 && std::isfinite(pair.friction))) {
+        return defect("friction", at_least_0);
+      }
+      if (!(pair.rolling_resistance >= 0 && std::isfinite(pair.rolling_resistance))) {
+        return defect("rolling_resistance", at_least_0);
+      }
+      if (!(pair.spinning_resistance >= 0 && std::isfinite(pair.spinning_resistance))) {
+        return defect("spinning_resistance", at_least_0);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Found plane_defect(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    const Plane& plane = scene.planes[i];
+    const auto defect = [&](const char* field, const char* what) { return SceneDefect{Of::plane, i, 0, field, what}; };
+    if (plane.material >= scene.materials.size()) {
+      return defect("material", "expected an index of a material");
+    }
+    if (!plane.normal.allFinite()) {
+      return defect("normal", "expected finite numbers");
+    }
+    if (!std::isnormal(plane.normal.squaredNorm())) {
+      return defect("normal", "expected a vector whose length neither is 0 nor leaves the range of binary64");
+    }
+    if (!plane.point.allFinite()) {
+      return defect("point", "expected finite numbers");
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of one sphere by itself.
+Found sphere_defect(const Scene& scene, std::size_t i) {
+  const Sphere& sphere = scene.spheres[i];
+  const auto defect = [&](const char* field, std::string what) {
+    return SceneDefect{Of::sphere, i, 0, field, std::move(what)};
+  };
+  for (const auto& [field, value] : {std::pair("radius", sphere.radius), std::pair("density", sphere.density)}) {
+    if (!(value > 0 && std::isfinite(value))) {
+      return defect(field, "expected a number greater than 0");
+    }
+  }
+  if (sphere.material >= scene.materials.size()) {
+    return defect("material", "expected an index of a material");
+  }
+  for (const auto& [field, value] : {std::pair("position", &sphere.position), std::pair("velocity", &sphere.velocity),
+                                     std::pair("angular_velocity", &sphere.angular_velocity)}) {
+    if (!value->allFinite()) {
+      return defect(field, "expected finite numbers");
+    }
+  }
+  // Rounded as the loop does.
+  const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
+  const double moment = 0.4 * mass * sphere.radius * sphere.radius;
+  const Range range = range_of(scene.precision);
+  for (const auto& [name, value] : {std::pair("a mass", mass), std::pair("a moment of inertia", moment)}) {
+    if (!(value >= range.least && value <= range.greatest)) {
+      return defect("", text_of("expected radius and density that give ", name, " from ", range.least, " to ",
+                                range.greatest, ", not ", value));
+    }
+  }
+  return std::nullopt;
+}
+
+Found spheres_defect(const Scene& scene) {
+  double radius = 0;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    if (Found found = sphere_defect(scene, i)) {
+      return found;
+    }
+    radius = std::max(radius, scene.spheres[i].radius);
+  }
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    if (scene.spheres[i].position.cwiseAbs().maxCoeff() / (2 * radius) > farthest) {
+      return SceneDefect{Of::sphere, i, 0, "position",
+                         "expected to be within 2^40 diameters of the largest sphere of 0"};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether the sphere is clear of the plane by so much that rounding does not matter.
+bool is_far_above(const Sphere& sphere, const Plane& plane) {
+  const double height = plane.normal.dot(sphere.position - plane.point) - sphere.radius * plane.normal.norm();
+  const double size =
+      plane.normal.cwiseAbs().sum() * (sphere.position.cwiseAbs().sum() + plane.point.cwiseAbs().sum() + sphere.radius);
+  return height > 0x1p-40 * size;
+}
+
+Found overlap_defect(const Scene& scene) {
+  const auto sphere_name = [&](std::size_t i) { return text_of("sphere ", i, " (", scene.spheres[i].name, ")"); };
+  std::vector<Path> paths(scene.spheres.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    paths[i].position = scene.spheres[i].position;
+    paths[i].radius = scene.spheres[i].radius;
+    measure(paths[i]);
+  }
+  CellGrid grid = grid_around(paths);
+  unsigned long long undecided = 0;
+  for (CellGrid::Index i = 0; i < paths.size(); ++i) {
+    const Sphere& sphere = scene.spheres[i];
+    for (std::size_t k = 0; k < scene.planes.size(); ++k) {
+      const Plane& plane = scene.planes[k];
+      if (!is_far_above(sphere, plane) &&
+          overlap(paths[i], {plane.normal, reach_of(plane.normal, plane.point, sphere.radius)}, 0, undecided)) {
+        return SceneDefect{Of::sphere, i, 0, "",
+                           text_of(sphere_name(i), " overlaps plane ", k, " (", plane.name, "), or is behind it")};
+      }
+    }
+    // Only those before it are in the grid.
+    grid.put(i, sphere.position);
+    std::optional<CellGrid::Index> partner;
+    grid.for_neighbours(i, [&](CellGrid::Index j) {
+      if (!partner && overlap(paths[i], paths[j], 0, undecided)) {
+        partner = j;
+      }
+    });
+    if (partner) {
+      return SceneDefect{Of::sphere, i, 0, "", sphere_name(i) + " overlaps " + sphere_name(*partner)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SceneDefect> first_defect(const Scene& scene) {
+  for (const auto& find : {scene_defect, pair_defect, plane_defect, spheres_defect, overlap_defect}) {
+    if (Found found = find(scene)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string describe(const SceneDefect& defect) {
+  const std::string field = defect.field.empty() ? "" : '.' + defect.field;
+  switch (defect.of) {
+    case Of::scene:
+      break;
+    case Of::pair:
+      return text_of("pairs of materials[", defect.index, "] and materials[", defect.other, "]", field, ": ",
+                     defect.what);
+    case Of::plane:
+      return text_of("planes[", defect.index, "]", field, ": ", defect.what);
+    case Of::sphere:
+      return text_of("spheres[", defect.index, "]", field, ": ", defect.what);
+  }
+  return defect.field + ": " + defect.what;
+}
+
+}  // namespace carom::scene
