@@ -166,6 +166,23 @@ int run_command(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   chart_command->callback([&] { run = [&] { return carom::tool::chart_methods(chart); }; });
 
+  carom::tool::SceneArguments scene;
+  CLI::App* scene_command =
+      app.add_subcommand("scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
+  scene_command->add_option("FILE", scene.file, "A scene (docs/reference/schemas/scene.schema.json)")->required();
+  scene_command->add_option("--laws", scene.laws, "Laws to run it under, separated by commas (default: the scene's)")
+      ->delimiter(',');
+  scene_command->add_option("--out", scene.out, "Directory for events, series, pictures, report and replay");
+  scene_command
+      ->add_option("--judge-every", scene.judge_every, "Judge every Nth impulse; 0: none")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
+      ->capture_default_str();
+  scene_command->add_flag("!--no-check", scene.check, "Do not check that nothing overlaps");
+  scene_command->add_option("--events", scene.events, "End the run after so many events")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  add_format(*scene_command, scene.format, {"text", "json"});
+  scene_command->callback([&] { run = [&] { return carom::tool::run_scene_file(scene); }; });
+
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
   table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();

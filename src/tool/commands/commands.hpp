@@ -58,7 +58,19 @@ struct ChartArguments {
   unsigned jobs = 0;        // threads that judge; 0: one for each core
 };
 
+struct SceneArguments {
+  std::string file;
+  std::vector<std::string> laws;          // names; empty for the scene's own
+  std::string out;                        // a directory; empty for none
+  std::uint64_t judge_every = 1;          // every so many impulses; 0: none
+  bool check = true;                      // that nothing overlaps
+  std::optional<std::uint64_t> events;    // that end the run
+  std::string format = "text";
+};
+
 [[nodiscard]] int gate(const GateArguments& arguments);
+/// Runs a scene, judges its impulses, checks that nothing overlaps, and books its energy.
+[[nodiscard]] int run_scene_file(const SceneArguments& arguments);
 /// Measures time and exactness of the methods, draws them against each other, and prints the tables.
 [[nodiscard]] int chart_methods(const ChartArguments& arguments);
 [[nodiscard]] int replay(const ReplayArguments& arguments);

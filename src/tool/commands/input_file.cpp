@@ -19,20 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string content_of(const std::string& file) {
-  if (!std::filesystem::exists(file)) {
-    throw UsageError(fmt::format("{}: there is no such file", file));
-  }
-  if (std::filesystem::is_directory(file)) {
-    throw UsageError(fmt::format("{}: is a directory, expected a file", file));
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw UsageError(fmt::format("{}: cannot be read", file));
-  }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 json parsed(const std::string& text, const std::string& place) {
   try {
     return parse_json(text);
@@ -115,7 +101,21 @@ bool is_json_lines(const std::string& text) {
 
 }  // namespace
 
-std::vector<ReadCollision> read_collisions(const std::string& file) { return collisions_of(content_of(file), file); }
+std::string content_of_file(const std::string& file) {
+  if (!std::filesystem::exists(file)) {
+    throw UsageError(fmt::format("{}: there is no such file", file));
+  }
+  if (std::filesystem::is_directory(file)) {
+    throw UsageError(fmt::format("{}: is a directory, expected a file", file));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw UsageError(fmt::format("{}: cannot be read", file));
+  }
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::vector<ReadCollision> read_collisions(const std::string& file) { return collisions_of(content_of_file(file), file); }
 
 std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file) {
   std::vector<ReadCollision> read;

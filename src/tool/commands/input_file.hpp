@@ -22,6 +22,9 @@ struct ReadCollision {
   std::optional<WitnessFacts> witness;
 };
 
+/// The whole of a file. Throws UsageError, which names it, where it cannot be read.
+[[nodiscard]] std::string content_of_file(const std::string& file);
+
 /// Reads a witness, a collision, an array of either, or JSON Lines of either. Throws UsageError that names the file,
 /// the place in it, and what was expected, also where a collision is invalid; a witness that an invalid collision was
 /// answered is the one exception.

@@ -13,24 +13,11 @@
 #include "report/html_tables.hpp"
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
-#include "report/report_style.hpp"
+#include "report/page.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
 namespace {
-
-using Fact = std::pair<std::string, std::string>;
-
-void add_facts(pugi::xml_node section, const std::vector<Fact>& facts) {
-  const pugi::xml_node list = add(section, "dl");
-  for (const auto& [name, value] : facts) {
-    if (!value.empty()) {
-      const pugi::xml_node pair = add(list, "div");
-      add(pair, "dt", {}, name);
-      add(pair, "dd", {}, value);
-    }
-  }
-}
 
 std::string limit_of(const oracles::Yardstick& yardstick) {
   return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
@@ -92,19 +79,6 @@ constexpr std::array<Part, 8> parts{{{"summary", "Summary"},
                                      {"witnesses", "Witnesses"},
                                      {"environment", "Environment"}}};
 
-void add_head(pugi::xml_node html, const std::string& title) {
-  const pugi::xml_node head = add(html, "head");
-  add(head, "meta", {{"charset", "utf-8"}});
-  add(head, "meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  add(head, "meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  // No page that shows this one can make it load or run anything.
-  add(head, "meta",
-      {{"http-equiv", "Content-Security-Policy"},
-       {"content", "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"}});
-  add(head, "title", {}, title);
-  add(head, "style", {}, report_style);
-}
-
 pugi::xml_node add_part(pugi::xml_node main, const char* anchor) {
   const auto part =
       std::find_if(parts.begin(), parts.end(), [&](const Part& one) { return std::string_view(one.anchor) == anchor; });
@@ -119,18 +93,6 @@ void add_contents(pugi::xml_node body) {
   for (const Part& part : parts) {
     add(add(list, "li"), "a", {{"href", std::string("#") + part.anchor}}, part.heading);
   }
-}
-
-/// In HTML an element without content has either no end tag or must have one; <meta/> is read the same as XML.
-std::string serialized(const pugi::xml_document& document) {
-  std::ostringstream stream;
-  document.save(stream, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
-  std::string text = stream.str();
-  constexpr std::string_view end = "></meta>";
-  for (std::size_t at = text.find(end); at != std::string::npos; at = text.find(end, at)) {
-    text.replace(at, end.size(), "/>\n");
-  }
-  return text;
 }
 
 }  // namespace

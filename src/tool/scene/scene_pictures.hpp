@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "chart/canvas.hpp"
+#include "scene/series.hpp"
+
+namespace carom::tool {
+
+/// What a picture shows of one run.
+struct SampledLaw {
+  std::string law;
+  std::vector<Sample> samples;
+};
+
+/// Energy over time: of one law its parts and what is lost, of several the whole of each.
+[[nodiscard]] chart::Picture energy_picture(std::span<const SampledLaw> laws);
+/// The components of the momentum, or of several laws its size.
+[[nodiscard]] chart::Picture momentum_picture(std::span<const SampledLaw> laws);
+/// Energy of rotation.
+[[nodiscard]] chart::Picture spin_picture(std::span<const SampledLaw> laws);
+
+}  // namespace carom::tool

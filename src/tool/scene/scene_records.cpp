@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_records.hpp"
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
+
+namespace carom::tool {
+namespace {
+
+using nlohmann::json;
+using properties::all_causes;
+using properties::Cause;
+using scene::Event;
+
+json momentum_json(const Vector3<long double>& p) {
+  return json::array({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+}
+
+json energies_json(const properties::Energies& energies) {
+  return {{"translation", static_cast<double>(energies.translation)},
+          {"rotation", static_cast<double>(energies.rotation)},
+          {"potential", static_cast<double>(energies.potential)}};
+}
+
+json arc_json(const scene::Arc& arc) {
+  json row = json::array();
+  row.push_back(arc.path.start);
+  for (const Vector3<double>* vector : {&arc.path.position, &arc.path.velocity, &arc.path.acceleration,
+                                        &arc.turning.angular_velocity, &arc.turning.angular_acceleration}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      row.push_back((*vector)[axis]);
+    }
+  }
+  const bool spins = arc.turning.phase == scene::Phase::resting && !arc.turning.angular_velocity.isZero(0);
+  row.push_back(spins ? "spinning" : std::string(name_of(arc.turning.phase)));
+  return row;
+}
+
+std::string count_text(unsigned long long count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+json scene_record(const SceneRun& run) {
+  const scene::Counts& counts = run.simulation().counts();
+  const properties::Ledger& ledger = run.ledger();
+  json record;
+  record["title"] = run.scene().title;
+  record["law"] = name_of(run.scene().law);
+  record["precision"] = name_of(run.scene().precision);
+  record["duration"] = run.scene().duration;
+  record["simulated"] = run.simulation().time();
+  record["ended_early"] = run.ended_early().empty() ? json(nullptr) : json(run.ended_early());
+  record["spheres"] = run.simulation().size();
+  record["planes"] = run.scene().planes.size();
+  record["holds"] = run.holds();
+  record["events"] = {{"all", counts.events},        {"impacts", counts.impacts}, {"plane_impacts", counts.plane_impacts},
+                      {"captures", counts.captures}, {"phases", counts.phases},   {"slow_contacts", counts.slow},
+                      {"most_at_one_instant", counts.at_one_instant}};
+  record["order"] = {{"decided_exactly", counts.exact.orders},
+                     {"ties", counts.exact.ties},
+                     {"contacts_decided_exactly", counts.exact.predictions},
+                     {"gaps_decided_exactly", counts.exact.gaps},
+                     {"moved_clear", counts.moved_clear}};
+  record["spins_changed"] = run.spins_changed();
+  if (run.validity()) {
+    json invalid = json::array();
+    for (const properties::Invalidity& one : run.validity()->invalid) {
+      invalid.push_back({{"sphere", one.sphere}, {"other", one.other}, {"begin", one.begin}, {"end", one.end}, {"what", one.what}});
+    }
+    record["validity"] = {{"invalid", run.validity()->count},   {"pairs", run.validity()->pairs},
+                          {"exact_pairs", run.validity()->exact_pairs}, {"planes", run.validity()->planes},
+                          {"largest_jump", run.validity()->largest_jump}, {"first", invalid}};
+  } else {
+    record["validity"] = nullptr;
+  }
+  json held;
+  for (const auto& [name, count] : run.judge().held()) {
+    held[std::string(name)] = count;
+  }
+  record["impulses"] = {{"all", run.judge().impulses()},
+                        {"judged", run.judge().judged()},
+                        {"violated", run.judge().violated()},
+                        {"worst_backward_error", number_to_json(run.judge().worst_backward_error())},
+                        {"held", held}};
+  if (const auto& bad = run.judge().first_bad()) {
+    record["impulses"]["first_violated"] = {{"time", bad->time},
+                                            {"invariant", bad->invariant},
+                                            {"collision", collision_to_json(bad->collision)}};
+  }
+  json causes;
+  for (const Cause cause : all_causes) {
+    causes[std::string(name_of(cause))] = static_cast<double>(ledger.energy(cause));
+  }
+  record["ledger"] = {{"initial", energies_json(ledger.initial())},
+                      {"final", energies_json(ledger.present())},
+                      {"causes", causes},
+                      {"work_of_gravity", static_cast<double>(ledger.gravity_work())},
+                      {"scale", static_cast<double>(ledger.scale())},
+                      {"relative_rounding", run.relative_rounding()},
+                      {"rounding_limit", run.rounding_limit()},
+                      {"rounding_without_signs", static_cast<double>(ledger.rounding_without_signs())},
+                      {"momentum",
+                       {{"initial", momentum_json(ledger.initial_momentum())},
+                        {"gravity", momentum_json(ledger.gravity_impulse())},
+                        {"planes", momentum_json(ledger.plane_impulse())},
+                        {"rounding", momentum_json(ledger.momentum_rounding())}}},
+                      {"angular_momentum_rounding", static_cast<double>(ledger.angular_momentum_rounding())},
+                      {"angular_momentum_scale", static_cast<double>(ledger.angular_momentum_scale())}};
+  record["seconds"] = run.seconds();
+  return record;
+}
+
+std::string scene_verdict(const SceneRun& run) {
+  std::string text = run.holds() ? "holds" : "VIOLATED";
+  std::string what;
+  const auto add = [&](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
+  if (run.validity()) {
+    add(run.validity()->count == 0 ? "nothing overlaps" : count_text(run.validity()->count, "overlap", "overlaps"));
+  }
+  if (run.judge().judged() > 0) {
+    add(run.judge().violated() == 0 ? fmt::format("{} impulses pass", run.judge().judged())
+                                    : count_text(run.judge().violated(), "impulse fails", "impulses fail"));
+  } else {
+    add("no impulse was judged");
+  }
+  add(run.is_closed() ? "the ledger closes" : "the ledger does not close");
+  return fmt::format("{}: {}", text, what);
+}
+
+std::string scene_text(const SceneRun& run) {
+  const scene::Counts& counts = run.simulation().counts();
+  const properties::Ledger& ledger = run.ledger();
+  std::string text = fmt::format(
+      "{}: {}, {}, law {} in {}, {:g} s of {:g} s\n", run.scene().title.empty() ? "scene" : run.scene().title,
+      count_text(run.simulation().size(), "sphere", "spheres"), count_text(run.scene().planes.size(), "plane", "planes"),
+      name_of(run.scene().law), name_of(run.scene().precision), run.simulation().time(), run.scene().duration);
+  if (!run.ended_early().empty()) {
+    text += fmt::format("  ended early: {}\n", run.ended_early());
+  }
+  text += fmt::format("events    {}: {} of spheres, {} with planes, {} captures, {} changes of phase\n", counts.events,
+                      count_text(counts.impacts, "impact", "impacts"), counts.plane_impacts, counts.captures,
+                      counts.phases);
+  text += fmt::format("          {} slow contacts; at most {} at one instant; {:.3g} s of wall time\n", counts.slow,
+                      counts.at_one_instant, run.seconds());
+  text += fmt::format(
+      "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved clear\n",
+      counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
+  if (const auto& validity = run.validity()) {
+    text += fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
+                        validity->count, validity->pairs, validity->exact_pairs);
+    for (const properties::Invalidity& one : validity->invalid) {
+      text += fmt::format("          sphere {} and {}, from {} s to {} s: {}\n", one.sphere, one.other, one.begin,
+                          one.end, one.what);
+    }
+  } else {
+    text += "validity  not checked\n";
+  }
+  text += fmt::format("impulses  {} of {} judged, {} violated", run.judge().judged(), run.judge().impulses(),
+                      run.judge().violated());
+  if (run.judge().judged() > 0 && determines_outcome(run.scene().law)) {
+    text += fmt::format(", worst backward error {:.3g} ulps", run.judge().worst_backward_error());
+  }
+  text += '\n';
+  if (const auto& bad = run.judge().first_bad()) {
+    text += fmt::format("          first at t = {} s: {}\n", bad->time, bad->invariant);
+  }
+  text += fmt::format("spin      changed of {} of {} spheres\n", run.spins_changed(), run.simulation().size());
+  const properties::Energies final = ledger.present();
+  text += fmt::format("energy    {:.9g} J at first, {:.9g} J at last\n", static_cast<double>(ledger.initial().total()),
+                      static_cast<double>(final.total()));
+  for (const Cause cause : all_causes) {
+    text += fmt::format("  {:<22}{:>16.9g} J\n", name_of(cause), static_cast<double>(ledger.energy(cause)));
+  }
+  text += fmt::format("          rounding is {:.2g} of the energy, allowed {:.2g}\n", run.relative_rounding(),
+                      run.rounding_limit());
+  return text + scene_verdict(run) + '\n';
+}
+
+json replay_record(const SceneRun& run) {
+  const scene::Scene& scene = run.scene();
+  json record;
+  record["title"] = scene.title;
+  record["law"] = name_of(scene.law);
+  record["duration"] = run.simulation().time();
+  record["gravity"] = vector_to_json(scene.gravity);
+  record["bodies"] = json::array();
+  record["arcs"] = json::array();
+  for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
+    record["bodies"].push_back({{"name", scene.spheres[sphere].name}, {"kind", "sphere"}, {"radius", scene.spheres[sphere].radius}});
+    record["arcs"].push_back(json::array({arc_json(run.first_arcs()[sphere])}));
+  }
+  record["planes"] = json::array();
+  for (const scene::Plane& plane : scene.planes) {
+    record["planes"].push_back({{"name", plane.name}, {"normal", vector_to_json(plane.normal)}, {"point", vector_to_json(plane.point)}});
+  }
+  record["room"] = nullptr;
+  record["impacts"] = json::array();
+  for (const Event& event : *run.replayed()) {
+    record["arcs"][event.a.sphere].push_back(arc_json(event.a.after));
+    if (event.b) {
+      record["arcs"][event.b->sphere].push_back(arc_json(event.b->after));
+    }
+    if (event.has_impulse) {
+      const Vector3<double> impulse = run.simulation().mass(event.a.sphere) *
+                                      (event.outcome.a.velocity - event.collision.a.velocity);
+      const Vector3<double> point = event.a.after.path.position - event.collision.a.position;
+      const auto other = event.b ? static_cast<long long>(event.b->sphere) : -1 - static_cast<long long>(event.plane);
+      record["impacts"].push_back({event.time, event.a.sphere, other, point[0], point[1], point[2], impulse[0],
+                                   impulse[1], impulse[2]});
+    }
+  }
+  json series{{"t", json::array()}, {"kinetic", json::array()}, {"potential", json::array()}, {"lost", json::array()}, {"spin", json::array()}};
+  for (const Sample& sample : run.samples()) {
+    series["t"].push_back(sample.time);
+    series["kinetic"].push_back(sample.translation + sample.rotation);
+    series["potential"].push_back(sample.potential);
+    series["lost"].push_back(run.samples().front().total() - sample.total());
+    series["spin"].push_back(sample.rotation);
+  }
+  record["series"] = series;
+  return record;
+}
+
+std::string events_csv_header() {
+  std::string header = "event,time,kind,a,b,plane,restitution,slow";
+  for (const char* body : {"a", "b"}) {
+    header += fmt::format(",{}_phase", body);
+    for (const char* vector : {"position", "velocity", "acceleration", "angular_velocity", "angular_acceleration"}) {
+      for (const char axis : {'x', 'y', 'z'}) {
+        header += fmt::format(",{}_{}_{}", body, vector, axis);
+      }
+    }
+  }
+  return header + '\n';
+}
+
+std::string events_csv_line(std::uint64_t number, const Event& event) {
+  const auto body = [](const scene::Arc& arc) {
+    std::string text = fmt::format(",{}", name_of(arc.turning.phase));
+    for (const Vector3<double>* vector : {&arc.path.position, &arc.path.velocity, &arc.path.acceleration,
+                                          &arc.turning.angular_velocity, &arc.turning.angular_acceleration}) {
+      text += fmt::format(",{},{},{}", (*vector)[0], (*vector)[1], (*vector)[2]);
+    }
+    return text;
+  };
+  std::string line = fmt::format("{},{},{},{},", number, event.time, name_of(event.kind), event.a.sphere);
+  line += event.b ? fmt::format("{},,", event.b->sphere) : fmt::format(",{},", event.plane);
+  line += event.has_impulse ? fmt::format("{},{}", event.collision.restitution, event.was_slow ? 1 : 0) : ",0";
+  line += body(event.a.after);
+  line += event.b ? body(event.b->after) : std::string(16, ',');
+  return line + '\n';
+}
+
+std::string series_csv(const SceneRun& run) {
+  std::string text = "time,translation,rotation,potential,total,momentum_x,momentum_y,momentum_z,mean_spin\n";
+  for (const Sample& sample : run.samples()) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", sample.time, sample.translation, sample.rotation,
+                        sample.potential, sample.total(), sample.momentum[0], sample.momentum[1], sample.momentum[2],
+                        sample.mean_spin);
+  }
+  return text;
+}
+
+}  // namespace carom::tool

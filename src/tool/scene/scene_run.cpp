@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace carom::tool {
+namespace {
+
+constexpr std::size_t samples = 400;
+constexpr std::uint64_t events_of_a_check = 100'000;  // so many are held at once
+/// What all rounding together may be of the energy, of a scene in double.
+constexpr double rounding_limit_in_double = 1e-12;
+
+/// What is stored is a double: an impulse computed in more is judged by that.
+Precision judged_precision(const scene::Scene& scene) { return std::min(scene.precision, Precision::binary64); }
+
+oracles::Yardstick yardstick_of(Precision precision) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(precision);
+  yardstick.least_size = least_size_known_to_a_roundoff(precision);
+  yardstick.limit_ulps = oracles::default_limit_ulps;
+  return yardstick;
+}
+
+bool turns(const scene::Change& change) {
+  return change.before.turning.angular_velocity != change.after.turning.angular_velocity ||
+         !change.before.turning.angular_acceleration.isZero(0);
+}
+
+}  // namespace
+
+SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
+    : options_(options),
+      simulation_(scene),
+      ledger_(simulation_),
+      judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
+      series_(simulation_, samples),
+      has_turned_(simulation_.size(), false) {
+  for (std::size_t sphere = 0; sphere < simulation_.size(); ++sphere) {
+    first_.push_back(simulation_.arc(sphere));
+  }
+  if (options.check) {
+    history_.emplace(simulation_);
+    validity_.emplace();
+  }
+  if (options.most_replayed > 0) {
+    replayed_.emplace();
+  }
+}
+
+void SceneRun::check() {
+  if (history_) {
+    history_->end_at(simulation_.time());
+    validity_->add(properties::check_validity(scene(), *history_));
+    history_.emplace(simulation_);
+  }
+}
+
+void SceneRun::record(const scene::Event& event) {
+  series_.record(event);
+  ledger_.record(event);
+  judge_.record(event);
+  has_turned_[event.a.sphere] = has_turned_[event.a.sphere] || turns(event.a);
+  if (event.b) {
+    has_turned_[event.b->sphere] = has_turned_[event.b->sphere] || turns(*event.b);
+  }
+  if (history_) {
+    history_->record(event);
+    if (simulation_.counts().events % events_of_a_check == 0) {
+      check();
+    }
+  }
+  if (replayed_) {
+    replayed_->push_back(event);
+    if (replayed_->size() > options_.most_replayed) {
+      replayed_.reset();
+    }
+  }
+  if (options_.on_event) {
+    options_.on_event(event);
+  }
+  if (options_.on_progress) {
+    options_.on_progress(event.time);
+  }
+}
+
+void SceneRun::run() {
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    while (const scene::Event* event = simulation_.advance()) {
+      record(*event);
+      if (options_.stop.stop_requested()) {
+        ended_early_ = "interrupted";
+        break;
+      }
+      if (options_.most_events && simulation_.counts().events >= *options_.most_events) {
+        ended_early_ = "as many events as were asked for";
+        break;
+      }
+    }
+  } catch (const scene::SceneError& error) {
+    ended_early_ = error.what();
+    has_failed_ = true;
+  }
+  ledger_.close(simulation_);
+  series_.close(simulation_.time());
+  check();
+  history_.reset();
+  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::size_t SceneRun::spins_changed() const {
+  return static_cast<std::size_t>(std::count(has_turned_.begin(), has_turned_.end(), true));
+}
+
+double SceneRun::relative_rounding() const {
+  const long double scale = ledger_.scale();
+  return scale > 0 ? static_cast<double>(std::abs(ledger_.energy(properties::Cause::rounding)) / scale) : 0;
+}
+
+double SceneRun::rounding_limit() const {
+  return rounding_limit_in_double * std::max(1.0, unit_roundoff(scene().precision) / unit_roundoff(Precision::binary64));
+}
+
+bool SceneRun::holds() const {
+  return judge_.violated() == 0 && is_closed() && (!validity_ || validity_->count == 0);
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <carom/properties/scenes/judged_impulses.hpp>
+#include <carom/properties/scenes/ledger.hpp>
+#include <carom/properties/scenes/validity.hpp>
+#include <carom/scene/simulation.hpp>
+
+#include "scene/series.hpp"
+
+namespace carom::tool {
+
+struct SceneOptions {
+  std::uint64_t judge_every = 1;  // every so many impulses; 0: none
+  bool check = true;              // that nothing overlaps
+  std::optional<std::uint64_t> most_events;
+  std::uint64_t most_replayed = 200'000;  // events that a replay holds
+  std::stop_token stop;
+  std::function<void(const scene::Event&)> on_event;  // empty for none
+  std::function<void(double)> on_progress;            // of the time that is simulated; empty for none
+};
+
+/// A scene, run, and what came of it. What it holds refers to itself: it stays where it is.
+class SceneRun {
+ public:
+  /// Precondition: the scene is valid. Throws SceneError where bodies overlap at the beginning.
+  SceneRun(const scene::Scene& scene, const SceneOptions& options);
+  SceneRun(const SceneRun&) = delete;
+  SceneRun& operator=(const SceneRun&) = delete;
+  SceneRun(SceneRun&&) = delete;
+  SceneRun& operator=(SceneRun&&) = delete;
+  ~SceneRun() = default;
+
+  /// To its end, or until it is stopped. Call it once.
+  void run();
+
+  [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }
+  [[nodiscard]] const scene::Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] const properties::Ledger& ledger() const { return ledger_; }
+  [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
+  /// Where it was checked.
+  [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
+  [[nodiscard]] const std::vector<Sample>& samples() const { return series_.samples(); }
+  [[nodiscard]] const std::vector<scene::Arc>& first_arcs() const { return first_; }
+  /// The events of a replay; none where there were too many.
+  [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
+  /// Spheres whose w was ever other than at the beginning, by a bit.
+  [[nodiscard]] std::size_t spins_changed() const;
+  [[nodiscard]] double seconds() const { return seconds_; }  // of wall time, with all that was judged
+  /// Why the duration was not reached; empty where it was.
+  [[nodiscard]] const std::string& ended_early() const { return ended_early_; }
+  /// Whether it could not go on, rather than being stopped.
+  [[nodiscard]] bool has_failed() const { return has_failed_; }
+
+  /// All rounding together beside the scale of the energy, and what is allowed of it.
+  [[nodiscard]] double relative_rounding() const;
+  [[nodiscard]] double rounding_limit() const;
+  [[nodiscard]] bool is_closed() const { return relative_rounding() <= rounding_limit(); }
+  /// Whether nothing was found to be wrong.
+  [[nodiscard]] bool holds() const;
+
+ private:
+  void record(const scene::Event& event);
+  void check();
+
+  SceneOptions options_;
+  scene::Simulation simulation_;
+  properties::Ledger ledger_;
+  properties::ImpulseJudge judge_;
+  std::optional<properties::History> history_;
+  std::optional<properties::Validity> validity_;
+  Series series_;
+  std::vector<scene::Arc> first_;
+  std::optional<std::vector<scene::Event>> replayed_;
+  std::vector<bool> has_turned_;
+  double seconds_ = 0;
+  std::string ended_early_;
+  bool has_failed_ = false;
+};
+
+}  // namespace carom::tool

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <carom/scene/simulation.hpp>
+
+namespace carom::tool {
+
+/// A scene at one time.
+struct Sample {
+  double time = 0;                       // [s]
+  double translation = 0, rotation = 0;  // kinetic energy [J]
+  double potential = 0;                  // −m g·x, 0 where it began [J]
+  Vector3<double> momentum{0, 0, 0};     // [N s]
+  double mean_spin = 0;                  // of ‖w‖ [rad/s]
+
+  [[nodiscard]] double total() const { return translation + rotation + potential; }
+};
+
+/// Samples at equal distances of time, for pictures.
+class Series {
+ public:
+  Series(const scene::Simulation& simulation, std::size_t count);
+
+  void record(const scene::Event& event);
+  /// Nothing more happens until then.
+  void close(double time);
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+ private:
+  void sample_until(double time);
+
+  const scene::Simulation* simulation_;
+  std::vector<scene::Arc> arcs_;
+  double step_;
+  double first_potential_ = 0;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace carom::tool
