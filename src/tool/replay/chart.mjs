@@ -68,12 +68,9 @@ export class Chart {
     }
     const times = ticks(0, this.duration, 5);
     for (const t of times) {
-      text(this.x_of(t), height - 4, t === 0 ? "start" : t > this.duration * 0.97 ? "end" : "middle", String(Number(t.toPrecision(6))));
+      text(this.x_of(t), height - 4, t === 0 ? "start" : t > this.duration * 0.97 ? "end" : "middle", `${Number(t.toPrecision(6))}${t === times.at(-1) ? " s" : ""}`);
     }
     text(margin.left - 6, 10, "end", `${letter}J`);
-    if (times.at(-1) < this.duration * 0.9) {
-      text(width - margin.right, height - 4, "end", "s");
-    }
     for (const [name, y] of Object.entries(this.series)) {
       this.element.append(svg("path", { class: `${name} series`, d: path_of(this.t, y, this.x_of, this.y_of) }));
     }

@@ -10,7 +10,7 @@ export function ticks(least, greatest, about) {
   const step = [1, 2, 5, 10].map((x) => x * power).find((x) => span / x <= about) ?? 10 * power;
   const all = [];
   for (let k = Math.ceil(least / step - 1e-9); k * step <= greatest + step * 1e-9; ++k) {
-    all.push(k * step);
+    all.push(k * step + 0); // no −0
   }
   return all;
 }

@@ -82,7 +82,7 @@ export function grid_step(length, cells) {
   return [1, 2, 5, 10].map((x) => x * power).find((x) => x >= raw * (1 - 1e-9));
 }
 
-/** The lines of a grid on a face, as pairs of points. */
+/** The lines of a grid within a face, as pairs of points; its edges are none of them. */
 export function grid_on(corners, normal, step, up) {
   const pairs = [];
   const axes = spanning(normal, up);
@@ -90,7 +90,7 @@ export function grid_on(corners, normal, step, up) {
     const along = axes[1 - which];
     const places = corners.map(({ point }) => dot(axis, point));
     const last = Math.max(...places);
-    for (let k = Math.ceil(Math.min(...places) / step - 1e-6); k * step <= last + step * 1e-6; ++k) {
+    for (let k = Math.ceil(Math.min(...places) / step + 1e-3); k * step < last - step * 1e-3; ++k) {
       const hits = [];
       corners.forEach(({ point }, i) => {
         const next = (i + 1) % corners.length;
