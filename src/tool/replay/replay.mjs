@@ -83,8 +83,15 @@ function start() {
     view?.set_colours(colours());
     redraw();
   };
+  let size = "";
   const resize = () => {
     const { clientWidth, clientHeight } = by_id("stage");
+    // A canvas that is given its size waits for all that is still being drawn, so only where it is another one.
+    const now = [clientWidth, clientHeight, devicePixelRatio].join(" ");
+    if (now === size) {
+      return;
+    }
+    size = now;
     view?.resize(Math.max(clientWidth, 1), Math.max(clientHeight, 1), devicePixelRatio);
     chart.resize();
     // At once, for a resized canvas is empty until it is drawn.

@@ -69,12 +69,23 @@ export class Browser {
     return result.value;
   }
 
-  /** Opens a page anew and waits until it says that it is ready, and shown as it is then. */
+  /** Opens a page anew and waits until it says that it is ready, and is shown as it is then. */
   async open(address) {
     await this.ask("Page.navigate", { url: "about:blank" });
     await this.ask("Page.navigate", { url: address });
     await this.until('location.protocol !== "about:" && document.body?.dataset.ready === "true"');
-    await this.value("new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(() => go())))");
+    await this.frame();
+  }
+
+  /** To another place of the page that is open. */
+  async go(fragment) {
+    await this.value(`location.hash = ${JSON.stringify(fragment)}; 0`);
+    await this.frame();
+  }
+
+  /** Until what is due is drawn and shown. */
+  frame() {
+    return this.value("new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(() => go())))");
   }
 
   /** Tells its time limit by failing: ctest has the last word on how long a test may take. */
