@@ -62,7 +62,7 @@ export class Chart {
       node.textContent = content;
       this.element.append(node);
     };
-    for (const y of ticks(low, greatest + room, 4)) {
+    for (const y of ticks(low, greatest + room, 5)) {
       this.element.append(svg("line", { class: "rule", x1: margin.left, x2: width - margin.right, y1: this.y_of(y), y2: this.y_of(y) }));
       text(margin.left - 6, this.y_of(y) + 4, "end", String(Number((y / factor).toPrecision(6))).replace("-", "−"));
     }

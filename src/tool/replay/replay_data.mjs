@@ -29,6 +29,11 @@ export function radius_of(body) {
   return body.kind === "sphere" ? body.radius : Math.max(...body.vertices.map((v) => Math.hypot(...v)));
 }
 
+/** The median of the bodies' radii; infinite where there are none. */
+export function typical_radius(bodies) {
+  return bodies.map(radius_of).sort((a, b) => a - b)[bodies.length >> 1] ?? Infinity;
+}
+
 /** How many of these ascending numbers are at most x. */
 export function count_up_to(count, number_at, x) {
   let low = 0;

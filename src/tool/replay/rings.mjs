@@ -18,7 +18,7 @@ const vertex = `
     float ratio = min(ball.w / distance, 0.95);
     float outline = ball.w / sqrt(1.0 - ratio * ratio);
     // As thick on all bodies, and thinner on those that are hardly thicker themselves.
-    float thickness = min(2.2 * pixel, 0.25 * outline);
+    float thickness = min(2.2 * pixel, 0.12 * outline);
     float radius = outline + thickness * (length(position.xy) > 1.5 ? 2.2 : 1.2);
     vec3 toward = -centre / distance;
     vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), toward));

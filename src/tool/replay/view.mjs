@@ -8,6 +8,7 @@ import { Arrows } from "./arrows.mjs";
 import { Balls } from "./balls.mjs";
 import { box_of, corners_of, frame, up_of } from "./framing.mjs";
 import { Polyhedra } from "./polyhedra.mjs";
+import { typical_radius } from "./replay_data.mjs";
 import { Rings } from "./rings.mjs";
 import { Surroundings } from "./surroundings.mjs";
 
@@ -39,7 +40,7 @@ export class View {
     this.balls = new Balls(bodies.filter(({ body }) => body.kind === "sphere"));
     this.polyhedra = new Polyhedra(bodies.filter(({ body }) => body.kind !== "sphere"));
     this.rings = new Rings(replay.bodies);
-    this.arrows = new Arrows(replay.impacts, this.size * 0.16);
+    this.arrows = new Arrows(replay.impacts, Math.min(this.size * 0.16, typical_radius(replay.bodies) * 6));
     this.surroundings = new Surroundings(replay, box, up);
     this.scene.add(this.surroundings.group, this.balls.mesh, this.polyhedra.group, this.rings.mesh, this.arrows.mesh);
     this.look_from_the_start();
