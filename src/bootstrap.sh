@@ -61,8 +61,18 @@ install_test_programs() {
   install_packages "${programs[@]}"
 }
 
+# The page of replays is bundled from packages of npm; without them all else is built.
+install_replay() {
+  local folder=src/tool/replay
+  [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && return
+  command -v npm >/dev/null || (install_packages nodejs npm) || true
+  (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error >&2) ||
+    echo "bootstrap: npm cannot install what replays of scenes are bundled from; the program will write none" >&2
+}
+
 build() {
   install_packages
+  install_replay
   configure build everything
   cmake --build build --parallel "$jobs" --target "$1" >&2
 }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Color, InstancedBufferAttribute, InstancedMesh, LatheGeometry, Matrix4, Quaternion, ShaderMaterial, Vector2,
+  Vector3 } from "three";
+
+import { count_up_to } from "./replay_data.mjs";
+
+/** For so many seconds an arrow is seen, where the replay runs as fast as what it shows. */
+const lifetime = 0.4;
+const most = 400;
+
+/** A bead at the contact point, a shaft and a head, of length 1 along y. */
+function geometry() {
+  const profile = [[0, -0.05], [0.04, -0.03], [0.05, 0], [0.04, 0.03], [0.022, 0.045], [0.022, 0.72], [0.085, 0.72], [0, 1]];
+  return new LatheGeometry(profile.map(([x, y]) => new Vector2(x, y)), 20);
+}
+
+const vertex = /* glsl */ `
+  attribute float fade;
+  varying float opacity;
+  void main() {
+    opacity = fade;
+    gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(position, 1.0);
+  }`;
+const fragment = /* glsl */ `
+  uniform vec3 colour;
+  varying float opacity;
+  void main() {
+    gl_FragColor = vec4(colour, opacity);
+    #include <colorspace_fragment>
+  }`;
+
+/** The impulses of the latest impacts. Their lengths go with the square root, for small ones would not be seen else. */
+export class Arrows {
+  constructor(impacts, longest) {
+    this.impacts = impacts;
+    const sizes = impacts.map(({ impulse }) => Math.hypot(...impulse));
+    const greatest = sizes.reduce((a, b) => Math.max(a, b), 0);
+    this.lengths = sizes.map((size) => (greatest > 0 ? longest * Math.sqrt(size / greatest) : 0));
+    this.fade = new InstancedBufferAttribute(new Float32Array(most), 1);
+    const shape = geometry();
+    shape.setAttribute("fade", this.fade);
+    // An arrow begins at the skin of the body that it points into, so it is drawn over everything.
+    this.material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true,
+      depthTest: false, depthWrite: false, uniforms: { colour: { value: new Color() } } });
+    this.mesh = new InstancedMesh(shape, this.material, most);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 3;
+  }
+
+  set_colour(colour) {
+    this.material.uniforms.colour.value.set(colour);
+  }
+
+  /** Those of the time before this one; the faster it runs, the longer that time. */
+  place(time, speed) {
+    const span = lifetime * speed;
+    const end = count_up_to(this.impacts.length, (i) => this.impacts[i].time, time);
+    const matrix = new Matrix4();
+    const up = new Vector3(0, 1, 0);
+    const turn = new Quaternion();
+    let count = 0;
+    for (let i = end - 1; i >= 0 && count < most && time - this.impacts[i].time < span; --i) {
+      if (this.lengths[i] > 0) {
+        const { point, impulse, time: began } = this.impacts[i];
+        turn.setFromUnitVectors(up, new Vector3(...impulse).normalize());
+        matrix.compose(new Vector3(...point), turn, new Vector3().setScalar(this.lengths[i]));
+        this.mesh.setMatrixAt(count, matrix);
+        this.fade.array[count] = 1 - (time - began) / span;
+        count += 1;
+      }
+    }
+    this.mesh.count = count;
+    this.mesh.instanceMatrix.needsUpdate = true;
+    this.fade.needsUpdate = true;
+  }
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// node bundle.mjs FILE: the page without its title and its replay, all in one text; as C++ where FILE ends in .cpp.
+import { createHash } from "node:crypto";
+import { readFile, writeFile } from "node:fs/promises";
+
+import { build } from "esbuild";
+
+async function built(entry) {
+  const result = await build({
+    absWorkingDir: import.meta.dirname ?? new URL(".", import.meta.url).pathname,
+    entryPoints: [entry],
+    bundle: true,
+    minify: true,
+    charset: "utf8",
+    target: ["es2021"],
+    format: entry.endsWith(".css") ? undefined : "iife",
+    // The licence of three.js asks that its notice stays.
+    legalComments: "inline",
+    write: false,
+  });
+  return result.outputFiles[0].text.trim();
+}
+
+function digest(text) {
+  return `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+}
+
+/** Puts a text where its mark stands, which has to be once. */
+function filled(page, mark, text) {
+  const parts = page.split(mark);
+  if (parts.length !== 2) {
+    throw new Error(`${mark} stands ${parts.length - 1} times in the page`);
+  }
+  return parts.join(text);
+}
+
+function as_cpp(page) {
+  const lines = [];
+  const bytes = Buffer.from(page);
+  for (let at = 0; at < bytes.length; at += 64) {
+    lines.push([...bytes.subarray(at, at + 64)].join(","));
+  }
+  return `// Made by bundle.mjs.
+#include "scene/replay_page.hpp"
+
+namespace carom::tool {
+namespace {
+
+constexpr unsigned char bytes[] = {
+${lines.join(",\n")}};
+
+}  // namespace
+
+std::string_view replay_page() { return {reinterpret_cast<const char*>(bytes), sizeof bytes}; }
+
+}  // namespace carom::tool
+`;
+}
+
+// Neither may end its element; esbuild writes "<\\/script" for it in strings, and this makes sure.
+const script = await built("replay.mjs");
+const style = await built("replay.css");
+if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) {
+  throw new Error("what is bundled would end its element");
+}
+let page = await readFile(new URL("page.html", import.meta.url), "utf8");
+// Nothing runs but what was bundled, nothing is loaded from anywhere.
+page = filled(page, "{{policy}}",
+  `default-src 'none'; script-src ${digest(script)}; style-src ${digest(style)}; base-uri 'none'; form-action 'none'`);
+page = filled(page, "{{style}}", style);
+page = filled(page, "{{script}}", script);
+const file = process.argv[2] ?? "replay_page.html";
+await writeFile(file, file.endsWith(".cpp") ? as_cpp(page) : page);

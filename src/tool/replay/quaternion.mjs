@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Quaternions as [w, x, y, z], and vectors as [x, y, z].
+
+export function product([w, x, y, z], [a, b, c, d]) {
+  return [w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c, w * c - x * d + y * a + z * b,
+    w * d + x * c - y * b + z * a];
+}
+
+export function normalized(q) {
+  const length = Math.hypot(...q);
+  return length > 0 ? q.map((component) => component / length) : [1, 0, 0, 0];
+}
+
+/** The turn about a vector by its length. */
+export function turn(vector) {
+  const angle = Math.hypot(...vector);
+  // sin(x/2)/x, which is 1/2 at 0; x²/24 of that is below the last digit where the series is taken.
+  const share = angle > 1e-8 ? Math.sin(angle / 2) / angle : 0.5;
+  return [Math.cos(angle / 2), ...vector.map((component) => component * share)];
+}
+
+export function cross([a, b, c], [x, y, z]) {
+  return [b * z - c * y, c * x - a * z, a * y - b * x];
+}
+
+export function dot(a, b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Motion } from "./motion.mjs";
+
+/** The replay as the page holds it, made ready: motions that can be asked, impacts in the order of time. */
+export function read(text) {
+  const raw = JSON.parse(text);
+  const duration = Math.max(Number(raw.duration) || 0, 1e-12);
+  const bodies = (raw.bodies ?? []).map((body, index) => ({ ...body, name: body.name || `body ${index + 1}` }));
+  const planes = raw.planes ?? [];
+  const impacts = (raw.impacts ?? [])
+    .map(([time, a, b, ...n]) => ({ time, a, b, point: n.slice(0, 3), impulse: n.slice(3, 6) }))
+    .sort((left, right) => left.time - right.time);
+  return {
+    title: raw.title ?? "",
+    law: raw.law ?? "",
+    duration,
+    gravity: raw.gravity ?? [0, 0, 0],
+    bodies,
+    planes,
+    room: raw.room ?? null,
+    motions: bodies.map((body, index) => new Motion(raw.arcs[index], duration)),
+    impacts,
+    series: { t: [], kinetic: [], potential: [], lost: [], spin: [], ...raw.series },
+  };
+}
+
+/** The radius of the least ball about a body's centre that holds it. */
+export function radius_of(body) {
+  return body.kind === "sphere" ? body.radius : Math.max(...body.vertices.map((v) => Math.hypot(...v)));
+}
+
+/** The median of the bodies' radii; infinite where there are none. */
+export function typical_radius(bodies) {
+  return bodies.map(radius_of).sort((a, b) => a - b)[bodies.length >> 1] ?? Infinity;
+}
+
+/** How many of these ascending numbers are at most x. */
+export function count_up_to(count, number_at, x) {
+  let low = 0;
+  let high = count;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (number_at(middle) <= x) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// write_replay JSON HTML: the page of a replay, for the test that opens it. Exit 77 where the program has no replays.
+#include <exception>
+#include <fstream>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/replay_html.hpp"
+
+int main(int count, char** arguments) try {
+  if (count != 3) {
+    return 2;
+  }
+  if (!carom::tool::has_replay()) {
+    return 77;
+  }
+  std::ifstream input(arguments[1]);
+  std::ofstream(arguments[2]) << carom::tool::replay_html("A fixture", nlohmann::json::parse(input));
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
