@@ -147,6 +147,8 @@ Part part_of(std::string name, std::vector<std::size_t> contacts, const Tally& t
     JudgedCandidate judged{c, tally.certificates[c], std::nullopt};
     const bool is_same_law = part.count_of(candidates[c].subject.model).exactly() == part.contacts.size();
     judged.serves = judged.certificate.serves() && (!demand.exact_law || is_same_law);
+    LawCount& count = *std::ranges::find(part.laws, candidates[c].subject.model, &LawCount::law);
+    count.served = std::max(count.served, judged.certificate.contacts - judged.certificate.failures);
     part.candidates.push_back(std::move(judged));
   }
   return part;
@@ -268,9 +270,7 @@ double Part::saving_of(const JudgedCandidate& candidate) const {
   return *baseline_nanoseconds / *candidate.nanoseconds;
 }
 
-const LawCount& Part::count_of(Model law) const {
-  return *std::ranges::find_if(laws, [&](const LawCount& count) { return count.law == law; });
-}
+const LawCount& Part::count_of(Model law) const { return *std::ranges::find(laws, law, &LawCount::law); }
 
 bool Plan::serves() const { return whole.one_at_a_time || whole.in_batches; }
 

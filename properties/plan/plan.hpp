@@ -18,10 +18,11 @@
 /// The least that serves: of law, precision, 3×3 solve, frame and batch, for each class of contacts and for the whole.
 namespace carom::properties::plan {
 
-/// How often a lesser law is the law asked for, and why.
+/// On how many contacts a lesser law is the law asked for, and why.
 struct LawCount {
   Model law;
   EnumArray<Reduction, std::size_t, all_reductions.size()> by_reason{};
+  std::size_t served = 0;  // contacts that its best candidate serves: within the accuracy it is that law
 
   [[nodiscard]] std::size_t exactly() const;
 };

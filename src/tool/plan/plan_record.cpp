@@ -74,7 +74,8 @@ json laws_record(const Part& part) {
         reasons[std::string(in_words(reason))] = count.by_reason[reason];
       }
     }
-    laws.push_back({{"law", name_of(count.law)}, {"exactly", count.exactly()}, {"reasons", reasons}});
+    laws.push_back(
+        {{"law", name_of(count.law)}, {"exactly", count.exactly()}, {"served", count.served}, {"reasons", reasons}});
   }
   return laws;
 }

@@ -77,7 +77,7 @@ Grid choices(const Plan& plan) {
 
 /// On how many contacts each lesser law is the one asked for.
 Grid laws(const Plan& plan, Model law) {
-  Grid grid{{"class", "law", fmt::format("is {} exactly on", name_of(law)), "because"}, {}};
+  Grid grid{{"class", "law", "serves on", fmt::format("is {} exactly on", name_of(law)), "because"}, {}};
   for (const Part* part : parts_of(plan)) {
     for (const LawCount& count : part->laws) {
       if (count.law == law) {
@@ -90,9 +90,9 @@ Grid laws(const Plan& plan, Model law) {
                                  count.by_reason[reason]);
         }
       }
-      grid.rows.push_back({part->name, std::string(name_of(count.law)),
-                           fmt::format("{} of {}", count.exactly(), part->contacts.size()),
-                           reasons.empty() ? "–" : reasons});
+      grid.rows.push_back(
+          {part->name, std::string(name_of(count.law)), fmt::format("{} of {}", count.served, part->contacts.size()),
+           fmt::format("{} of {}", count.exactly(), part->contacts.size()), reasons.empty() ? "–" : reasons});
     }
   }
   return grid;
@@ -120,22 +120,36 @@ Grid calls(const Plan& plan) {
   return grid;
 }
 
-/// What does not serve the whole.
+/// What does not serve the whole. A law of which nothing does is one row, that of its best candidate.
 Grid failures(const Plan& plan) {
   Grid grid{{"does not serve", "contacts failed", "worst at", "since", "ulps there", "digits there"}, {}};
-  for (const JudgedCandidate& one : plan.whole.candidates) {
-    if (one.serves) {
-      continue;
-    }
-    const std::string& name = plan.candidates[one.candidate].subject.name;
+  const auto add = [&](const std::string& name, const JudgedCandidate& one) {
     if (!one.certificate.worst) {
       grid.rows.push_back({name, "0", "–", "it is another law", "–", "–"});
-      continue;
+      return;
     }
     const auto& [contact, result] = *one.certificate.worst;
     grid.rows.push_back({name, fmt::format("{} of {}", one.certificate.failures, one.certificate.contacts),
                          plan.places[contact], result.failure, number_or_dash(result.backward_error, "{:.3g}"),
                          number_or_dash(result.digits, "{:.1f}")});
+  };
+  for (const LawCount& count : plan.whole.laws) {
+    std::vector<const JudgedCandidate*> of_law;
+    for (const JudgedCandidate& one : plan.whole.candidates) {
+      if (plan.candidates[one.candidate].subject.model == count.law) {
+        of_law.push_back(&one);
+      }
+    }
+    if (std::ranges::none_of(of_law, &JudgedCandidate::serves)) {
+      add(fmt::format("{}, however computed", name_of(count.law)),
+          **std::ranges::min_element(of_law, {}, [](const auto* one) { return one->certificate.failures; }));
+      continue;
+    }
+    for (const JudgedCandidate* one : of_law) {
+      if (!one->serves) {
+        add(plan.candidates[one->candidate].subject.name, *one);
+      }
+    }
   }
   return grid;
 }
