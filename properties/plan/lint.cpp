@@ -107,7 +107,7 @@ class Linter {
     }
   }
 
-  [[nodiscard]] std::vector<Finding> take() { return std::move(findings_); }
+  [[nodiscard]] std::vector<LintFinding> take() { return std::move(findings_); }
 
  private:
   using NamedBody = std::pair<const BasicBody<Rational>*, std::string>;
@@ -137,7 +137,7 @@ class Linter {
 
   const ClassedCollision& contact_;
   BasicCollision<Rational> exact_;
-  std::vector<Finding> findings_;
+  std::vector<LintFinding> findings_;
 };
 
 }  // namespace
@@ -151,7 +151,7 @@ bool is_out_of_range(const Collision& collision) {
   });
 }
 
-std::vector<Finding> findings_of(const ClassedCollision& contact) {
+std::vector<LintFinding> findings_of(const ClassedCollision& contact) {
   Linter linter(contact);
   linter.coefficients();
   linter.lengths();

@@ -5,7 +5,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/plan/classed_collision.hpp>
-#include <carom/properties/plan/finding.hpp>
+#include <carom/properties/plan/lint_finding.hpp>
 
 namespace carom::properties::plan {
 
@@ -23,6 +23,6 @@ inline constexpr double mass_ratio_warned = 1e6;
 [[nodiscard]] bool is_out_of_range(const Collision& collision);
 
 /// What is suspicious of a collision, each decided exactly. Precondition: it is valid, or `is_out_of_range`.
-[[nodiscard]] std::vector<Finding> findings_of(const ClassedCollision& contact);
+[[nodiscard]] std::vector<LintFinding> findings_of(const ClassedCollision& contact);
 
 }  // namespace carom::properties::plan

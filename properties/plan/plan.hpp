@@ -12,7 +12,7 @@
 
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/plan/classed_collision.hpp>
-#include <carom/properties/plan/finding.hpp>
+#include <carom/properties/plan/lint_finding.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
 /// The least that serves: of law, precision, 3×3 solve, frame and batch, for each class of contacts and for the whole.
@@ -60,7 +60,7 @@ struct Plan {
   std::vector<Part> classes;          // in the order of their first contacts
   Part whole;
   std::size_t left_out = 0;  // contacts for which no law is defined
-  std::vector<Finding> findings;
+  std::vector<LintFinding> findings;
 
   /// Whether something serves every contact.
   [[nodiscard]] bool serves() const;

@@ -164,7 +164,7 @@ TEST(Plan, WarnsAndSucceeds) {
   EXPECT_EQ(found, (std::vector<std::string>{"condition:2 a", "coefficient:3 restitution",
                                              "moments:4 a.principal_inertia[2]"}));
   const std::string text = plan(file).output;
-  EXPECT_NE(text.find("1 contacts left out"), std::string::npos) << text;
+  EXPECT_NE(text.find("left out, since no law is defined for their coefficients: 1\n"), std::string::npos) << text;
   EXPECT_NE(text.find("κ(K) > 16"), std::string::npos) << text;
 }
 
@@ -196,6 +196,29 @@ TEST(Plan, SaysWhichPlaceAndWhichField) {
   EXPECT_EQ(plan(file, {"--law", "any"}).exit_status, 2);
   EXPECT_EQ(plan(file, {"--digits", "0"}).exit_status, 2);
   EXPECT_EQ(plan(file, {"--limit-ulps", "nan"}).exit_status, 2);
+}
+
+/// What docs/guide/plan.md shows, but for its times.
+TEST(Plan, IsOfTheExampleWhatItsPageSays) {
+  const std::string file = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
+  const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  const json record = json::parse(result.output);
+  EXPECT_EQ(part_named(record, "balls").at("laws")[0],
+            json({{"law", "frictionless"},
+                  {"served", 12},
+                  {"exactly", 4},
+                  {"reasons", {{"N is an eigenvector of K", 4}}}}));
+  EXPECT_EQ(part_named(record, "balls").at("one_at_a_time").at("law"), "frictionless");
+  EXPECT_EQ(part_named(record, "crate on floor").at("one_at_a_time").at("law"), "reflection");
+  for (const json& candidate : part_named(record, "rod on floor").at("candidates")) {
+    if (candidate.at("subject") == "reflection-world-double") {
+      EXPECT_FALSE(candidate.at("serves").get<bool>());
+    }
+  }
+  ASSERT_EQ(record.at("findings").size(), 1U);
+  EXPECT_EQ(record.at("findings")[0].at("place"), file + ":19");
+  EXPECT_EQ(record.at("findings")[0].at("lint"), "condition");
 }
 
 TEST(Plan, IsReadByReplayToo) {

@@ -124,7 +124,7 @@ json plan_record(const PlanRun& run) {
   for (const Part& part : plan.classes) {
     record["classes"].push_back(part_record(part, plan));
   }
-  for (const properties::plan::Finding& finding : plan.findings) {
+  for (const properties::plan::LintFinding& finding : plan.findings) {
     record["findings"].push_back({{"lint", name_of(finding.lint)},
                                   {"severity", name_of(finding.severity)},
                                   {"place", finding.place},

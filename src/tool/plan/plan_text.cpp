@@ -14,10 +14,10 @@ namespace {
 
 using properties::plan::all_lints;
 using properties::plan::Candidate;
-using properties::plan::Finding;
 using properties::plan::Frame;
 using properties::plan::JudgedCandidate;
 using properties::plan::LawCount;
+using properties::plan::LintFinding;
 using properties::plan::Part;
 using properties::plan::Plan;
 
@@ -159,7 +159,7 @@ Grid findings(const Plan& plan) {
   Grid grid{{"severity", "lint", "place", "field", "what"}, {}};
   for (const auto lint : all_lints) {
     std::size_t count = 0;
-    for (const Finding& finding : plan.findings) {
+    for (const LintFinding& finding : plan.findings) {
       if (finding.lint == lint && ++count <= findings_shown) {
         grid.rows.push_back({std::string(name_of(finding.severity)), std::string(name_of(lint)), finding.place,
                              finding.field, finding.text});
@@ -193,7 +193,7 @@ std::string page(const PlanRun& run, const Show& show) {
       fmt::format("{}: {} contacts, {} of them colliding; asked for: {}, {}\n", run.file, plan.whole.contacts.size(),
                   plan.whole.colliding, name_of(run.demand.law), accuracy_in_words(run.demand));
   if (plan.left_out > 0) {
-    text += fmt::format("{} contacts left out: no law is defined for their coefficients\n", plan.left_out);
+    text += fmt::format("left out, since no law is defined for their coefficients: {}\n", plan.left_out);
   }
   text += show("", choices(plan));
   if (run.repetitions > 0 && !plan.classes.empty()) {

@@ -14,7 +14,7 @@ namespace {
 /// "severity lint field" of all that is found.
 std::vector<std::string> found(const Collision& collision) {
   std::vector<std::string> all;
-  for (const Finding& finding : findings_of({"", collision, "here:1"})) {
+  for (const LintFinding& finding : findings_of({"", collision, "here:1"})) {
     EXPECT_EQ(finding.place, "here:1");
     EXPECT_FALSE(finding.text.empty());
     all.push_back(std::string(name_of(finding.severity)) + ' ' + std::string(name_of(finding.lint)) + ' ' +

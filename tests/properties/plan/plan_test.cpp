@@ -303,7 +303,7 @@ TEST(Plan, LeavesOutWhatNoLawIsDefinedFor) {
   const Plan plan = make_plan(contacts, some_candidates(), options_for(Model::reflection));
   EXPECT_EQ(plan.left_out, 1U);
   EXPECT_EQ(plan.whole.contacts.size(), 1U);
-  EXPECT_TRUE(std::ranges::any_of(plan.findings, [&](const Finding& finding) {
+  EXPECT_TRUE(std::ranges::any_of(plan.findings, [&](const LintFinding& finding) {
     return finding.lint == Lint::coefficient && finding.place == contacts[1].place;
   }));
   contacts.erase(contacts.begin());

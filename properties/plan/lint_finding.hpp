@@ -54,7 +54,7 @@ enum class Severity { note, warning };
   return severity == Severity::note ? "note" : "warning";
 }
 
-struct Finding {
+struct LintFinding {
   Lint lint;
   Severity severity;
   std::string place;  // of the collision, "FILE:7"
