@@ -204,11 +204,9 @@ TEST(Plan, IsOfTheExampleWhatItsPageSays) {
   const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   const json record = json::parse(result.output);
-  EXPECT_EQ(part_named(record, "balls").at("laws")[0],
-            json({{"law", "frictionless"},
-                  {"served", 12},
-                  {"exactly", 4},
-                  {"reasons", {{"N is an eigenvector of K", 4}}}}));
+  EXPECT_EQ(
+      part_named(record, "balls").at("laws")[0],
+      json({{"law", "frictionless"}, {"served", 12}, {"exactly", 4}, {"reasons", {{"N is an eigenvector of K", 4}}}}));
   EXPECT_EQ(part_named(record, "balls").at("one_at_a_time").at("law"), "frictionless");
   EXPECT_EQ(part_named(record, "crate on floor").at("one_at_a_time").at("law"), "reflection");
   for (const json& candidate : part_named(record, "rod on floor").at("candidates")) {

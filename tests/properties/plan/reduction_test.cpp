@@ -124,7 +124,7 @@ TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
     EXPECT_EQ(reduction(ExactCase(spheres), Model::reflection, Model::frictionless), Reduction::eigenvector);
     spheres.a.angular_velocity = {3, -2, 1};
     EXPECT_TRUE(is_normal_eigenvector(ExactCase(spheres)));
-    spheres.a.position[i % 3] += 0.25;  // where the lever arm leaves the normal
+    spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // where the lever arm leaves the normal
     const ExactCase moved(spheres);
     if (moved.approach() == oracles::Approach::colliding) {
       EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Model::reflection, Model::frictionless));
