@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <carom/collision/model.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
 
 #include "commands/commands.hpp"
@@ -41,9 +42,9 @@ std::string is_duration(const std::string& text) {
 }
 
 template <class Arguments>
-void add_yardstick(CLI::App& command, Arguments& arguments) {
+void add_accuracy(CLI::App& command, Arguments& arguments, const std::string& of_limit, const std::string& of_digits) {
   arguments.limit_ulps = carom::oracles::default_limit_ulps;
-  command.add_option("--limit-ulps", arguments.limit_ulps, "Largest backward error that passes, in ulps")
+  command.add_option("--limit-ulps", arguments.limit_ulps, of_limit)
       ->check([](const std::string& text) {
         // CLI::Range lets NaN pass.
         const double limit = std::strtod(text.c_str(), nullptr);
@@ -52,8 +53,13 @@ void add_yardstick(CLI::App& command, Arguments& arguments) {
                    : fmt::format("expected a number from {} to {}", smallest_limit, largest_limit);
       })
       ->capture_default_str();
-  command.add_option("--digits", arguments.digits, "Pass what is right to so many digits, in place of ulps")
-      ->check(CLI::Range(1, 18));
+  command.add_option("--digits", arguments.digits, of_digits)->check(CLI::Range(1, 18));
+}
+
+template <class Arguments>
+void add_yardstick(CLI::App& command, Arguments& arguments) {
+  add_accuracy(command, arguments, "Largest backward error that passes, in ulps",
+               "Pass what is right to so many digits, in place of ulps");
   command.add_flag(
       "--exact", arguments.exact,
       "Judge in exact arithmetic alone, without the filter that decides most verdicts sooner: the verdicts "
@@ -182,6 +188,38 @@ int run_command(int argc, char** argv) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
   add_format(*scene_command, scene.format, {"text", "json"});
   scene_command->callback([&] { run = [&] { return carom::tool::run_scene_file(scene); }; });
+
+  carom::tool::PlanArguments plan;
+  std::vector<std::string> laws;
+  for (const carom::Model model : carom::all_models) {
+    if (model != carom::Model::any) {
+      laws.emplace_back(name_of(model));
+    }
+  }
+  CLI::App* plan_command = app.add_subcommand(
+      "plan",
+      "The least law, precision, solve, frame and batch that serve the contacts of a file, certified on them: exit "
+      "status 0 something serves, 1 nothing does, 2 usage or bad input");
+  plan_command
+      ->add_option("FILE", plan.file,
+                   "JSON Lines of collisions, or one, or an array; \"class\" names that of a contact")
+      ->required();
+  plan_command->add_option("--law", plan.law, "The law that is wanted")
+      ->check(CLI::IsMember(laws))
+      ->capture_default_str();
+  add_accuracy(*plan_command, plan, "Largest backward error that serves, in ulps of binary64",
+               "So many correct digits of the change of the velocities serve, in place of ulps");
+  plan_command->add_flag("--exact-law", plan.exact_law,
+                         "A lesser law only where it is, exactly and on every contact, the one that is wanted");
+  plan_command
+      ->add_option("--repetitions", plan.repetitions,
+                   "Repetitions of each timing; 0 times nothing, and law, precision and solve decide what is least")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  plan_command->add_option("--jobs", plan.jobs, "Threads that judge (default: one for each core)")
+      ->check(CLI::Range(1, 1024));
+  add_format(*plan_command, plan.format, {"text", "markdown", "json"});
+  plan_command->callback([&] { run = [&] { return carom::tool::plan_contacts(plan); }; });
 
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");

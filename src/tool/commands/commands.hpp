@@ -68,12 +68,26 @@ struct SceneArguments {
   std::string format = "text";
 };
 
+struct PlanArguments {
+  std::string file;
+  std::string law = "rough";  // the name of a model, not `any`
+  double limit_ulps = 32;     // of binary64
+  std::optional<int> digits;
+  bool exact_law = false;
+  int repetitions = 5;  // of each timing; 0: nothing is timed
+  unsigned jobs = 0;    // threads that judge; 0: one for each core
+  std::string format = "text";
+};
+
 [[nodiscard]] int gate(const GateArguments& arguments);
 /// Runs a scene, judges its impulses, checks that nothing overlaps, and books its energy.
 [[nodiscard]] int run_scene_file(const SceneArguments& arguments);
 /// Measures time and exactness of the methods, draws them against each other, and prints the tables.
 [[nodiscard]] int chart_methods(const ChartArguments& arguments);
 [[nodiscard]] int replay(const ReplayArguments& arguments);
+/// Prints the least that serves the contacts of a file, and what the lint finds in them: exit_violated where nothing
+/// serves.
+[[nodiscard]] int plan_contacts(const PlanArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
 [[nodiscard]] int list_subjects(const std::string& format);

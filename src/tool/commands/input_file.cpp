@@ -11,6 +11,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/plan/lint.hpp>
 
 #include "commands/commands.hpp"
 
@@ -62,12 +63,23 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
   return facts;
 }
 
-ReadCollision read_record(const json& record, const std::string& place) {
+/// The collision that stands by itself, its class beside its fields.
+Collision bare_collision(json record) {
+  if (record.is_object()) {
+    record.erase("class");
+  }
+  return collision_from_json(record);
+}
+
+ReadCollision read_record(const json& record, const std::string& place, OutOfRange out_of_range) {
   ReadCollision read{place, {}, std::nullopt};
   const bool is_wrapped = record.is_object() && record.contains("collision");
+  if (record.is_object() && record.contains("class")) {
+    read.contact_class = text_field(record.at("class"), "/class", place);
+  }
   try {
     read.one.collision =
-        is_wrapped ? collision_from_json(record.at("collision"), "/collision") : collision_from_json(record);
+        is_wrapped ? collision_from_json(record.at("collision"), "/collision") : bare_collision(record);
   } catch (const FormatError& error) {
     fail(place, error.what());
   }
@@ -81,7 +93,8 @@ ReadCollision read_record(const json& record, const std::string& place) {
       read.one.convex_uniform = convex_uniform.get<bool>();
     }
   }
-  const bool may_be_invalid = read.witness && read.witness->invariant == "invalid_refused";
+  const bool is_kept = out_of_range == OutOfRange::kept && properties::plan::is_out_of_range(read.one.collision);
+  const bool may_be_invalid = is_kept || (read.witness && read.witness->invariant == "invalid_refused");
   const std::vector<Defect> defects = validate(read.one.collision);
   if (!defects.empty() && !may_be_invalid) {
     fail(place, describe(defects));
@@ -115,9 +128,11 @@ std::string content_of_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::vector<ReadCollision> read_collisions(const std::string& file) { return collisions_of(content_of_file(file), file); }
+std::vector<ReadCollision> read_collisions(const std::string& file, OutOfRange out_of_range) {
+  return collisions_of(content_of_file(file), file, out_of_range);
+}
 
-std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file) {
+std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file, OutOfRange out_of_range) {
   std::vector<ReadCollision> read;
   if (is_blank(text) || text.find_first_not_of(" \t\r\n") == std::string::npos) {
     fail(file, "is empty; expected a collision");
@@ -128,7 +143,7 @@ std::vector<ReadCollision> collisions_of(const std::string& text, const std::str
     for (std::size_t number = 1; std::getline(lines, line); ++number) {
       if (!is_blank(line)) {
         const std::string place = fmt::format("{}:{}", file, number);
-        read.push_back(read_record(parsed(line, place), place));
+        read.push_back(read_record(parsed(line, place), place, out_of_range));
       }
     }
     return read;
@@ -136,14 +151,14 @@ std::vector<ReadCollision> collisions_of(const std::string& text, const std::str
   const json whole = parsed(text, file);
   if (whole.is_array()) {
     for (std::size_t i = 0; i < whole.size(); ++i) {
-      read.push_back(read_record(whole[i], fmt::format("{}: element {}", file, i)));
+      read.push_back(read_record(whole[i], fmt::format("{}: element {}", file, i), out_of_range));
     }
     if (read.empty()) {
       fail(file, "holds no collision");
     }
     return read;
   }
-  read.push_back(read_record(whole, file));
+  read.push_back(read_record(whole, file, out_of_range));
   return read;
 }
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <carom/properties/plan/certificate.hpp>
+#include <carom/properties/trial/held.hpp>
+
+namespace carom::properties::plan {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// How bad a failure is, the worse the greater.
+auto badness(const WorstFailure& failure) {
+  return std::tuple(failure.result.backward_error.value_or(0), -failure.result.digits.value_or(infinity));
+}
+
+bool is_worse(const WorstFailure& x, const WorstFailure& y) {
+  return badness(x) != badness(y) ? badness(x) > badness(y) : x.contact < y.contact;
+}
+
+template <class Better>
+void keep(std::optional<double>& kept, const std::optional<double>& other, const Better& better) {
+  if (other) {
+    kept = kept ? better(*kept, *other) : *other;
+  }
+}
+
+double larger(double x, double y) { return std::max(x, y); }
+double smaller(double x, double y) { return std::min(x, y); }
+
+oracles::Yardstick ulps_of_binary64(double limit_ulps) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  yardstick.limit_ulps = limit_ulps;
+  return yardstick;
+}
+
+/// All that the law promises of one outcome; relations between outcomes are the gate's matter.
+Claim claim_about_outcome(const Demand& demand) {
+  Subject asked;
+  asked.model = demand.law;
+  oracles::Yardstick yardstick = ulps_of_binary64(demand.limit_ulps);
+  yardstick.digits = demand.digits;
+  Claim claim = claim_of(asked, yardstick);
+  std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
+  return claim;
+}
+
+}  // namespace
+
+void Certificate::add(std::size_t contact, const Result& result) {
+  Certificate one;
+  one.contacts = 1;
+  one.worst_backward_error = result.backward_error;
+  one.least_digits = result.digits;
+  if (!result.failure.empty()) {
+    one.failures = 1;
+    one.worst = WorstFailure{contact, result};
+  }
+  *this += one;
+}
+
+Certificate& Certificate::operator+=(const Certificate& other) {
+  contacts += other.contacts;
+  failures += other.failures;
+  keep(worst_backward_error, other.worst_backward_error, larger);
+  keep(least_digits, other.least_digits, smaller);
+  if (other.worst && (!worst || is_worse(*other.worst, *worst))) {
+    worst = other.worst;
+  }
+  return *this;
+}
+
+Certifier::Certifier(const Collision& collision, const Demand& demand)
+    : demand_(demand),
+      judged_({collision, false}),
+      ulps_(ulps_of_binary64(demand.limit_ulps)),
+      claim_(claim_about_outcome(demand)) {}
+
+Result Certifier::judge(const Candidate& candidate, const Answer& answer) const {
+  Result result;
+  const auto* const reported = std::get_if<ReportedOutcome>(&answer);
+  if (reported == nullptr || !oracles::is_finite(*reported)) {
+    result.failure = "no finite outcome";
+    result.backward_error = determines_outcome(demand_.law) ? std::optional<double>(infinity) : std::nullopt;
+    return result;
+  }
+  const oracles::LiftedOutcome outcome(*reported);
+  bool is_allowed = true;
+  if (determines_outcome(demand_.law)) {
+    const oracles::Accuracy accuracy = oracles::accuracy(exact(), demand_.law, outcome, ulps_);
+    if (accuracy.is_decided) {
+      is_allowed = accuracy.is_allowed();
+      result.backward_error = accuracy.backward_error(ulps_.unit_roundoff);
+      result.digits = collides() ? std::optional<double>(accuracy.digits()) : std::nullopt;
+    } else if (!exact().is_open(demand_.law, ulps_.allowance())) {
+      result.failure = "not decided: the scale leaves the range of numbers";
+      return result;
+    }
+  } else if (demand_.digits && collides()) {
+    result.digits = oracles::nearest_answer(exact(), answers_of_coulomb(), *reported).digits;
+  }
+  if (!demand_.digits) {
+    const std::string_view why = why_not_held(exact().collision(), unit_roundoff(candidate.subject.precision));
+    if (!why.empty()) {
+      result.failure = std::string(why);
+    } else if (!is_allowed) {
+      result.failure = "backward error";
+    }
+  } else if (collides() && !has_digits(outcome, result)) {
+    result.failure = "digits";
+  }
+  if (result.failure.empty()) {
+    result.failure = violated_invariant(answer);
+  }
+  return result;
+}
+
+/// Decided exactly, against the truth itself; where the accuracy is so coarse that the judge would let the answer to
+/// another side of a branch pass, by what is printed, with a margin for its rounding.
+bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& result) const {
+  constexpr double margin = 0.01;
+  if (determines_outcome(demand_.law)) {
+    const oracles::Accuracy accuracy = oracles::accuracy(exact(), demand_.law, outcome, claim_.yardstick);
+    if (accuracy.is_decided && accuracy.is_of_truth) {
+      return accuracy.has_digits;
+    }
+  }
+  // Where even the last ulps leave open which branch answers, nothing is asked of an outcome.
+  return !result.digits || *result.digits >= *demand_.digits + margin;
+}
+
+std::string Certifier::violated_invariant(const Answer& answer) const {
+  const Trial trial(judged_, claim_, lift(answer), std::nullopt, no_relations);
+  const Judgement judgement = trial.judge(std::span<const ExactAnswer>());
+  for (const NamedVerdict& named : judgement.verdicts) {
+    if (named.verdict.status == Status::violated) {
+      return std::string(named.invariant->name);
+    }
+  }
+  return {};
+}
+
+const std::vector<oracles::CoulombAnswer>& Certifier::answers_of_coulomb() const {
+  if (!answers_) {
+    answers_ = oracles::coulomb_answers(exact());
+  }
+  return *answers_;
+}
+
+}  // namespace carom::properties::plan

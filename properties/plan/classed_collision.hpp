@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <carom/collision/collision.hpp>
+
+namespace carom::properties::plan {
+
+/// A collision that a plan is to serve, and the class of contacts that it belongs to.
+struct ClassedCollision {
+  std::string contact_class;  // empty: `contact_class_of` names one
+  Collision collision;
+  std::string place = {};  // where it was read, "FILE:7", for what is said of it
+};
+
+}  // namespace carom::properties::plan

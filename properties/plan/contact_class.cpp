@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/plan/contact_class.hpp>
+
+namespace carom::properties::plan {
+namespace {
+
+using oracles::Rational;
+using ExactBody = BasicBody<Rational>;
+
+/// From this ratio of moments on the solvers of carom/impulse take care of the long axis (principal_inertia.hpp).
+constexpr int least_ratio_of_slender_moments = 8;
+
+Rational squared_length(const Vector3<Rational>& v) { return v.dot(v); }
+
+/// Whether ‖r × N‖ ≤ 8u ‖N‖ (‖P‖ + ‖X‖), u of binary64: as much as rounding P, X and N makes of it.
+bool is_along_normal(const ExactBody& body, const BasicCollision<Rational>& c) {
+  const Vector3<Rational> moment = oracles::lever_arm(body, c.point).cross(c.normal);
+  // (p + x)² ≤ 2 p² + 2 x²: no root is needed.
+  const Rational places = Rational(2) * (squared_length(c.point) + squared_length(body.position));
+  const Rational rounding(0x1p-50);
+  return squared_length(moment) <= rounding * rounding * squared_length(c.normal) * places;
+}
+
+bool is_slender(const ExactBody& body) {
+  const auto [least, greatest] =
+      std::minmax_element(body.principal_inertia.data(), body.principal_inertia.data() + body.principal_inertia.size());
+  return *greatest > Rational(least_ratio_of_slender_moments) * *least;
+}
+
+bool has_equal_moments(const ExactBody& body) {
+  return body.principal_inertia[0] == body.principal_inertia[1] &&
+         body.principal_inertia[1] == body.principal_inertia[2];
+}
+
+const char* kind_of(const BasicCollision<Rational>& c) {
+  const auto of_each = [&](const auto& holds) {
+    return (c.a.immovable || holds(c.a)) && (c.b.immovable || holds(c.b));
+  };
+  if (of_each([&](const ExactBody& body) { return is_along_normal(body, c); })) {
+    return "central";
+  }
+  if (!of_each([](const ExactBody& body) { return !is_slender(body); })) {
+    return "slender";
+  }
+  return of_each(has_equal_moments) ? "equal moments" : "general";
+}
+
+}  // namespace
+
+std::string contact_class_of(const Collision& collision) {
+  if (collision.a.immovable && collision.b.immovable) {
+    return "both immovable";
+  }
+  const bool is_against_immovable = collision.a.immovable || collision.b.immovable;
+  return std::string(kind_of(oracles::lift(collision))) + (is_against_immovable ? ", one immovable" : ", both movable");
+}
+
+}  // namespace carom::properties::plan

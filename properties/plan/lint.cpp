@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/plan/lint.hpp>
+#include <carom/properties/trial/in_words.hpp>
+
+namespace carom::properties::plan {
+namespace {
+
+using oracles::Rational;
+
+/// Collects what is found of one collision.
+class Linter {
+ public:
+  explicit Linter(const ClassedCollision& contact) : contact_(contact), exact_(oracles::lift(contact.collision)) {}
+
+  void coefficients() {
+    const Collision& c = contact_.collision;
+    // Restitution and friction are all that an invalid collision may have out of range here.
+    for (const Defect& defect : validate(c)) {
+      add(Lint::coefficient, Severity::warning, defect.field,
+          "expected " + defect.expected + "; no law is defined, and the contact is left out");
+    }
+    if (c.friction > friction_noted) {
+      add(Lint::coefficient, Severity::note, "friction",
+          fmt::format("μ = {} is greater than what is measured of solids", in_words(c.friction)));
+    }
+  }
+
+  void lengths() {
+    length(Lint::normal_length, "normal", exact_.normal.dot(exact_.normal));
+    for (const auto& [body, name] : bodies()) {
+      if (!body->immovable) {
+        length(Lint::quaternion_length, name + ".orientation", body->orientation.dot(body->orientation));
+      }
+    }
+  }
+
+  void moments() {
+    for (const auto& [body, name] : bodies()) {
+      if (body->immovable) {
+        continue;
+      }
+      const Vector3<Rational>& moments = body->principal_inertia;
+      for (int i = 0; i < 3; ++i) {
+        const Rational others = moments[(i + 1) % 3] + moments[(i + 2) % 3];
+        if (moments[i] > others * (Rational(1) + Rational(moments_noted))) {
+          const bool is_rounding = moments[i] <= others * (Rational(1) + Rational(moments_warned));
+          add(Lint::moments, is_rounding ? Severity::note : Severity::warning,
+              fmt::format("{}.principal_inertia[{}]", name, i),
+              fmt::format("{} is more than {}, the sum of the other two: {}", in_words(oracles::to_double(moments[i])),
+                          in_words(oracles::to_double(others)),
+                          is_rounding ? "a flat body, rounded in binary32" : "no body has such moments"));
+        }
+      }
+    }
+  }
+
+  /// Precondition: the collision is valid.
+  void condition() {
+    const Collision& c = contact_.collision;
+    const Rational inverse_mass = oracles::inverse_mass(exact_);
+    if (inverse_mass == 0) {
+      return;
+    }
+    std::string of_bodies;  // whose share of K is too great: if K is, that of one of them
+    for (const auto& [body, name] : bodies()) {
+      Collision alone = c;
+      (name == "a" ? alone.b : alone.a).immovable = true;
+      // λI + [r]ᵀ J⁻¹ [r] with λ = 1/m of this body alone.
+      if (!body->immovable && !oracles::ExactCase(alone).is_bounded_by(Rational(largest_condition) / body->mass)) {
+        of_bodies += (of_bodies.empty() ? "" : ", ") + name;
+      }
+    }
+    if (!oracles::ExactCase(c).is_bounded_by(Rational(largest_condition) * inverse_mass)) {
+      add(Lint::condition, Severity::warning, of_bodies,
+          fmt::format("κ(K) > {}: convex bodies of uniform density cannot touch so; a moment of inertia or a lever arm "
+                      "is wrong",
+                      largest_condition));
+    } else if (!of_bodies.empty()) {
+      add(Lint::lever_arm, Severity::warning, of_bodies,
+          fmt::format("[r]ᵀ J⁻¹ [r] exceeds {}/m: the contact point lies too far from the centre of mass for these "
+                      "moments, or a moment is wrong",
+                      largest_condition - 1));
+    }
+  }
+
+  void mass_ratio() {
+    if (exact_.a.immovable || exact_.b.immovable) {
+      return;
+    }
+    const auto& [lighter, heavier] = std::minmax(exact_.a.mass, exact_.b.mass);
+    const Rational ratio = heavier / lighter;
+    if (ratio > Rational(mass_ratio_noted)) {
+      add(Lint::mass_ratio, ratio > Rational(mass_ratio_warned) ? Severity::warning : Severity::note,
+          exact_.a.mass < exact_.b.mass ? "b.mass" : "a.mass",
+          fmt::format(
+              "{:.3g} times the other mass; one contact is solved as well, but solvers of many at once converge "
+              "slowly",
+              oracles::to_double(ratio)));
+    }
+  }
+
+  [[nodiscard]] std::vector<LintFinding> take() { return std::move(findings_); }
+
+ private:
+  using NamedBody = std::pair<const BasicBody<Rational>*, std::string>;
+  [[nodiscard]] std::array<NamedBody, 2> bodies() const {
+    return {NamedBody{&exact_.a, "a"}, NamedBody{&exact_.b, "b"}};
+  }
+
+  void length(Lint lint, const std::string& field, const Rational& squared) {
+    const auto is_within = [&](double bound) {
+      const Rational low = Rational(1) - Rational(bound);
+      const Rational high = Rational(1) + Rational(bound);
+      return squared >= low * low && squared <= high * high;
+    };
+    if (!is_within(length_noted)) {
+      const oracles::RootBelow length = oracles::root_below(squared);
+      add(lint, is_within(length_warned) ? Severity::note : Severity::warning, field,
+          fmt::format(
+              "has length {:.9g}; Carom takes it for its direction, a solver that takes its length for 1 errs by "
+              "that",
+              oracles::to_double(length.root)));
+    }
+  }
+
+  void add(Lint lint, Severity severity, std::string field, std::string text) {
+    findings_.push_back({lint, severity, contact_.place, std::move(field), std::move(text)});
+  }
+
+  const ClassedCollision& contact_;
+  BasicCollision<Rational> exact_;
+  std::vector<LintFinding> findings_;
+};
+
+}  // namespace
+
+bool is_out_of_range(const Collision& collision) {
+  const std::vector<Defect> defects = validate(collision);
+  return !defects.empty() && std::ranges::all_of(defects, [](const Defect& defect) {
+    const bool is_coefficient =
+        defect.field == "restitution" || defect.field == "friction" || defect.field == "tangential_restitution";
+    return is_coefficient && defect.expected != "a finite number";
+  });
+}
+
+std::vector<LintFinding> findings_of(const ClassedCollision& contact) {
+  Linter linter(contact);
+  linter.coefficients();
+  linter.lengths();
+  linter.moments();
+  if (validate(contact.collision).empty()) {
+    linter.condition();
+  }
+  linter.mass_ratio();
+  return linter.take();
+}
+
+}  // namespace carom::properties::plan

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+#include <string>
+
+#include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/plan/reduction.hpp>
+
+namespace carom::properties::plan {
+namespace {
+
+using oracles::ExactCase;
+using oracles::Rational;
+
+bool are_parallel(const Vector3<Rational>& x, const Vector3<Rational>& y) {
+  const Vector3<Rational> product = x.cross(y);
+  return product[0] == 0 && product[1] == 0 && product[2] == 0;
+}
+
+Vector3<Rational> k_times_normal(const ExactCase& c) { return c.collision_matrix() * c.exact().normal; }
+
+/// Whether the law's outcome has no slip: N × V⁺ = 0.
+bool ends_without_slip(const ExactCase& c, Model law) {
+  return are_parallel(c.exact().normal, oracles::relative_velocity<Rational>(c.exact(), c.truth(law).outcome));
+}
+
+/// Whether V⁻ is parallel to K N: the impulse that stops the approach then stops the contact point.
+bool stops_with_the_approach(const ExactCase& c) {
+  const Vector3<Rational> before = oracles::relative_velocity<Rational>(c.exact(), unchanged(c.exact()));
+  return are_parallel(k_times_normal(c), before);
+}
+
+/// Whether the impulse of `sticking` lies in the friction cone.
+bool may_stick(const ExactCase& c) {
+  const Vector3<Rational>& n = c.exact().normal;
+  const Vector3<Rational>& impulse = c.truth(Model::sticking).impulse;
+  const Vector3<Rational> across = n.cross(impulse);
+  const Rational most = c.exact().friction * n.dot(impulse);
+  return most >= 0 && across.dot(across) <= most * most;
+}
+
+/// Whether K turns and stretches all that is across N alike, and leaves N along N.
+bool is_isotropic_across_normal(const ExactCase& c) {
+  const Vector3<Rational>& n = c.exact().normal;
+  const Matrix3<Rational>& k = c.collision_matrix();
+  if (!is_normal_eigenvector(c)) {
+    return false;
+  }
+  const int i = n[0] == 0 && n[1] == 0 ? 1 : 2;  // two components that are not both zero are exchanged
+  Vector3<Rational> first{Rational(0), Rational(0), Rational(0)};
+  first[0] = i == 2 ? -n[1] : n[2];
+  first[i == 2 ? 1 : 2] = i == 2 ? n[0] : -n[0];
+  if (first[0] == 0 && first[1] == 0 && first[2] == 0) {
+    first = {Rational(1), Rational(0), Rational(0)};
+  }
+  const Vector3<Rational> second = n.cross(first);
+  const Vector3<Rational> of_first = k * first;
+  const Vector3<Rational> of_second = k * second;
+  return second.dot(of_first) == 0 &&
+         first.dot(of_first) * second.dot(second) == second.dot(of_second) * first.dot(first);
+}
+
+std::optional<Reduction> where(bool holds, Reduction reduction) {
+  return holds ? std::optional<Reduction>(reduction) : std::nullopt;
+}
+
+std::optional<Reduction> to_frictionless(const ExactCase& c, Model law) {
+  switch (law) {
+    case Model::reflection:
+      return where(is_normal_eigenvector(c), Reduction::eigenvector);
+    case Model::sticking:
+      return where(ends_without_slip(c, Model::frictionless), Reduction::no_slip);
+    case Model::rough:
+      if (c.exact().friction == 0) {
+        return Reduction::no_friction;
+      }
+      if (c.exact().tangential_restitution == -1) {
+        return Reduction::no_share;
+      }
+      return where(stops_with_the_approach(c), Reduction::no_slip);
+    case Model::coulomb:
+      if (c.exact().friction == 0) {
+        return Reduction::no_friction;
+      }
+      return where(ends_without_slip(c, Model::frictionless), Reduction::no_slip);
+    case Model::frictionless:
+    case Model::any:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Inside its cone `rough` at e_t = 0 has F = P_II + ε P_I, and `sticking` P_II + ε (−(N·V⁻)/(N·N) K⁻¹N).
+std::optional<Reduction> to_sticking(const ExactCase& c, Model law) {
+  if (law == Model::coulomb) {
+    return where(may_stick(c), Reduction::sticks);
+  }
+  const bool is_alike = c.exact().tangential_restitution == 0 &&
+                        c.branch(Model::rough) == oracles::Branch::inside_cone &&
+                        (c.exact().restitution == 0 || is_normal_eigenvector(c));
+  return where(is_alike, Reduction::sticks);
+}
+
+}  // namespace
+
+std::string_view in_words(Reduction reduction) {
+  switch (reduction) {
+    case Reduction::same_law:
+      return "it is the law asked for";
+    case Reduction::untouched:
+      return "the contact does not collide";
+    case Reduction::eigenvector:
+      return "N is an eigenvector of K";
+    case Reduction::no_friction:
+      return "μ = 0";
+    case Reduction::no_share:
+      return "e_t = −1";
+    case Reduction::no_slip:
+      return "without friction no slip is left";
+    case Reduction::sticks:
+      return "the contact sticks, inside the friction cone";
+    case Reduction::isotropic:
+      break;
+  }
+  return "K is alike in all directions across N, and e_t = 0";
+}
+
+std::span<const Model> lesser_laws(Model law) {
+  static constexpr std::array of_frictionless{Model::frictionless};
+  static constexpr std::array of_reflection{Model::frictionless, Model::reflection};
+  static constexpr std::array of_sticking{Model::frictionless, Model::sticking};
+  static constexpr std::array of_rough{Model::frictionless, Model::sticking, Model::rough};
+  static constexpr std::array of_coulomb{Model::frictionless, Model::sticking, Model::rough, Model::coulomb};
+  switch (law) {
+    case Model::frictionless:
+      return of_frictionless;
+    case Model::reflection:
+      return of_reflection;
+    case Model::sticking:
+      return of_sticking;
+    case Model::rough:
+      return of_rough;
+    case Model::coulomb:
+      return of_coulomb;
+    case Model::any:
+      break;
+  }
+  return {};
+}
+
+bool is_normal_eigenvector(const ExactCase& exact_case) {
+  return are_parallel(exact_case.exact().normal, k_times_normal(exact_case));
+}
+
+std::optional<Reduction> reduction(const ExactCase& exact_case, Model law, Model lesser) {
+  if (law == lesser) {
+    return Reduction::same_law;
+  }
+  if (exact_case.approach() != oracles::Approach::colliding) {
+    return Reduction::untouched;
+  }
+  switch (lesser) {
+    case Model::frictionless:
+      return to_frictionless(exact_case, law);
+    case Model::sticking:
+      return to_sticking(exact_case, law);
+    case Model::rough:
+      return where(exact_case.exact().tangential_restitution == 0 && is_isotropic_across_normal(exact_case),
+                   Reduction::isotropic);
+    case Model::reflection:
+    case Model::coulomb:
+    case Model::any:
+      break;
+  }
+  throw std::logic_error(std::string(name_of(lesser)) + " is no lesser law of " + std::string(name_of(law)));
+}
+
+}  // namespace carom::properties::plan

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <stdexcept>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+#include "commands/interrupt.hpp"
+#include "commands/progress.hpp"
+#include "plan/clock.hpp"
+#include "plan/contacts_of_file.hpp"
+#include "plan/plan_text.hpp"
+#include "plan/spelling.hpp"
+
+namespace carom::tool {
+
+int plan_contacts(const PlanArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  const std::vector<properties::plan::ClassedCollision> contacts = plan::contacts_of_file(arguments.file);
+  std::vector<properties::plan::Candidate> candidates;
+  for (plan::SpelledCandidate& one : plan::spelled_candidates()) {
+    candidates.push_back(std::move(one.candidate));
+  }
+  properties::plan::PlanOptions options;
+  options.demand = {*model_named(arguments.law), arguments.limit_ulps, arguments.digits, arguments.exact_law};
+  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
+  options.progress = progress_line("contacts");
+  options.stop = stop;
+  const plan::PlanRun run{arguments.file, options.demand, make_plan(contacts, candidates, options),
+                          arguments.repetitions};
+  if (arguments.format == "json") {
+    fmt::print("{}\n", plan_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", arguments.format == "markdown" ? plan_markdown(run) : plan_text(run));
+  }
+  return run.exit_status();
+}
+
+}  // namespace carom::tool

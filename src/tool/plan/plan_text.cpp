@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "chart/measurement.hpp"
+#include "plan/grid.hpp"
+#include "plan/spelling.hpp"
+
+namespace carom::tool::plan {
+namespace {
+
+using properties::plan::all_lints;
+using properties::plan::Candidate;
+using properties::plan::Frame;
+using properties::plan::JudgedCandidate;
+using properties::plan::LawCount;
+using properties::plan::LintFinding;
+using properties::plan::Part;
+using properties::plan::Plan;
+
+/// Findings of one kind that are shown; the rest is counted.
+constexpr std::size_t findings_shown = 5;
+
+std::string number_or_dash(const std::optional<double>& number, const char* format) {
+  return number ? fmt::format(fmt::runtime(format), *number) : "–";
+}
+
+std::string in_words(const Candidate& candidate) {
+  return fmt::format("{}, {}, {}", candidate.scalar, candidate.solve,
+                     candidate.frame == Frame::world ? "world frame" : "body frame");
+}
+
+/// Every part, the whole last.
+std::vector<const Part*> parts_of(const Plan& plan) {
+  std::vector<const Part*> parts;
+  for (const Part& part : plan.classes) {
+    parts.push_back(&part);
+  }
+  if (!plan.classes.empty()) {
+    parts.push_back(&plan.whole);
+  }
+  return parts;
+}
+
+void add_choice(Grid& grid, const Part& part, const Plan& plan, bool in_batches) {
+  const std::optional<std::size_t>& choice = in_batches ? part.in_batches : part.one_at_a_time;
+  std::vector<std::string> row{part.name, fmt::format("{}", part.contacts.size()),
+                               in_batches ? "in batches" : "one at a time"};
+  if (!choice) {
+    row.insert(row.end(), {"nothing serves", "", "", "", "", ""});
+  } else {
+    const JudgedCandidate& one = part.candidates[*choice];
+    const Candidate& candidate = plan.candidates[one.candidate];
+    row.push_back(candidate.subject.name);
+    row.push_back(in_words(candidate));
+    row.push_back(number_or_dash(one.certificate.worst_backward_error, "{:.3g}"));
+    row.push_back(number_or_dash(one.certificate.least_digits, "{:.1f}"));
+    row.push_back(one.nanoseconds ? chart::in_three_digits(*one.nanoseconds) : "–");
+    row.push_back(one.nanoseconds ? fmt::format("{:.2g}", part.saving_of(one)) : "–");
+  }
+  grid.rows.push_back(std::move(row));
+}
+
+Grid choices(const Plan& plan) {
+  Grid grid{{"class", "contacts", "solved", "least that serves", "computes in", "worst ulps", "least digits",
+             "ns a contact", "times as quick"},
+            {}};
+  for (const Part* part : parts_of(plan)) {
+    add_choice(grid, *part, plan, false);
+    add_choice(grid, *part, plan, true);
+  }
+  return grid;
+}
+
+/// On how many contacts each lesser law is the one asked for.
+Grid laws(const Plan& plan, Model law) {
+  Grid grid{{"class", "law", "serves on", fmt::format("is {} exactly on", name_of(law)), "because"}, {}};
+  for (const Part* part : parts_of(plan)) {
+    for (const LawCount& count : part->laws) {
+      if (count.law == law) {
+        continue;
+      }
+      std::string reasons;
+      for (const auto reason : properties::plan::all_reductions) {
+        if (count.by_reason[reason] > 0) {
+          reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : "; ", properties::plan::in_words(reason),
+                                 count.by_reason[reason]);
+        }
+      }
+      grid.rows.push_back(
+          {part->name, std::string(name_of(count.law)), fmt::format("{} of {}", count.served, part->contacts.size()),
+           fmt::format("{} of {}", count.exactly(), part->contacts.size()), reasons.empty() ? "–" : reasons});
+    }
+  }
+  return grid;
+}
+
+/// How what was chosen is called, each once.
+Grid calls(const Plan& plan) {
+  Grid grid{{"least that serves", "include", "call"}, {}};
+  for (const Part* part : parts_of(plan)) {
+    for (const auto& choice : {part->one_at_a_time, part->in_batches}) {
+      if (!choice) {
+        continue;
+      }
+      const Subject& subject = plan.candidates[part->candidates[*choice].candidate].subject;
+      const Spelling spelling = spelled(subject)->spelling;
+      std::string headers;
+      for (const std::string& header : spelling.headers) {
+        headers += fmt::format("{}<{}>", headers.empty() ? "" : ", ", header);
+      }
+      if (std::ranges::none_of(grid.rows, [&](const auto& row) { return row.front() == subject.name; })) {
+        grid.rows.push_back({subject.name, headers, spelling.call});
+      }
+    }
+  }
+  return grid;
+}
+
+/// What does not serve the whole. A law of which nothing does is one row, that of its best candidate.
+Grid failures(const Plan& plan) {
+  Grid grid{{"does not serve", "contacts failed", "worst at", "since", "ulps there", "digits there"}, {}};
+  const auto add = [&](const std::string& name, const JudgedCandidate& one) {
+    if (!one.certificate.worst) {
+      grid.rows.push_back({name, "0", "–", "it is another law", "–", "–"});
+      return;
+    }
+    const auto& [contact, result] = *one.certificate.worst;
+    grid.rows.push_back({name, fmt::format("{} of {}", one.certificate.failures, one.certificate.contacts),
+                         plan.places[contact], result.failure, number_or_dash(result.backward_error, "{:.3g}"),
+                         number_or_dash(result.digits, "{:.1f}")});
+  };
+  for (const LawCount& count : plan.whole.laws) {
+    std::vector<const JudgedCandidate*> of_law;
+    for (const JudgedCandidate& one : plan.whole.candidates) {
+      if (plan.candidates[one.candidate].subject.model == count.law) {
+        of_law.push_back(&one);
+      }
+    }
+    if (std::ranges::none_of(of_law, &JudgedCandidate::serves)) {
+      add(fmt::format("{}, however computed", name_of(count.law)),
+          **std::ranges::min_element(of_law, {}, [](const auto* one) { return one->certificate.failures; }));
+      continue;
+    }
+    for (const JudgedCandidate* one : of_law) {
+      if (!one->serves) {
+        add(plan.candidates[one->candidate].subject.name, *one);
+      }
+    }
+  }
+  return grid;
+}
+
+/// The first of each kind, and how many more there are.
+Grid findings(const Plan& plan) {
+  Grid grid{{"severity", "lint", "place", "field", "what"}, {}};
+  for (const auto lint : all_lints) {
+    std::size_t count = 0;
+    for (const LintFinding& finding : plan.findings) {
+      if (finding.lint == lint && ++count <= findings_shown) {
+        grid.rows.push_back({std::string(name_of(finding.severity)), std::string(name_of(lint)), finding.place,
+                             finding.field, finding.text});
+      }
+    }
+    if (count > findings_shown) {
+      grid.rows.push_back({"", std::string(name_of(lint)), "", "", fmt::format("and {} more", count - findings_shown)});
+    }
+  }
+  return grid;
+}
+
+std::string accuracy_in_words(const properties::plan::Demand& demand) {
+  return demand.digits ? fmt::format("{} correct digits", *demand.digits)
+                       : fmt::format("{:g} ulps of binary64", demand.limit_ulps);
+}
+
+std::string saving_in_words(const Plan& plan) {
+  const auto one = plan.saving_by_class(false);
+  const auto batch = plan.saving_by_class(true);
+  return fmt::format(
+      "Each class by its own choice, all contacts together: {} times as quick one at a time, {} in batches.",
+      number_or_dash(one, "{:.2g}"), number_or_dash(batch, "{:.2g}"));
+}
+
+/// All of it, each grid by `show`, which says of what.
+template <class Show>
+std::string page(const PlanRun& run, const Show& show) {
+  const Plan& plan = run.plan;
+  std::string text =
+      fmt::format("{}: {} contacts, {} of them colliding; asked for: {}, {}\n", run.file, plan.whole.contacts.size(),
+                  plan.whole.colliding, name_of(run.demand.law), accuracy_in_words(run.demand));
+  if (plan.left_out > 0) {
+    text += fmt::format("left out, since no law is defined for their coefficients: {}\n", plan.left_out);
+  }
+  text += show("", choices(plan));
+  if (run.repetitions > 0 && !plan.classes.empty()) {
+    text += fmt::format(
+        "\nBeside {}-double, timed in the same run on at most {} contacts of each class, {} repetitions in random "
+        "order, "
+        "the median. {}\n",
+        name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions, saving_in_words(plan));
+  }
+  text += show("How to call it", calls(plan));
+  text += show("Lesser laws", laws(plan, run.demand.law));
+  text += show("What does not serve the whole", failures(plan));
+  text += show("What the lint found", findings(plan));
+  return text;
+}
+
+}  // namespace
+
+std::string plan_text(const PlanRun& run) {
+  return page(run, [](const std::string& title, const Grid& grid) {
+    const std::string heading = title.empty() ? std::string() : title + '\n';
+    return grid.rows.empty() ? std::string() : '\n' + heading + grid_text(grid);
+  });
+}
+
+std::string plan_markdown(const PlanRun& run) {
+  return page(run, [](const std::string& title, const Grid& grid) {
+    const std::string heading = title.empty() ? std::string() : "## " + title + "\n\n";
+    return grid.rows.empty() ? std::string() : '\n' + heading + grid_markdown(grid);
+  });
+}
+
+}  // namespace carom::tool::plan

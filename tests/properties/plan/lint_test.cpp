@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/plan/lint.hpp>
+
+#include "support/cases.hpp"
+
+/// Each lint has a case that shows it, and beside it one that does not.
+namespace carom::properties::plan {
+namespace {
+
+/// "severity lint field" of all that is found.
+std::vector<std::string> found(const Collision& collision) {
+  std::vector<std::string> all;
+  for (const LintFinding& finding : findings_of({"", collision, "here:1"})) {
+    EXPECT_EQ(finding.place, "here:1");
+    EXPECT_FALSE(finding.text.empty());
+    all.push_back(std::string(name_of(finding.severity)) + ' ' + std::string(name_of(finding.lint)) + ' ' +
+                  finding.field);
+  }
+  return all;
+}
+
+using Found = std::vector<std::string>;
+
+/// A cube of edge 1 and mass 1 on a fixed plane, struck at a corner. K reaches from 1 to 5.5.
+Collision cube() {
+  Collision c;
+  c.a.principal_inertia.setConstant(1.0 / 6);
+  c.a.position = {0.5, 0.5, 0.5};
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  c.restitution = 0.5;
+  return c;
+}
+
+TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
+
+TEST(Lint, IsSilentOfConvexUniformBodies) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    Collision c = unit::case_of("physical", i).collision;
+    c.normal.normalize();
+    c.friction = 0;
+    for (Body* body : {&c.a, &c.b}) {
+      body->orientation.normalize();
+    }
+    for (const std::string& finding : found(c)) {
+      EXPECT_NE(finding.find("mass_ratio"), std::string::npos) << finding;
+    }
+  }
+}
+
+/// One movable body: [r]ᵀ J⁻¹ [r] = ‖r‖²/I across r, so that K reaches to 1 + 3/(4 I) for a cube's corner.
+TEST(Lint, FindsAConditionAbove16) {
+  Collision c = cube();
+  c.a.position = {1, 0, 0};
+  c.a.principal_inertia.setConstant(0x1p-4);  // K = diag(1, 17, 17)
+  EXPECT_EQ(found(c), Found{"warning condition a"});
+  c.a.principal_inertia = {0x1p-4, 1.0 / 15, 1.0 / 15};  // a bit more or less than 15
+  c.a.principal_inertia.tail<2>().setConstant(0.06667);  // 1/0.06667 < 15
+  EXPECT_EQ(found(c), Found{});
+  c.a.principal_inertia.tail<2>().setConstant(0.06666);
+  EXPECT_EQ(found(c), Found{"warning condition a"});
+}
+
+/// B, a hundred times as light, adds so much to λ that K stays below 16 λ.
+TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
+  Collision c = cube();
+  c.a.position = {1, 0, 0};
+  c.a.principal_inertia.setConstant(0x1p-4);
+  c.b.immovable = false;
+  c.b.mass = 0.01;
+  EXPECT_EQ(found(c), Found{"warning lever_arm a"});
+  c.a.principal_inertia.setConstant(0.07);
+  EXPECT_EQ(found(c), Found{});
+}
+
+TEST(Lint, FindsMomentsThatNoBodyHas) {
+  Collision c = cube();
+  c.a.principal_inertia = {1, 2, 3.1};
+  EXPECT_EQ(found(c), Found{"warning moments a.principal_inertia[2]"});
+  c.a.principal_inertia = {1, 2, 3};
+  EXPECT_EQ(found(c), Found{}) << "a plate";
+  c.a.principal_inertia = {1, 2, std::nextafter(3.0, 4.0)};
+  EXPECT_EQ(found(c), Found{}) << "a plate, rounded";
+  c.a.principal_inertia = {1, 3 + 1e-7, 2};
+  EXPECT_EQ(found(c), Found{"note moments a.principal_inertia[1]"}) << "a plate, rounded in binary32";
+}
+
+TEST(Lint, FindsLengthsFarFromOne) {
+  Collision c = cube();
+  c.normal = {0, 1.1, 0};
+  EXPECT_EQ(found(c), Found{"warning normal_length normal"});
+  c.normal = {0, 1 + 1e-5, 0};
+  EXPECT_EQ(found(c), Found{"note normal_length normal"});
+  c.normal = {0, 1 + 1e-7, 0};
+  EXPECT_EQ(found(c), Found{});
+  c.a.orientation = {0.9, 0, 0, 0};
+  EXPECT_EQ(found(c), Found{"warning quaternion_length a.orientation"});
+  c.a.orientation = {0.6, 0, 0.8, 0};
+  EXPECT_EQ(found(c), Found{});
+  c.b.orientation = {2, 0, 0, 0};
+  EXPECT_EQ(found(c), Found{}) << "an immovable body has none";
+}
+
+TEST(Lint, FindsCoefficientsOutOfRange) {
+  Collision c = cube();
+  c.restitution = 1.5;
+  c.friction = -0.5;
+  EXPECT_EQ(found(c), (Found{"warning coefficient restitution", "warning coefficient friction"}));
+  c.restitution = 1;
+  c.friction = 6;
+  EXPECT_EQ(found(c), Found{"note coefficient friction"});
+  c.friction = 1;
+  c.tangential_restitution = -2;
+  EXPECT_EQ(found(c), Found{"warning coefficient tangential_restitution"});
+  c.tangential_restitution = -1;
+  EXPECT_EQ(found(c), Found{});
+}
+
+TEST(Lint, KnowsWhatIsOutOfRangeAndNothingElse) {
+  Collision c = cube();
+  EXPECT_FALSE(is_out_of_range(c));
+  c.restitution = 1.5;
+  EXPECT_TRUE(is_out_of_range(c));
+  c.a.mass = -1;
+  EXPECT_FALSE(is_out_of_range(c)) << "more is wrong with it";
+  c.a.mass = 1;
+  c.restitution = NAN;
+  EXPECT_FALSE(is_out_of_range(c));
+}
+
+TEST(Lint, FindsMassRatios) {
+  Collision c = cube();
+  c.b.immovable = false;
+  c.b.position = {0, -0.5, 0};
+  c.b.mass = 1e3;
+  c.b.principal_inertia.setConstant(1e3);
+  EXPECT_EQ(found(c), Found{});
+  c.b.mass = 1001;
+  EXPECT_EQ(found(c), Found{"note mass_ratio b.mass"});
+  c.b.mass = 2e6;
+  c.b.principal_inertia.setConstant(2e6);
+  EXPECT_EQ(found(c), Found{"warning mass_ratio b.mass"});
+  c.b.immovable = true;
+  EXPECT_EQ(found(c), Found{});
+}
+
+}  // namespace
+}  // namespace carom::properties::plan

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/properties/plan/reduction.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties::plan {
+namespace {
+
+using oracles::ExactCase;
+using oracles::Rational;
+
+template <class T>
+bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
+  const auto of_x = vectors(x);
+  const auto of_y = vectors(y);
+  return std::ranges::all_of(all_outcome_vectors, [&](OutcomeVector k) {
+    return (*of_x[k])[0] == T((*of_y[k])[0]) && (*of_x[k])[1] == T((*of_y[k])[1]) && (*of_x[k])[2] == T((*of_y[k])[2]);
+  });
+}
+
+/// Whether the exact outcomes of two laws with a truth are the same. Precondition: that of `lesser` is rational.
+bool answer_alike(const ExactCase& c, Model law, Model lesser) {
+  return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+    return are_same<T>(truth.outcome, c.truth(lesser).outcome);
+  });
+}
+
+/// Cases of every family, and small dyadic ones, of which many have what laws agree in.
+std::vector<Collision> cases() {
+  std::vector<Collision> all;
+  for (const auto& [family, one] : unit::valid_cases(6)) {
+    all.push_back(one.collision);
+  }
+  Stream stream = case_stream(unit::seed, "reduction", 0);
+  for (int i = 0; i < 120; ++i) {
+    Collision c = unit::small_collision(stream);
+    c.friction = stream.integer(0, 3) / 2.0;
+    c.tangential_restitution = stream.integer(-1, 1);
+    all.push_back(c);
+    c.a.position = c.point + c.normal;  // r_A along N
+    c.b.position = c.point - c.normal;
+    c.a.principal_inertia.setConstant(1);
+    c.b.principal_inertia.setConstant(2);
+    all.push_back(c);
+    c.a.velocity = c.b.velocity - c.normal;  // head-on
+    c.a.angular_velocity.setZero();
+    c.b.angular_velocity.setZero();
+    all.push_back(c);
+  }
+  return all;
+}
+
+/// In both directions: where a reason is given the exact outcomes are the same, and where none is they differ.
+TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
+  PerModel<int> given{};
+  PerModel<int> not_given{};
+  for (const Collision& collision : cases()) {
+    const ExactCase c(collision);
+    if (c.approach() != oracles::Approach::colliding) {
+      continue;
+    }
+    for (const Model law : {Model::reflection, Model::sticking, Model::rough}) {
+      const bool is_given = reduction(c, law, Model::frictionless).has_value();
+      ++(is_given ? given : not_given)[law];
+      EXPECT_EQ(is_given, answer_alike(c, law, Model::frictionless)) << name_of(law);
+    }
+  }
+  for (const Model law : {Model::reflection, Model::sticking, Model::rough}) {
+    EXPECT_GT(given[law], 3) << name_of(law);
+    EXPECT_GT(not_given[law], 50) << name_of(law);
+  }
+}
+
+TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
+  int given = 0;
+  for (const Collision& collision : cases()) {
+    const ExactCase c(collision);
+    if (c.approach() == oracles::Approach::colliding && reduction(c, Model::rough, Model::sticking)) {
+      ++given;
+      EXPECT_TRUE(answer_alike(c, Model::rough, Model::sticking));
+    }
+  }
+  EXPECT_GT(given, 10);
+}
+
+/// What stands in for `coulomb` is one of its answers, which are found in another way.
+TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
+  PerModel<int> given{};
+  const std::vector<Collision> all = cases();
+  for (std::size_t i = 0; i < all.size(); i += 4) {  // isolating the answers takes milliseconds
+    const ExactCase c(all[i]);
+    if (c.approach() != oracles::Approach::colliding) {
+      continue;
+    }
+    const auto answers = oracles::coulomb_answers(c);
+    for (const Model lesser : {Model::frictionless, Model::sticking}) {
+      if (reduction(c, Model::coulomb, lesser)) {
+        ++given[lesser];
+        EXPECT_TRUE(std::ranges::any_of(answers, [&](const oracles::CoulombAnswer& answer) {
+          return answer.is_exact() && are_same<Rational>(answer.truth.outcome, c.truth(lesser).outcome);
+        })) << name_of(lesser);
+      }
+    }
+    if (reduction(c, Model::coulomb, Model::rough)) {
+      ++given[Model::rough];
+      const Outcome<double> rounded = c.nearest_truth(Model::rough);
+      const auto reported = map_outcome<long double>(rounded, [](double x) { return static_cast<long double>(x); });
+      EXPECT_GT(oracles::nearest_answer(c, answers, reported).digits, 10);
+    }
+  }
+  EXPECT_GT(given[Model::frictionless], 3);
+  EXPECT_GT(given[Model::sticking], 10);
+  EXPECT_GT(given[Model::rough], 3);
+}
+
+TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    Collision spheres = unit::case_of("collinear_spheres", i).collision;
+    EXPECT_EQ(reduction(ExactCase(spheres), Model::reflection, Model::frictionless), Reduction::eigenvector);
+    spheres.a.angular_velocity = {3, -2, 1};
+    EXPECT_TRUE(is_normal_eigenvector(ExactCase(spheres)));
+    spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // where the lever arm leaves the normal
+    const ExactCase moved(spheres);
+    if (moved.approach() == oracles::Approach::colliding) {
+      EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Model::reflection, Model::frictionless));
+    }
+  }
+}
+
+TEST(Reduction, IsOfEveryLawWhereNothingCollides) {
+  Collision c = unit::ball_on_a_plane(0.5, 1);
+  c.a.velocity = {1, 2, 0};
+  for (const Model law : all_models) {
+    for (const Model lesser : lesser_laws(law)) {
+      EXPECT_EQ(reduction(ExactCase(c), law, lesser), law == lesser ? Reduction::same_law : Reduction::untouched);
+    }
+  }
+}
+
+TEST(Reduction, HasEachLawLastAmongItsLesserOnes) {
+  for (const Model law : all_models) {
+    if (law == Model::any) {
+      EXPECT_TRUE(lesser_laws(law).empty());
+    } else {
+      EXPECT_EQ(lesser_laws(law).back(), law);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties::plan
