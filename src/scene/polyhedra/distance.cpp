@@ -264,7 +264,7 @@ struct ShapePair::Geometry {
 ShapePair::ShapePair(ConvexShape a, ConvexShape b) : a_(std::move(a)), b_(std::move(b)) {
   if (a_.core.vertices.size() > 1 && b_.core.vertices.size() > 1) {
     int exponent = 0;
-    std::frexp(std::max(a_.core_radius, b_.core_radius), &exponent);
+    std::frexp(std::min(a_.core_radius, b_.core_radius), &exponent);
     const double scale = std::ldexp(1.0, -exponent);
     geometry_ =
         std::make_shared<const Geometry>(Geometry{scale, fcl_convex(a_.core, scale), fcl_convex(b_.core, scale)});

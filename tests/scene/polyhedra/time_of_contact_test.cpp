@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
+#include <carom/properties/conformance/rapidcheck.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 
 #include "distance_by_features.hpp"
@@ -161,11 +162,11 @@ TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
 }
 
 TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
-  EXPECT_TRUE(rc::check([] {
+  properties::check(100, [] {
     properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
     const Meeting meeting = random_meeting(stream);
     RC_ASSERT(wrong_with(meeting, found_of(meeting)).empty());
-  }));
+  });
 }
 
 /// Bodies that tumble onto a floor, against the height of their lowest corner at all times before.
@@ -206,8 +207,8 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   const ShapePair pair(convex_shape(unit::body_of(unit::box_points({2, 2, 2}))),
                        convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   const double half = std::sqrt(0.5);
-  const Quaternion<double> about_x(std::cos(M_PI / 8), std::sin(M_PI / 8), 0, 0);
-  const Quaternion<double> about_y(std::cos(M_PI / 8), 0, std::sin(M_PI / 8), 0);
+  const Quaternion<double> about_x(std::cos(std::numbers::pi / 8), std::sin(std::numbers::pi / 8), 0, 0);
+  const Quaternion<double> about_y(std::cos(std::numbers::pi / 8), 0, std::sin(std::numbers::pi / 8), 0);
   for (const double miss : {1e-3, 1e-6, 1.1e-9, 0.9e-9, 1e-12}) {
     Motion above = resting(about_x, {0, -4, 4 * half + miss});
     above.velocity = {0, 2, 0};
