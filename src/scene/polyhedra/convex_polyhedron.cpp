@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <carom/scene/polyhedra/convex_polyhedron.hpp>
+#include <carom/scene/polyhedra/orientation.hpp>
+
+namespace carom::scene {
+namespace {
+
+using Points = std::vector<Vector3<double>>;
+using Polygon = std::vector<std::size_t>;
+using Triangle = std::array<std::size_t, 3>;
+
+bool comes_before(const Vector3<double>& left, const Vector3<double>& right) {
+  return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
+}
+
+/// The indices, ordered by x, then y, then z.
+Polygon in_order(const Points& points) {
+  Polygon order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return comes_before(points[i], points[j]); });
+  return order;
+}
+
+/// On which sides of the triangle's plane the points lie.
+struct Sides {
+  bool above = false;
+  bool below = false;
+};
+
+Sides sides_of(const Points& points, const Triangle& t) {
+  Sides sides;
+  for (const Vector3<double>& point : points) {
+    const int side = orientation(points[t[0]], points[t[1]], points[t[2]], point);
+    sides.above = sides.above || side > 0;
+    sides.below = sides.below || side < 0;
+    if (sides.above && sides.below) {
+      break;
+    }
+  }
+  return sides;
+}
+
+/// Three points of a face, counterclockwise as seen from outside. The first point in the order of coordinates is a
+/// corner, so a face is found among the triangles at it. None where all points share a plane.
+std::optional<Triangle> first_triangle(const Points& points, std::size_t corner) {
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    for (std::size_t k = j + 1; k < points.size(); ++k) {
+      if (j == corner || k == corner) {
+        continue;
+      }
+      const Sides sides = sides_of(points, {corner, j, k});
+      if (sides.above != sides.below) {  // neither: the three share a line, or all points a plane
+        return sides.below ? Triangle{corner, j, k} : Triangle{corner, k, j};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// The corners of the face in the plane of a triangle, in the triangle's sense, by A. Andrew's monotone chain ("Another
+/// efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979); the order of coordinates is
+/// the order along some direction in the plane as well.
+Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
+  const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
+  int axis = 0;  // along which the plane is looked at
+  while (signs[axis] == 0) {
+    ++axis;
+  }
+  const auto turns_left = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return normal_signs(points[a], points[b], points[c])[axis] == signs[axis];
+  };
+  Polygon in_plane;
+  for (const std::size_t i : order) {
+    if (orientation(points[t[0]], points[t[1]], points[t[2]], points[i]) == 0) {
+      in_plane.push_back(i);
+    }
+  }
+  Polygon corners;
+  const auto add_chain = [&](auto begin, auto end) {
+    const std::size_t start = corners.size();
+    for (auto i = begin; i != end; ++i) {
+      while (corners.size() >= start + 2 && !turns_left(corners[corners.size() - 2], corners.back(), *i)) {
+        corners.pop_back();
+      }
+      corners.push_back(*i);
+    }
+    corners.pop_back();  // it begins the other chain
+  };
+  add_chain(in_plane.begin(), in_plane.end());
+  add_chain(in_plane.rbegin(), in_plane.rend());
+  return corners;
+}
+
+/// A triangle of the face on the other side of the edge from a to b, where that edge is a side of a face that holds the
+/// triangle (a, b, inside).
+Triangle across(const Points& points, std::size_t a, std::size_t b, std::size_t inside) {
+  std::optional<std::size_t> outermost;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (outermost ? orientation(points[b], points[a], points[*outermost], points[i]) > 0
+                  : orientation(points[a], points[b], points[inside], points[i]) != 0) {
+      outermost = i;
+    }
+  }
+  return {b, a, *outermost};
+}
+
+std::optional<ShapeDefect> defect_of_list(const Points& points, const Polygon& order) {
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (points[order[i - 1]] == points[order[i]]) {
+      return ShapeDefect{"vertex " + std::to_string(order[i]) + " is vertex " + std::to_string(order[i - 1]) +
+                         " again"};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector3<double>> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!vertices[i].allFinite()) {
+      return ShapeDefect{"vertex " + std::to_string(i) + " has a coordinate that is not a finite number"};
+    }
+  }
+  if (vertices.size() < 4) {
+    return ShapeDefect{"a polyhedron has at least 4 vertices, not " + std::to_string(vertices.size())};
+  }
+  const Polygon order = in_order(vertices);
+  if (const std::optional<ShapeDefect> defect = defect_of_list(vertices, order)) {
+    return *defect;
+  }
+  const std::optional<Triangle> first = first_triangle(vertices, order.front());
+  if (!first) {
+    return ShapeDefect{"all vertices lie in one plane"};
+  }
+
+  ConvexPolyhedron hull;
+  std::set<std::pair<std::size_t, std::size_t>> sides;  // of the faces known, each in its face's sense
+  std::vector<bool> is_corner(vertices.size(), false);
+  const auto add_face = [&](const Triangle& triangle) {
+    Polygon face = face_through(vertices, order, triangle);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      sides.emplace(face[i], face[(i + 1) % face.size()]);
+      is_corner[face[i]] = true;
+    }
+    hull.faces.push_back(std::move(face));
+  };
+  add_face(*first);
+  for (std::size_t known = 0; known < hull.faces.size(); ++known) {
+    const Polygon face = hull.faces[known];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::size_t a = face[i];
+      const std::size_t b = face[(i + 1) % face.size()];
+      if (!sides.contains({b, a})) {
+        add_face(across(vertices, a, b, face[(i + 2) % face.size()]));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!is_corner[i]) {
+      return ShapeDefect{"vertex " + std::to_string(i) +
+                         " is no corner: it lies inside the hull of the others, or on a " + "face or an edge of it"};
+    }
+  }
+  for (const auto& [a, b] : sides) {
+    if (a < b) {
+      hull.edges.push_back({a, b});
+    }
+  }
+  hull.vertices = std::move(vertices);
+  return hull;
+}
+
+}  // namespace carom::scene

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <gmpxx.h>
+
+#include <carom/scene/polyhedra/mass_properties.hpp>
+#include <carom/scene/polyhedra/principal_axes.hpp>
+
+namespace carom::scene {
+namespace {
+
+using impulse::DoubleDouble;
+using Triple = std::array<mpq_class, 3>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The nearest double, of two equally near the one with an even last digit. Where it would leave the range of normal
+/// numbers the answer does so as well, or is zero.
+double nearest(const mpq_class& number) {
+  const double toward_zero = number.get_d();  // GMP cuts off what does not fit
+  if (toward_zero == 0 || !std::isfinite(toward_zero)) {
+    return toward_zero;
+  }
+  const double away = std::nextafter(toward_zero, std::copysign(std::numeric_limits<double>::infinity(), toward_zero));
+  if (!std::isfinite(away)) {
+    return away;
+  }
+  const mpq_class middle = (mpq_class(toward_zero) + mpq_class(away)) / 2;
+  const int side = cmp(abs(number), abs(middle));
+  if (side != 0) {
+    return side < 0 ? toward_zero : away;
+  }
+  int exponent = 0;
+  const double digits = std::ldexp(std::frexp(toward_zero, &exponent), std::numeric_limits<double>::digits);
+  return std::fmod(digits, 2) == 0 ? toward_zero : away;
+}
+
+DoubleDouble nearest_double_double(const mpq_class& number) {
+  const double high = nearest(number);
+  return DoubleDouble::of_parts(high, nearest(number - mpq_class(high)));
+}
+
+/// 6 ∫1, 24 ∫x and 120 ∫x xᵀ over a polyhedron, about its first vertex.
+struct Integrals {
+  mpq_class volume;
+  Triple first;
+  std::array<Triple, 3> second;
+};
+
+void add_tetrahedron(Integrals& integrals, const Triple& a, const Triple& b, const Triple& c) {
+  const mpq_class determinant =
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const Triple sum{a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]};
+  integrals.volume += determinant;
+  for (std::size_t i = 0; i < 3; ++i) {
+    integrals.first[i] += determinant * sum[i];
+    for (std::size_t k = i; k < 3; ++k) {
+      integrals.second[i][k] += determinant * (a[i] * a[k] + b[i] * b[k] + c[i] * c[k] + sum[i] * sum[k]);
+    }
+  }
+}
+
+Triple lifted_difference(const Vector3<double>& left, const Vector3<double>& right) {
+  Triple result;
+  for (int i = 0; i < 3; ++i) {
+    result[at(i)] = mpq_class(left[i]) - mpq_class(right[i]);
+  }
+  return result;
+}
+
+Integrals integrals_of(const std::vector<Triple>& points, const std::vector<std::vector<std::size_t>>& faces) {
+  Integrals integrals;
+  for (const std::vector<std::size_t>& face : faces) {
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      add_tetrahedron(integrals, points[face[0]], points[face[i - 1]], points[face[i]]);
+    }
+  }
+  return integrals;
+}
+
+/// Mass properties as they are, about the first vertex.
+struct ExactProperties {
+  mpq_class volume;
+  Triple centre;
+  std::array<Triple, 3> inertia;  // about the centre of mass
+};
+
+ExactProperties exact_properties(const Integrals& integrals, const mpq_class& density) {
+  ExactProperties exact;
+  exact.volume = integrals.volume / 6;
+  for (std::size_t i = 0; i < 3; ++i) {
+    exact.centre[i] = integrals.first[i] / (4 * integrals.volume);
+  }
+  std::array<Triple, 3> second;  // about the centre of mass
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = i; k < 3; ++k) {
+      second[i][k] = integrals.second[i][k] / 120 - exact.volume * exact.centre[i] * exact.centre[k];
+      second[k][i] = second[i][k];
+    }
+  }
+  const mpq_class trace = second[0][0] + second[1][1] + second[2][2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      exact.inertia[i][k] = density * ((i == k ? trace : mpq_class(0)) - second[i][k]);
+    }
+  }
+  return exact;
+}
+
+mpq_class times_power_of_two(const mpq_class& number, int exponent) {
+  mpq_class result;
+  if (exponent >= 0) {
+    mpq_mul_2exp(result.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(result.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return result;
+}
+
+bool is_in_range(double positive) { return std::isnormal(positive) && positive > 0; }
+
+std::optional<ShapeDefect> defect_of(const MassProperties& properties) {
+  if (is_in_range(properties.volume) && is_in_range(properties.mass) && properties.inertia.allFinite() &&
+      std::all_of(properties.principal_inertia.begin(), properties.principal_inertia.end(), is_in_range)) {
+    return std::nullopt;
+  }
+  return ShapeDefect{"its volume, mass or moments of inertia are too great or too small for binary64"};
+}
+
+std::optional<ShapeDefect> defect_of_density(double density) {
+  if (std::isfinite(density) && density > 0) {
+    return std::nullopt;
+  }
+  return ShapeDefect{"the density is not a positive finite number"};
+}
+
+}  // namespace
+
+std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron& polyhedron, double density) {
+  if (const std::optional<ShapeDefect> defect = defect_of_density(density)) {
+    return *defect;
+  }
+  const Vector3<double>& origin = polyhedron.vertices.front();
+  std::vector<Triple> points;
+  for (const Vector3<double>& vertex : polyhedron.vertices) {
+    points.push_back(lifted_difference(vertex, origin));
+  }
+  const ExactProperties exact = exact_properties(integrals_of(points, polyhedron.faces), mpq_class(density));
+
+  PolyhedralBody body;
+  MassProperties& properties = body.properties;
+  properties.volume = nearest(exact.volume);
+  properties.mass = nearest(exact.volume * density);
+  mpq_class trace;
+  for (int i = 0; i < 3; ++i) {
+    properties.centre[i] = nearest(exact.centre[at(i)] + mpq_class(origin[i]));
+    trace += exact.inertia[at(i)][at(i)];
+    for (int k = 0; k < 3; ++k) {
+      properties.inertia(i, k) = nearest(exact.inertia[at(i)][at(k)]);
+    }
+  }
+  const double size = nearest(trace);
+  if (!is_in_range(size)) {
+    return ShapeDefect{"its moments of inertia are too great or too small for binary64"};
+  }
+  // Scaled by a power of two, so that the axes of the smallest body are found as those of any other.
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  Matrix3<DoubleDouble> scaled;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      scaled(i, k) = nearest_double_double(times_power_of_two(exact.inertia[at(i)][at(k)], -exponent));
+    }
+  }
+  const PrincipalAxes principal = principal_axes(scaled);
+  properties.orientation = quaternion_of(principal.axes);
+  for (int i = 0; i < 3; ++i) {
+    properties.principal_inertia[i] = std::ldexp(principal.moments[i].high(), exponent);
+  }
+
+  body.shape = polyhedron;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    std::array<DoubleDouble, 3> from_centre;
+    for (std::size_t i = 0; i < 3; ++i) {
+      from_centre[i] = nearest_double_double(points[v][i] - exact.centre[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      DoubleDouble sum(0);
+      for (int k = 0; k < 3; ++k) {
+        sum += principal.axes(k, i) * from_centre[at(k)];
+      }
+      body.shape.vertices[v][i] = sum.high();
+    }
+    body.radius = std::max(body.radius, body.shape.vertices[v].norm());
+  }
+  // stableNorm is not needed within the range of the moments; a norm of three squares is right within 4 ulps.
+  body.radius *= 1 + 0x1p-50;
+  body.vertex_error = 0x1p-53 * body.radius;
+  if (const std::optional<ShapeDefect> defect = defect_of(properties)) {
+    return *defect;
+  }
+  return body;
+}
+
+std::variant<MassProperties, ShapeDefect> sphere_mass_properties(double radius, double density) {
+  if (const std::optional<ShapeDefect> defect = defect_of_density(density)) {
+    return *defect;
+  }
+  if (!std::isfinite(radius) || radius <= 0) {
+    return ShapeDefect{"the radius is not a positive finite number"};
+  }
+  // π = 0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53, and 2⁻¹⁰⁷ of it is left out.
+  const DoubleDouble pi = DoubleDouble::of_parts(0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53);
+  const DoubleDouble squared = DoubleDouble(radius) * DoubleDouble(radius);
+  const DoubleDouble volume = DoubleDouble(4) * pi * squared * DoubleDouble(radius) / DoubleDouble(3);
+  const DoubleDouble mass = volume * DoubleDouble(density);
+  const DoubleDouble moment = DoubleDouble(2) * mass * squared / DoubleDouble(5);
+  MassProperties properties;
+  properties.volume = volume.high();
+  properties.mass = mass.high();
+  properties.principal_inertia.setConstant(moment.high());
+  properties.inertia = properties.principal_inertia.asDiagonal();
+  properties.orientation = {1, 0, 0, 0};
+  if (const std::optional<ShapeDefect> defect = defect_of(properties)) {
+    return *defect;
+  }
+  return properties;
+}
+
+}  // namespace carom::scene

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <array>
+#include <cmath>
+
+#include <gmpxx.h>
+
+#include <carom/scene/polyhedra/orientation.hpp>
+
+namespace carom::scene {
+namespace {
+
+using RationalVector = std::array<mpq_class, 3>;
+
+RationalVector difference(const Vector3<double>& left, const Vector3<double>& right) {
+  RationalVector result;
+  for (int i = 0; i < 3; ++i) {
+    result[static_cast<std::size_t>(i)] = mpq_class(left[i]) - mpq_class(right[i]);
+  }
+  return result;
+}
+
+RationalVector cross(const RationalVector& x, const RationalVector& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+int exact_orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
+                      const Vector3<double>& d) {
+  const RationalVector normal = cross(difference(b, a), difference(c, a));
+  const RationalVector to_d = difference(d, a);
+  return sgn(mpq_class(normal[0] * to_d[0] + normal[1] * to_d[1] + normal[2] * to_d[2]));
+}
+
+}  // namespace
+
+int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
+                const Vector3<double>& d) {
+  const Vector3<double> x = b - a;
+  const Vector3<double> y = c - a;
+  const Vector3<double> z = d - a;
+  const double determinant =
+      z[0] * (x[1] * y[2] - x[2] * y[1]) + z[1] * (x[2] * y[0] - x[0] * y[2]) + z[2] * (x[0] * y[1] - x[1] * y[0]);
+  const double permanent = std::abs(z[0]) * (std::abs(x[1] * y[2]) + std::abs(x[2] * y[1])) +
+                           std::abs(z[1]) * (std::abs(x[2] * y[0]) + std::abs(x[0] * y[2])) +
+                           std::abs(z[2]) * (std::abs(x[0] * y[1]) + std::abs(x[1] * y[0]));
+  constexpr double unit_roundoff = 0x1p-53;
+  constexpr double relative_error = (7 + 56 * unit_roundoff) * unit_roundoff;
+  // Underflow in a product costs at most 2⁻¹⁰⁷⁴ times another difference: nothing against the bound above 2⁻⁹⁰⁰, as
+  // long as no difference is beyond 2⁷⁵; a permanent outside of this range is left to the rationals.
+  if (permanent > 0x1p-900 && permanent < 0x1p200 && std::abs(determinant) > relative_error * permanent) {
+    return determinant > 0 ? 1 : -1;
+  }
+  return exact_orientation(a, b, c, d);
+}
+
+Vector3<int> normal_signs(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
+  const RationalVector normal = cross(difference(b, a), difference(c, a));
+  return {sgn(normal[0]), sgn(normal[1]), sgn(normal[2])};
+}
+
+}  // namespace carom::scene

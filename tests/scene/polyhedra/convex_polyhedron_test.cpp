@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/polyhedra/orientation.hpp>
+
+#include "bodies.hpp"
+
+namespace carom::scene {
+namespace {
+
+using unit::Points;
+using unit::Vector;
+
+std::map<std::size_t, int> faces_by_corners(const ConvexPolyhedron& polyhedron) {
+  std::map<std::size_t, int> counts;
+  for (const auto& face : polyhedron.faces) {
+    ++counts[face.size()];
+  }
+  return counts;
+}
+
+/// What makes faces, edges and vertices a convex polyhedron, each exactly.
+void expect_convex(const ConvexPolyhedron& hull) {
+  std::map<std::pair<std::size_t, std::size_t>, int> sides;
+  for (const auto& face : hull.faces) {
+    ASSERT_GE(face.size(), 3U);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      ++sides[{face[i], face[(i + 1) % face.size()]}];
+      for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
+        const int side = orientation(hull.vertices[face[i]], hull.vertices[face[(i + 1) % face.size()]],
+                                     hull.vertices[face[(i + 2) % face.size()]], hull.vertices[v]);
+        const bool on_face = std::find(face.begin(), face.end(), v) != face.end();
+        ASSERT_EQ(side, on_face ? 0 : -1);
+      }
+    }
+  }
+  for (const auto& [side, count] : sides) {
+    ASSERT_EQ(count, 1);
+    ASSERT_TRUE(sides.contains({side.second, side.first}));
+  }
+  EXPECT_EQ(hull.edges.size() * 2, sides.size());
+  EXPECT_EQ(hull.vertices.size() + hull.faces.size(), hull.edges.size() + 2);  // Euler
+}
+
+TEST(ConvexPolyhedron, MergesTrianglesThatShareAPlane) {
+  const ConvexPolyhedron box = unit::hull_of(unit::box_points({0.1, 0.2, 0.3}));
+  expect_convex(box);
+  EXPECT_EQ(faces_by_corners(box), (std::map<std::size_t, int>{{4, 6}}));
+
+  Points cut = unit::box_points({2, 2, 2});  // the corner (2, 2, 2) cut off
+  cut.pop_back();
+  cut.insert(cut.end(), {{1, 2, 2}, {2, 1, 2}, {2, 2, 1}});
+  const ConvexPolyhedron prism = unit::hull_of(cut);
+  expect_convex(prism);
+  EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{3, 1}, {4, 3}, {5, 3}}));
+}
+
+/// Corners of a prism with many sides: its bases are faces with that many corners.
+TEST(ConvexPolyhedron, FindsLargeFaces) {
+  Points points;
+  for (int i = -6; i <= 6; ++i) {
+    for (const double z : {0.0, 1.0}) {
+      points.emplace_back(i, i * i, z);  // a parabola, on exact numbers
+    }
+  }
+  const ConvexPolyhedron prism = unit::hull_of(points);
+  expect_convex(prism);
+  EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{4, 13}, {13, 2}}));
+}
+
+TEST(ConvexPolyhedron, IsConvexExactlyForRandomPoints) {
+  int hulls = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    const Points points = unit::ellipsoid_points(stream, stream.integer(4, 40));
+    if (unit::defect_of(points).empty()) {
+      expect_convex(unit::hull_of(points));
+      ++hulls;
+    }
+  }
+  EXPECT_GT(hulls, 50);
+}
+
+/// A point that is a last place above a face is a corner, one that is on it is none.
+TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
+  Points points = unit::box_points({1, 1, 1});
+  points.emplace_back(0.3, 0.7, std::nextafter(1.0, 2.0));
+  EXPECT_EQ(unit::hull_of(points).faces.size(), 9U);
+  points.back().z() = 1;
+  EXPECT_NE(unit::defect_of(points).find("vertex 8 is no corner"), std::string::npos);
+}
+
+TEST(ConvexPolyhedron, SaysWhatIsWrong) {
+  const Points cube = unit::box_points({1, 1, 1});
+  const auto with = [&](const Vector& point) {
+    Points points = cube;
+    points.push_back(point);
+    return unit::defect_of(points);
+  };
+  EXPECT_NE(with({0.5, 0.5, 0.5}).find("vertex 8 is no corner"), std::string::npos);
+  EXPECT_NE(with({0.5, 0, 0}).find("vertex 8 is no corner"), std::string::npos);
+  EXPECT_NE(with({0.5, 0.25, 0}).find("vertex 8 is no corner"), std::string::npos);
+  EXPECT_EQ(with({1, 0, 0}), "vertex 8 is vertex 1 again");
+  EXPECT_EQ(with({1, -0.0, 0}), "vertex 8 is vertex 1 again");
+  EXPECT_EQ(with({1, std::numeric_limits<double>::quiet_NaN(), 0}),
+            "vertex 8 has a coordinate that is not a finite number");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "a polyhedron has at least 4 vertices, not 3");
+  EXPECT_EQ(unit::defect_of({}), "a polyhedron has at least 4 vertices, not 0");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), "all vertices lie in one plane");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 5, 5}}), "all vertices lie in one plane");
+}
+
+TEST(ConvexPolyhedron, TakesTheSmallestAndTheGreatestNumbers) {
+  for (const double scale : {0x1p-1074, 0x1p-500, 0x1p500, 0x1p1023}) {
+    const ConvexPolyhedron box = unit::hull_of(unit::box_points({scale, scale, scale}));
+    EXPECT_EQ(box.faces.size(), 6U) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace carom::scene

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/scene/polyhedra/time_of_contact.hpp>
+
+#include "distance_by_features.hpp"
+
+namespace carom::scene {
+namespace {
+
+using unit::Vector;
+
+constexpr double tolerance = 1e-9;
+const HalfSpace floor_at_0{{0, 0, 1}, 0};
+
+Motion resting(const Quaternion<double>& orientation, const Vector& position) {
+  return {position, Vector::Zero(), Vector::Zero(), RotationPath(orientation)};
+}
+
+double least_height(const ConvexShape& shape, const Quaternion<double>& orientation) {
+  const Matrix3<double> turn = unit::matrix_of(orientation);
+  double least = 0;
+  for (const Vector& vertex : shape.core.vertices) {
+    least = std::min(least, (turn * vertex).z());
+  }
+  return least;
+}
+
+TEST(TimeOfContact, OfAFallingCubeIsThatOfItsLowestCorner) {
+  const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    Motion motion = resting(unit::unit_quaternion(stream), {stream.signed_unit(), 0, 3});
+    motion.velocity = {1, 2, stream.signed_unit()};
+    motion.acceleration = {0, 0, -9.81};
+    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 2, tolerance);
+    ASSERT_EQ(found.approach, Approach::touches);
+    // height + v t − g t²/2 = gap
+    const double height = 3 + least_height(cube, motion.rotation.at(0).state.orientation);
+    const auto time_of_gap = [&](double gap) {
+      const double v = motion.velocity.z();
+      return (v + std::sqrt(v * v + 2 * 9.81 * (height - gap))) / 9.81;
+    };
+    EXPECT_LE(found.time, time_of_gap(0));
+    EXPECT_GE(found.time, time_of_gap(1.01 * tolerance));
+    EXPECT_GT(found.separation.certified, 0);
+    EXPECT_LE(found.advances, 4);
+  }
+}
+
+TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
+  const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
+  Motion ball = resting({1, 0, 0, 0}, {0.25, -0.5, 6});
+  ball.velocity = {0.125, 0.25, -3};
+  const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 10, tolerance);
+  ASSERT_EQ(found.approach, Approach::touches);
+  EXPECT_NEAR(found.time, 1.5, tolerance);
+  EXPECT_LT(found.time, 1.5);
+  EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
+}
+
+/// A cube that turns a corner against a ball beside it: cos and sin say when.
+TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
+  const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
+  const ShapePair pair(ball_shape(0.25), convex_shape(cube));
+  Motion turning = resting({1, 0, 0, 0}, {0, 0, 0});
+  turning.rotation = RotationPath(cube.properties.principal_inertia, {{1, 0, 0, 0}, {0, 0, 2}}, 10);
+  // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only as it comes to x; the face is within 1.5 before
+  // that.
+  const Motion ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
+  const TimeOfContact found = time_of_contact(pair, ball, turning, 10, tolerance);
+  ASSERT_EQ(found.approach, Approach::touches);
+  // The nearest point of the cube is on the face turned by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
+  // leaves it at 1; with the ball's radius 1/4: cos φ = 5/6.
+  EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * tolerance);
+}
+
+struct Flight {
+  PolyhedralBody body;
+  ConvexShape shape;
+  Motion motion;
+};
+
+Flight random_flight(properties::Stream& stream, const Vector& position, const Vector& velocity, double duration) {
+  const PolyhedralBody body = unit::random_body(stream);
+  const RotationState state{unit::unit_quaternion(stream), stream.between(0, 8) * unit::unit_vector(stream)};
+  return {body,
+          convex_shape(body),
+          {position, velocity, stream.signed_unit() * unit::unit_vector(stream),
+           RotationPath(body.properties.principal_inertia, state, duration)}};
+}
+
+struct Meeting {
+  Flight a;
+  Flight b;
+  double duration = 4;
+};
+
+Meeting random_meeting(properties::Stream& stream) {
+  constexpr double duration = 4;
+  const Vector apart = 8 * unit::unit_vector(stream);
+  const Vector velocity = -0.4 * apart + 0.5 * stream.vector();
+  Flight a = random_flight(stream, apart, velocity, duration);
+  Flight b = random_flight(stream, Vector::Zero(), Vector::Zero(), duration);
+  return {std::move(a), std::move(b), duration};
+}
+
+double true_distance(const Meeting& m, double time) {
+  return static_cast<double>(
+      unit::distance_by_features(m.a.shape, placement_at(m.a.motion, time), m.b.shape, placement_at(m.b.motion, time)));
+}
+
+/// Empty where what was found is right.
+std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
+  const double end = found.approach == Approach::misses ? m.duration : found.time;
+  if (found.approach == Approach::overlaps || found.approach == Approach::undecided) {
+    return "neither touches nor misses";
+  }
+  for (int i = 0; i <= 60; ++i) {
+    // As close to the end as to any other time.
+    const double time = i % 2 == 0 ? end * i / 60 : end * (1 - std::ldexp(1.0, -i));
+    const double distance = true_distance(m, time);
+    if (!(distance >= 0.4 * tolerance)) {
+      return "are " + std::to_string(distance) + " apart at " + std::to_string(time) + " of " + std::to_string(end);
+    }
+  }
+  if (found.approach == Approach::touches) {
+    const double distance = true_distance(m, found.time);
+    if (!(distance > 0 && distance <= 1.01 * tolerance)) {
+      return "touches at " + std::to_string(distance / tolerance) + " tolerances";
+    }
+    if (found.separation.certified > distance) {
+      return "certifies too much";
+    }
+  }
+  return "";
+}
+
+TimeOfContact found_of(const Meeting& m) {
+  return time_of_contact(ShapePair(m.a.shape, m.b.shape), m.a.motion, m.b.motion, m.duration, tolerance);
+}
+
+TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
+  int touching = 0;
+  int advances = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    const Meeting meeting = random_meeting(stream);
+    const TimeOfContact found = found_of(meeting);
+    EXPECT_EQ(wrong_with(meeting, found), "") << seed;
+    touching += found.approach == Approach::touches ? 1 : 0;
+    advances += found.advances;
+    EXPECT_LE(found.advances, 100) << seed;
+  }
+  EXPECT_GT(touching, 30);
+  EXPECT_LT(touching, 90);
+  EXPECT_LE(advances, 2500);  // about 20 each: fast bodies, and steps of second order
+}
+
+TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
+  properties::check(100, [] {
+    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+    const Meeting meeting = random_meeting(stream);
+    RC_ASSERT(wrong_with(meeting, found_of(meeting)).empty());
+  });
+}
+
+/// Bodies that tumble onto a floor, against the height of their lowest corner at all times before.
+TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    Flight flight = random_flight(stream, {0, 0, 4}, stream.vector(), 3);
+    flight.motion.acceleration = {0, 0, -9.81};
+    const TimeOfContact found = time_of_contact(flight.shape, flight.motion, floor_at_0, 3, tolerance);
+    ASSERT_EQ(found.approach, Approach::touches) << seed;
+    const auto height_at = [&](double time) {
+      const Placement placement = placement_at(flight.motion, time);
+      return placement.position.z() + least_height(flight.shape, placement.orientation);
+    };
+    for (int i = 0; i < 100; ++i) {
+      EXPECT_GT(height_at(found.time * i / 100), 0.99 * tolerance) << seed;
+    }
+    EXPECT_GT(height_at(found.time), 0) << seed;
+    EXPECT_LE(height_at(found.time), 1.01 * tolerance) << seed;
+    EXPECT_LE(found.advances, 100) << seed;
+  }
+}
+
+/// A ball passes a corner of a box: a millionth of the tolerance decides whether it touches.
+TEST(TimeOfContact, TellsGrazingFromMissing) {
+  const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
+  const Vector away = Vector(1, 1, 0).normalized();
+  for (const double miss : {1e-2, 1e-6, 1.001e-9, 0.999e-9, 1e-10, -1e-6}) {
+    Motion ball = resting({1, 0, 0, 0}, Vector(1, 1, -4) + (0.5 + miss) * away);
+    ball.velocity = {0, 0, 2};
+    const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 4, tolerance);
+    EXPECT_EQ(found.approach, miss > tolerance ? Approach::misses : Approach::touches) << miss;
+  }
+}
+
+/// Two edges that cross as they pass each other, at a distance that decides.
+TEST(TimeOfContact, TellsCrossingEdgesApart) {
+  const ShapePair pair(convex_shape(unit::body_of(unit::box_points({2, 2, 2}))),
+                       convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
+  const double half = std::sqrt(0.5);
+  const Quaternion<double> about_x(std::cos(std::numbers::pi / 8), std::sin(std::numbers::pi / 8), 0, 0);
+  const Quaternion<double> about_y(std::cos(std::numbers::pi / 8), 0, std::sin(std::numbers::pi / 8), 0);
+  for (const double miss : {1e-3, 1e-6, 1.1e-9, 0.9e-9, 1e-12}) {
+    Motion above = resting(about_x, {0, -4, 4 * half + miss});
+    above.velocity = {0, 2, 0};
+    const TimeOfContact found = time_of_contact(pair, above, resting(about_y, {0, 0, 0}), 4, tolerance);
+    EXPECT_EQ(found.approach, miss > tolerance ? Approach::misses : Approach::touches) << miss;
+  }
+}
+
+/// After an impact bodies are within the tolerance, and draw apart: the contact to find is the next one.
+TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
+  const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
+  for (const double speed : {1e-6, 1e-3, 1.0}) {
+    Motion motion = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * tolerance});
+    motion.velocity = {0, 0, speed};
+    motion.acceleration = {0, 0, -10};
+    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 2, tolerance);
+    ASSERT_EQ(found.approach, Approach::touches) << speed;
+    // Up and down again; or, of a hop that stays within the tolerance, from its top on.
+    EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
+    EXPECT_GE(found.time, speed / 10 * 0.99) << speed;
+  }
+  Motion falling = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * tolerance});
+  falling.velocity = {0, 0, -1e-9};
+  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 2, tolerance).approach, Approach::touches);
+  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 2, tolerance).time, 0);
+}
+
+TEST(TimeOfContact, SaysWhereItCannotTell) {
+  const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 1, tolerance).approach,
+            Approach::overlaps);
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 1, tolerance).approach,
+            Approach::overlaps);  // touching exactly: not certain to be apart
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 1, tolerance).approach,
+            Approach::misses);
+  Motion falling = resting({1, 0, 0, 0}, {0, 0, 1});
+  falling.velocity = {0, 0, -1};
+  const TimeOfContact finest = time_of_contact(cube, falling, floor_at_0, 1, 1e-18);
+  EXPECT_EQ(finest.approach, Approach::undecided);
+  EXPECT_LT(finest.time, 0.5);
+}
+
+}  // namespace
+}  // namespace carom::scene
