@@ -8,7 +8,7 @@
 namespace carom::tool {
 namespace {
 
-constexpr std::size_t samples = 400;
+constexpr std::size_t sample_count = 400;
 constexpr std::uint64_t events_of_a_check = 100'000;  // so many are held at once
 /// What all rounding together may be of the energy, of a scene in double.
 constexpr double rounding_limit_in_double = 1e-12;
@@ -36,7 +36,7 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
       simulation_(scene),
       ledger_(simulation_),
       judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
-      series_(simulation_, samples),
+      series_(simulation_, sample_count),
       has_turned_(simulation_.size(), false) {
   for (std::size_t sphere = 0; sphere < simulation_.size(); ++sphere) {
     first_.push_back(simulation_.arc(sphere));
