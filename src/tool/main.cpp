@@ -173,14 +173,13 @@ int run_command(int argc, char** argv) {
   chart_command->callback([&] { run = [&] { return carom::tool::chart_methods(chart); }; });
 
   carom::tool::SceneArguments scene;
-  CLI::App* scene_command =
-      app.add_subcommand("scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
+  CLI::App* scene_command = app.add_subcommand(
+      "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
   scene_command->add_option("FILE", scene.file, "A scene (docs/reference/schemas/scene.schema.json)")->required();
   scene_command->add_option("--laws", scene.laws, "Laws to run it under, separated by commas (default: the scene's)")
       ->delimiter(',');
   scene_command->add_option("--out", scene.out, "Directory for events, series, pictures, report and replay");
-  scene_command
-      ->add_option("--judge-every", scene.judge_every, "Judge every Nth impulse; 0: none")
+  scene_command->add_option("--judge-every", scene.judge_every, "Judge every Nth impulse; 0: none")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
   scene_command->add_flag("!--no-check", scene.check, "Do not check that nothing overlaps");

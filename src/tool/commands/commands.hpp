@@ -60,11 +60,11 @@ struct ChartArguments {
 
 struct SceneArguments {
   std::string file;
-  std::vector<std::string> laws;          // names; empty for the scene's own
-  std::string out;                        // a directory; empty for none
-  std::uint64_t judge_every = 1;          // every so many impulses; 0: none
-  bool check = true;                      // that nothing overlaps
-  std::optional<std::uint64_t> events;    // that end the run
+  std::vector<std::string> laws;        // names; empty for the scene's own
+  std::string out;                      // a directory; empty for none
+  std::uint64_t judge_every = 1;        // every so many impulses; 0: none
+  bool check = true;                    // that nothing overlaps
+  std::optional<std::uint64_t> events;  // that end the run
   std::string format = "text";
 };
 

@@ -68,8 +68,8 @@ std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& 
   for (const std::string& name : arguments.laws) {
     const std::optional<Model> law = model_named(name);
     if (!law || *law == Model::any) {
-      throw UsageError(
-          fmt::format("--laws: there is no law '{}'; there are frictionless, reflection, sticking, rough, coulomb", name));
+      throw UsageError(fmt::format(
+          "--laws: there is no law '{}'; there are frictionless, reflection, sticking, rough, coulomb", name));
     }
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) {
       laws.push_back(*law);
@@ -117,7 +117,8 @@ Written run_one(const scene::Scene& scene, const SceneArguments& arguments, cons
     }
   }();
   run->run();
-  Written written{{std::string(name_of(scene.law)), run->samples()}, scene_record(*run), run->holds(), run->has_failed()};
+  Written written{
+      {std::string(name_of(scene.law)), run->samples()}, scene_record(*run), run->holds(), run->has_failed()};
   if (arguments.format == "text") {
     fmt::print("{}", scene_text(*run));
   }
@@ -147,7 +148,9 @@ int run_scene_file(const SceneArguments& arguments) {
     out = arguments.out;
     make_directories(*out / "gnuplot");
     if (!has_replay()) {
-      fmt::print(stderr, "carom: no replay.html: this program was built without three.js (`bash src/bootstrap.sh build` with npm)\n");
+      fmt::print(
+          stderr,
+          "carom: no replay.html: this program was built without three.js (`bash src/bootstrap.sh build` with npm)\n");
     }
   }
   std::vector<Written> all;

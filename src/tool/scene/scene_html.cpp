@@ -48,8 +48,9 @@ void add_ledger(pugi::xml_node main, const SceneRun& run) {
   add_row(body, "at last", joules(ledger.present().total()));
   add_row(body, "rounding beside the greatest kinetic energy",
           fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit()));
-  add_row(body, "single roundings, without signs",
-          fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L))));
+  add_row(
+      body, "single roundings, without signs",
+      fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L))));
 }
 
 void add_impulses(pugi::xml_node main, const SceneRun& run) {
@@ -57,7 +58,8 @@ void add_impulses(pugi::xml_node main, const SceneRun& run) {
   const properties::ImpulseJudge& judge = run.judge();
   std::string text = fmt::format("{} of {} judged, {} violated.", judge.judged(), judge.impulses(), judge.violated());
   if (const auto& bad = judge.first_bad()) {
-    text += fmt::format(" The first at t = {} s violates {}; its collision is in scene.json.", bad->time, bad->invariant);
+    text +=
+        fmt::format(" The first at t = {} s violates {}; its collision is in scene.json.", bad->time, bad->invariant);
   }
   add(section, "p", {}, text);
   if (judge.held().empty()) {
@@ -87,7 +89,8 @@ void add_order(pugi::xml_node main, const SceneRun& run) {
                           {"places moved clear", std::to_string(counts.moved_clear)}};
   if (const auto& validity = run.validity()) {
     facts.emplace_back("invalid states", std::to_string(validity->count));
-    facts.emplace_back("pairs of paths checked", fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
+    facts.emplace_back("pairs of paths checked",
+                       fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
     facts.emplace_back("largest jump of a stored place", fmt::format("{:.2g} m", validity->largest_jump));
   } else {
     facts.emplace_back("invalid states", "not checked");
@@ -115,7 +118,8 @@ std::string scene_html(const SceneRun& run, bool has_replay_beside) {
                       {"ended early", run.ended_early()},
                       {"spheres whose spin changed", std::to_string(run.spins_changed())}});
   const pugi::xml_node links = add(summary, "p");
-  for (const char* file : {"replay.html", "energy.svg", "momentum.svg", "spin.svg", "events.csv", "series.csv", "scene.json"}) {
+  for (const char* file :
+       {"replay.html", "energy.svg", "momentum.svg", "spin.svg", "events.csv", "series.csv", "scene.json"}) {
     if (file != std::string_view("replay.html") || has_replay_beside) {
       add(links, "a", {{"href", file}}, file);
       add_text(links, " ");
@@ -125,8 +129,10 @@ std::string scene_html(const SceneRun& run, bool has_replay_beside) {
   add_impulses(main, run);
   add_order(main, run);
   const Environment environment = this_environment();
-  add_facts(add_section(main, "environment", "Environment"),
-            {{"Carom", version}, {"date", environment.date}, {"compiler", environment.compiler}, {"processor", environment.processor}});
+  add_facts(add_section(main, "environment", "Environment"), {{"Carom", version},
+                                                              {"date", environment.date},
+                                                              {"compiler", environment.compiler},
+                                                              {"processor", environment.processor}});
   return serialized(document);
 }
 

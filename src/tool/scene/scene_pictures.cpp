@@ -14,8 +14,8 @@ namespace {
 using chart::Picture;
 using Quantity = std::function<double(const Sample&)>;
 
-constexpr std::array<std::string_view, 6> colours{chart::blue,       chart::vermillion, chart::green,
-                                                  chart::purple,     chart::orange,     chart::sky_blue};
+constexpr std::array<std::string_view, 6> colours{chart::blue,   chart::vermillion, chart::green,
+                                                  chart::purple, chart::orange,     chart::sky_blue};
 
 struct Line {
   std::string name;
@@ -37,7 +37,8 @@ Picture lines_over_time(const std::string& name, const std::string& title, const
   }
   const double margin = high > low ? 0.05 * (high - low) : 1;
   Picture picture(name, 1000, 520, 16);
-  const chart::Panel panel{{0, last > 0 ? last : 1, false, 110, 800}, {low - (low < 0 ? margin : 0), high + margin, false, 75, 470}};
+  const chart::Panel panel{{0, last > 0 ? last : 1, false, 110, 800},
+                           {low - (low < 0 ? margin : 0), high + margin, false, 75, 470}};
   picture.begin(panel, title, "time [s]", y_name);
   std::vector<chart::Label> labels;
   for (std::size_t k = 0; k < lines.size(); ++k) {

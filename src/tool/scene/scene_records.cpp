@@ -56,8 +56,12 @@ json scene_record(const SceneRun& run) {
   record["spheres"] = run.simulation().size();
   record["planes"] = run.scene().planes.size();
   record["holds"] = run.holds();
-  record["events"] = {{"all", counts.events},        {"impacts", counts.impacts}, {"plane_impacts", counts.plane_impacts},
-                      {"captures", counts.captures}, {"phases", counts.phases},   {"slow_contacts", counts.slow},
+  record["events"] = {{"all", counts.events},
+                      {"impacts", counts.impacts},
+                      {"plane_impacts", counts.plane_impacts},
+                      {"captures", counts.captures},
+                      {"phases", counts.phases},
+                      {"slow_contacts", counts.slow},
                       {"most_at_one_instant", counts.at_one_instant}};
   record["order"] = {{"decided_exactly", counts.exact.orders},
                      {"ties", counts.exact.ties},
@@ -68,11 +72,15 @@ json scene_record(const SceneRun& run) {
   if (run.validity()) {
     json invalid = json::array();
     for (const properties::Invalidity& one : run.validity()->invalid) {
-      invalid.push_back({{"sphere", one.sphere}, {"other", one.other}, {"begin", one.begin}, {"end", one.end}, {"what", one.what}});
+      invalid.push_back(
+          {{"sphere", one.sphere}, {"other", one.other}, {"begin", one.begin}, {"end", one.end}, {"what", one.what}});
     }
-    record["validity"] = {{"invalid", run.validity()->count},   {"pairs", run.validity()->pairs},
-                          {"exact_pairs", run.validity()->exact_pairs}, {"planes", run.validity()->planes},
-                          {"largest_jump", run.validity()->largest_jump}, {"first", invalid}};
+    record["validity"] = {{"invalid", run.validity()->count},
+                          {"pairs", run.validity()->pairs},
+                          {"exact_pairs", run.validity()->exact_pairs},
+                          {"planes", run.validity()->planes},
+                          {"largest_jump", run.validity()->largest_jump},
+                          {"first", invalid}};
   } else {
     record["validity"] = nullptr;
   }
@@ -86,9 +94,8 @@ json scene_record(const SceneRun& run) {
                         {"worst_backward_error", number_to_json(run.judge().worst_backward_error())},
                         {"held", held}};
   if (const auto& bad = run.judge().first_bad()) {
-    record["impulses"]["first_violated"] = {{"time", bad->time},
-                                            {"invariant", bad->invariant},
-                                            {"collision", collision_to_json(bad->collision)}};
+    record["impulses"]["first_violated"] = {
+        {"time", bad->time}, {"invariant", bad->invariant}, {"collision", collision_to_json(bad->collision)}};
   }
   json causes;
   for (const Cause cause : all_causes) {
@@ -133,10 +140,11 @@ std::string scene_verdict(const SceneRun& run) {
 std::string scene_text(const SceneRun& run) {
   const scene::Counts& counts = run.simulation().counts();
   const properties::Ledger& ledger = run.ledger();
-  std::string text = fmt::format(
-      "{}: {}, {}, law {} in {}, {:g} s of {:g} s\n", run.scene().title.empty() ? "scene" : run.scene().title,
-      count_text(run.simulation().size(), "sphere", "spheres"), count_text(run.scene().planes.size(), "plane", "planes"),
-      name_of(run.scene().law), name_of(run.scene().precision), run.simulation().time(), run.scene().duration);
+  std::string text = fmt::format("{}: {}, {}, law {} in {}, {:g} s of {:g} s\n",
+                                 run.scene().title.empty() ? "scene" : run.scene().title,
+                                 count_text(run.simulation().size(), "sphere", "spheres"),
+                                 count_text(run.scene().planes.size(), "plane", "planes"), name_of(run.scene().law),
+                                 name_of(run.scene().precision), run.simulation().time(), run.scene().duration);
   if (!run.ended_early().empty()) {
     text += fmt::format("  ended early: {}\n", run.ended_early());
   }
@@ -146,11 +154,13 @@ std::string scene_text(const SceneRun& run) {
   text += fmt::format("          {} slow contacts; at most {} at one instant; {:.3g} s of wall time\n", counts.slow,
                       counts.at_one_instant, run.seconds());
   text += fmt::format(
-      "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved clear\n",
+      "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved "
+      "clear\n",
       counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
   if (const auto& validity = run.validity()) {
-    text += fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
-                        validity->count, validity->pairs, validity->exact_pairs);
+    text +=
+        fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
+                    validity->count, validity->pairs, validity->exact_pairs);
     for (const properties::Invalidity& one : validity->invalid) {
       text += fmt::format("          sphere {} and {}, from {} s to {} s: {}\n", one.sphere, one.other, one.begin,
                           one.end, one.what);
@@ -189,12 +199,14 @@ json replay_record(const SceneRun& run) {
   record["bodies"] = json::array();
   record["arcs"] = json::array();
   for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
-    record["bodies"].push_back({{"name", scene.spheres[sphere].name}, {"kind", "sphere"}, {"radius", scene.spheres[sphere].radius}});
+    record["bodies"].push_back(
+        {{"name", scene.spheres[sphere].name}, {"kind", "sphere"}, {"radius", scene.spheres[sphere].radius}});
     record["arcs"].push_back(json::array({arc_json(run.first_arcs()[sphere])}));
   }
   record["planes"] = json::array();
   for (const scene::Plane& plane : scene.planes) {
-    record["planes"].push_back({{"name", plane.name}, {"normal", vector_to_json(plane.normal)}, {"point", vector_to_json(plane.point)}});
+    record["planes"].push_back(
+        {{"name", plane.name}, {"normal", vector_to_json(plane.normal)}, {"point", vector_to_json(plane.point)}});
   }
   record["room"] = nullptr;
   record["impacts"] = json::array();
@@ -204,15 +216,19 @@ json replay_record(const SceneRun& run) {
       record["arcs"][event.b->sphere].push_back(arc_json(event.b->after));
     }
     if (event.has_impulse) {
-      const Vector3<double> impulse = run.simulation().mass(event.a.sphere) *
-                                      (event.outcome.a.velocity - event.collision.a.velocity);
+      const Vector3<double> impulse =
+          run.simulation().mass(event.a.sphere) * (event.outcome.a.velocity - event.collision.a.velocity);
       const Vector3<double> point = event.a.after.path.position - event.collision.a.position;
       const auto other = event.b ? static_cast<long long>(event.b->sphere) : -1 - static_cast<long long>(event.plane);
-      record["impacts"].push_back({event.time, event.a.sphere, other, point[0], point[1], point[2], impulse[0],
-                                   impulse[1], impulse[2]});
+      record["impacts"].push_back(
+          {event.time, event.a.sphere, other, point[0], point[1], point[2], impulse[0], impulse[1], impulse[2]});
     }
   }
-  json series{{"t", json::array()}, {"kinetic", json::array()}, {"potential", json::array()}, {"lost", json::array()}, {"spin", json::array()}};
+  json series{{"t", json::array()},
+              {"kinetic", json::array()},
+              {"potential", json::array()},
+              {"lost", json::array()},
+              {"spin", json::array()}};
   for (const Sample& sample : run.samples()) {
     series["t"].push_back(sample.time);
     series["kinetic"].push_back(sample.translation + sample.rotation);
@@ -257,9 +273,9 @@ std::string events_csv_line(std::uint64_t number, const Event& event) {
 std::string series_csv(const SceneRun& run) {
   std::string text = "time,translation,rotation,potential,total,momentum_x,momentum_y,momentum_z,mean_spin\n";
   for (const Sample& sample : run.samples()) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", sample.time, sample.translation, sample.rotation,
-                        sample.potential, sample.total(), sample.momentum[0], sample.momentum[1], sample.momentum[2],
-                        sample.mean_spin);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{}\n", sample.time, sample.translation, sample.rotation, sample.potential,
+                    sample.total(), sample.momentum[0], sample.momentum[1], sample.momentum[2], sample.mean_spin);
   }
   return text;
 }

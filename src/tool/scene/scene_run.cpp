@@ -121,11 +121,10 @@ double SceneRun::relative_rounding() const {
 }
 
 double SceneRun::rounding_limit() const {
-  return rounding_limit_in_double * std::max(1.0, unit_roundoff(scene().precision) / unit_roundoff(Precision::binary64));
+  return rounding_limit_in_double *
+         std::max(1.0, unit_roundoff(scene().precision) / unit_roundoff(Precision::binary64));
 }
 
-bool SceneRun::holds() const {
-  return judge_.violated() == 0 && is_closed() && (!validity_ || validity_->count == 0);
-}
+bool SceneRun::holds() const { return judge_.violated() == 0 && is_closed() && (!validity_ || validity_->count == 0); }
 
 }  // namespace carom::tool

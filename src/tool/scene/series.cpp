@@ -6,7 +6,8 @@
 namespace carom::tool {
 
 Series::Series(const scene::Simulation& simulation, std::size_t count)
-    : simulation_(&simulation), step_(simulation.scene().duration / static_cast<double>(std::max<std::size_t>(count, 1))) {
+    : simulation_(&simulation),
+      step_(simulation.scene().duration / static_cast<double>(std::max<std::size_t>(count, 1))) {
   for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
     arcs_.push_back(simulation.arc(sphere));
   }
