@@ -18,8 +18,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libmpfi-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  libpugixml-dev libbenchmark-dev gnuplot-nox libgtest-dev librapidcheck-dev)
-packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libmpfi-dev libfmt-dev nlohmann-json3-dev libcli11-dev
   libpugixml-dev libfcl-dev libbenchmark-dev gnuplot-nox libgtest-dev librapidcheck-dev)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more

@@ -11,7 +11,8 @@ namespace carom::properties::plan {
 struct ClassedCollision {
   std::string contact_class;  // empty: `contact_class_of` names one
   Collision collision;
-  std::string place = {};  // where it was read, "FILE:7", for what is said of it
+  std::string place = {};          // where it was read, "FILE:7", for what is said of it
+  bool is_normal_derived = false;  // from where the bodies are: its length is nobody's mistake
 };
 
 }  // namespace carom::properties::plan

@@ -34,7 +34,9 @@ class Linter {
   }
 
   void lengths() {
-    length(Lint::normal_length, "normal", exact_.normal.dot(exact_.normal));
+    if (!contact_.is_normal_derived) {
+      length(Lint::normal_length, "normal", exact_.normal.dot(exact_.normal));
+    }
     for (const auto& [body, name] : bodies()) {
       if (!body->immovable) {
         length(Lint::quaternion_length, name + ".orientation", body->orientation.dot(body->orientation));

@@ -137,6 +137,17 @@ bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
          distance * (1 - 1e-9L) > (static_cast<long double>(a.radius) + b.radius + travel) * (1 + 1e-9L);
 }
 
+/// The same, of halves and their halves where the whole is too long to tell.
+bool are_surely_apart(const Path& a, const Path& b, double begin, double end, int halvings_left = 6) {
+  if (are_far_apart(a, b, begin, end)) {
+    return true;
+  }
+  const double middle = begin + (end - begin) / 2;
+  return halvings_left > 0 && begin < middle && middle < end &&
+         are_surely_apart(a, b, begin, middle, halvings_left - 1) &&
+         are_surely_apart(a, b, middle, end, halvings_left - 1);
+}
+
 /// Whether N·x − N·p ≥ R |N| throughout.
 bool is_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   std::array<Rational, 3> height{0, 0, 0};
@@ -321,7 +332,7 @@ class Checker {
     const double begin = std::max(a.begin, b.begin);
     const double end = std::min(a.end, b.end);
     ++found_.pairs;
-    if (are_far_apart(*a.path, *b.path, begin, end)) {
+    if (are_surely_apart(*a.path, *b.path, begin, end)) {
       return;
     }
     ++found_.exact_pairs;

@@ -93,9 +93,10 @@ double approach_of(const Vector3<double>& normal, const Vector3<double>& velocit
 
 Collision collision_of(const StruckSphere& a, const StruckSphere& b, const MaterialPair& pair) {
   Collision collision;
-  collision.normal = a.position - b.position;
-  const Vector3<double> unit = collision.normal / collision.normal.norm();
+  const Vector3<double> unit = (a.position - b.position).normalized();
   collision.a = body_of(a, a.radius * unit);
+  // The lever arm of A itself: so N lies along it exactly, and along that of B where the radii are the same.
+  collision.normal = collision.a.position;
   collision.b = body_of(b, -b.radius * unit);
   set_material(collision, pair);
   return collision;
@@ -103,8 +104,8 @@ Collision collision_of(const StruckSphere& a, const StruckSphere& b, const Mater
 
 Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& normal, const MaterialPair& pair) {
   Collision collision;
-  collision.normal = normal;
   collision.a = body_of(a, normal * (a.radius / normal.norm()));
+  collision.normal = collision.a.position;
   collision.b.immovable = true;
   set_material(collision, pair);
   return collision;

@@ -18,10 +18,10 @@ struct StruckSphere {
 };
 
 /// The collision of two spheres, as any solver and the oracle take it. Its origin is the contact point, so that lever
-/// arms keep their digits wherever the spheres are; the normal is x_A − x_B.
+/// arms keep their digits wherever the spheres are; the normal is along x_A − x_B, and R_A long.
 [[nodiscard]] Collision collision_of(const StruckSphere& a, const StruckSphere& b, const MaterialPair& pair);
 
-/// The collision of a sphere with a fixed plane, which is body B; the normal is the plane's.
+/// The collision of a sphere with a fixed plane, which is body B; the normal is along the plane's, and R_A long.
 [[nodiscard]] Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& normal,
                                              const MaterialPair& pair);
 

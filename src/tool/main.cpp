@@ -201,11 +201,10 @@ int run_command(int argc, char** argv) {
       "status 0 something serves, 1 nothing does, 2 usage or bad input");
   plan_command
       ->add_option("FILE", plan.file,
-                   "JSON Lines of collisions, or one, or an array; \"class\" names that of a contact")
+                   "A scene; or JSON Lines of collisions, or one, or an array; \"class\" names that of a contact")
       ->required();
-  plan_command->add_option("--law", plan.law, "The law that is wanted")
-      ->check(CLI::IsMember(laws))
-      ->capture_default_str();
+  plan_command->add_option("--law", plan.law, "The law that is wanted (default: the scene's; of collisions, rough)")
+      ->check(CLI::IsMember(laws));
   add_accuracy(*plan_command, plan, "Largest backward error that serves, in ulps of binary64",
                "So many correct digits of the change of the velocities serve, in place of ulps");
   plan_command->add_flag("--exact-law", plan.exact_law,

@@ -70,8 +70,8 @@ struct SceneArguments {
 
 struct PlanArguments {
   std::string file;
-  std::string law = "rough";  // the name of a model, not `any`
-  double limit_ulps = 32;     // of binary64
+  std::string law;         // the name of a model, not `any`; empty: a scene's own, else rough
+  double limit_ulps = 32;  // of binary64
   std::optional<int> digits;
   bool exact_law = false;
   int repetitions = 5;  // of each timing; 0: nothing is timed

@@ -17,18 +17,19 @@ namespace carom::tool {
 
 int plan_contacts(const PlanArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  const std::vector<properties::plan::ClassedCollision> contacts = plan::contacts_of_file(arguments.file);
+  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file);
+  const Model law = arguments.law.empty() ? recorded.law.value_or(Model::rough) : *model_named(arguments.law);
   std::vector<properties::plan::Candidate> candidates;
   for (plan::SpelledCandidate& one : plan::spelled_candidates()) {
     candidates.push_back(std::move(one.candidate));
   }
   properties::plan::PlanOptions options;
-  options.demand = {*model_named(arguments.law), arguments.limit_ulps, arguments.digits, arguments.exact_law};
+  options.demand = {law, arguments.limit_ulps, arguments.digits, arguments.exact_law};
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
   options.progress = progress_line("contacts");
   options.stop = stop;
-  const plan::PlanRun run{arguments.file, options.demand, make_plan(contacts, candidates, options),
+  const plan::PlanRun run{arguments.file, options.demand, make_plan(recorded.contacts, candidates, options),
                           arguments.repetitions};
   if (arguments.format == "json") {
     fmt::print("{}\n", plan_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json/json.hpp>
-#include <carom/scene/json/scene_json.hpp>
-
 #include "chart/gnuplot.hpp"
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
@@ -17,6 +14,7 @@
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
 #include "scene/replay_html.hpp"
+#include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
 #include "scene/scene_pictures.hpp"
 #include "scene/scene_records.hpp"
@@ -50,18 +48,6 @@ class LineFile {
   fs::path path_;
   std::ofstream stream_;
 };
-
-scene::Scene read_scene(const SceneArguments& arguments) {
-  try {
-    scene::Scene scene = scene::scene_from_json(parse_json(content_of_file(arguments.file)));
-    if (scene.title.empty()) {
-      scene.title = fs::path(arguments.file).stem().string();
-    }
-    return scene;
-  } catch (const FormatError& error) {
-    throw UsageError(fmt::format("{}: {}", arguments.file, error.what()));
-  }
-}
 
 std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& scene) {
   std::vector<Model> laws;
@@ -141,7 +127,7 @@ Written run_one(const scene::Scene& scene, const SceneArguments& arguments, cons
 
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  scene::Scene scene = read_scene(arguments);
+  scene::Scene scene = scene_of(content_of_file(arguments.file), arguments.file);
   const std::vector<Model> laws = laws_of(arguments, scene);
   std::optional<fs::path> out;
   if (!arguments.out.empty()) {

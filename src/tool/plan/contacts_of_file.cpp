@@ -1,16 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/contacts_of_file.hpp"
 
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/scene/simulation.hpp>
+
+#include "commands/commands.hpp"
 #include "commands/input_file.hpp"
+#include "scene/scene_file.hpp"
 
 namespace carom::tool::plan {
+namespace {
 
-std::vector<properties::plan::ClassedCollision> contacts_of_file(const std::string& file) {
-  std::vector<properties::plan::ClassedCollision> contacts;
-  for (const ReadCollision& read : read_collisions(file, OutOfRange::kept)) {
-    contacts.push_back({read.contact_class, read.one.collision, read.place});
+using properties::plan::ClassedCollision;
+
+std::string class_of(const scene::Scene& scene, const scene::Event& event) {
+  const auto material = [&](std::size_t sphere) { return scene.materials[scene.spheres[sphere].material]; };
+  if (event.b) {
+    return fmt::format("spheres: {} and {}", material(event.a.sphere), material(event.b->sphere));
   }
-  return contacts;
+  return fmt::format("sphere and plane: {} and {}", material(event.a.sphere),
+                     scene.materials[scene.planes[event.plane].material]);
+}
+
+/// Every `stride`-th, so that they stay few: once there are twice as many as wanted, every second one is left out.
+class Sampled {
+ public:
+  void add(ClassedCollision contact) {
+    if (seen_++ % stride_ == 0) {
+      contacts_.push_back(std::move(contact));
+    }
+    if (contacts_.size() == 2 * most_contacts_of_scene) {
+      for (std::size_t k = 0; k < most_contacts_of_scene; ++k) {
+        contacts_[k] = std::move(contacts_[2 * k]);
+      }
+      contacts_.resize(most_contacts_of_scene);
+      stride_ *= 2;
+    }
+  }
+  [[nodiscard]] std::vector<ClassedCollision> take() { return std::move(contacts_); }
+
+ private:
+  std::size_t seen_ = 0;
+  std::size_t stride_ = 1;
+  std::vector<ClassedCollision> contacts_;
+};
+
+RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string& file) {
+  Sampled contacts;
+  try {
+    scene::Simulation simulation(scene);
+    while (const scene::Event* event = simulation.advance()) {
+      if (event->has_impulse) {
+        contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});
+      }
+    }
+  } catch (const scene::SceneError& error) {
+    throw UsageError(fmt::format("{}: {}", file, error.what()));
+  }
+  RecordedContacts recorded{contacts.take(), scene.law};
+  if (recorded.contacts.empty()) {
+    throw UsageError(fmt::format("{}: nothing collides in this scene", file));
+  }
+  return recorded;
+}
+
+}  // namespace
+
+RecordedContacts contacts_of_file(const std::string& file) {
+  const std::string text = content_of_file(file);
+  if (is_scene(text)) {
+    return contacts_of_scene(scene_of(text, file), file);
+  }
+  RecordedContacts recorded;
+  for (const ReadCollision& read : collisions_of(text, file, OutOfRange::kept)) {
+    recorded.contacts.push_back({read.contact_class, read.one.collision, read.place});
+  }
+  return recorded;
 }
 
 }  // namespace carom::tool::plan

@@ -40,25 +40,22 @@ Picture lines_over_time(const std::string& name, const std::string& title, const
   const chart::Panel panel{{0, last > 0 ? last : 1, false, 110, 800},
                            {low - (low < 0 ? margin : 0), high + margin, false, 75, 470}};
   picture.begin(panel, title, "time [s]", y_name);
-  std::vector<chart::Label> labels;
+  double y = panel.y.last_pixel - 10;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string colour(colours[k % colours.size()]);
+    const int dash = static_cast<int>(k % 3) + 1;
+    picture.swatch({panel.x.last_pixel + 45, y}, colour, dash, 0);
+    picture.write(lines[k].name, {panel.x.last_pixel + 75, y}, colour);
+    y -= 28;
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
     std::vector<std::vector<double>> points;
     for (const Sample& sample : *lines[k].samples) {
       points.push_back({sample.time, lines[k].quantity(sample)});
     }
-    picture.curve(points, fmt::format("using 1:2 with lines lw 2 dt {} lc rgb '{}'", k % 3 + 1, colour));
-    if (!points.empty()) {
-      labels.push_back({lines[k].name, panel.place_of(points.back()[0], points.back()[1]), colour});
-    }
+    picture.curve(points,
+                  fmt::format("using 1:2 with lines lw 2 dt {} lc rgb '{}'", k % 3 + 1, colours[k % colours.size()]));
   }
-  std::sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.names.y > b.names.y; });
-  double above = panel.y.last_pixel + 30;
-  for (chart::Label& label : labels) {
-    label.at = {panel.x.last_pixel + 95, std::min(label.names.y, above - 24)};
-    above = label.at.y;
-  }
-  picture.write(labels, 16);
   picture.end();
   return picture;
 }
