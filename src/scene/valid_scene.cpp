@@ -9,6 +9,7 @@
 #include <carom/impulse/numbers/exact_sum.hpp>
 #include <carom/scene/grid_around.hpp>
 #include <carom/scene/placing.hpp>
+#include <carom/scene/prediction.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
