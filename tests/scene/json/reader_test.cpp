@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/json/scene_json.hpp>
+
+#include "shipped.hpp"
+
+namespace carom::scene {
+namespace {
+
+using nlohmann::json;
+using tests::small_scene;
+
+/// What the reader says of it; empty where it reads it.
+std::string error_of(const json& file) {
+  try {
+    (void)scene_from_json(file);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(SceneJson, ReadsEveryField) {
+  const Scene scene = scene_from_json(small_scene());
+  EXPECT_EQ(scene.title, "Two balls over a floor");
+  EXPECT_EQ(scene.law, Model::coulomb);
+  EXPECT_EQ(scene.precision, Precision::extended);
+  EXPECT_EQ(scene.duration, 2);
+  EXPECT_EQ(scene.gravity, Vector3<double>(0, 0, -9.81));
+  EXPECT_EQ(scene.capture_height, 1e-5);
+  EXPECT_EQ(scene.materials, (std::vector<std::string>{"steel", "wood"}));
+  const MaterialPair& pair = scene.pairs.of(1, 0);
+  EXPECT_EQ(pair.restitution, 0.5);
+  EXPECT_EQ(pair.friction, 0.25);
+  EXPECT_EQ(pair.tangential_restitution, -0.5);
+  EXPECT_EQ(pair.rolling_resistance, 0.01);
+  EXPECT_EQ(pair.spinning_resistance, 0.02);
+  EXPECT_EQ(scene.pairs.of(0, 0).restitution, 1);
+  ASSERT_EQ(scene.planes.size(), 7);
+  EXPECT_EQ(scene.planes[0].name, "room -x");
+  EXPECT_EQ(scene.planes[5].name, "room +z");
+  EXPECT_EQ(scene.planes[5].normal, Vector3<double>(0, 0, -1));
+  EXPECT_EQ(scene.planes[5].point[2], 8);
+  EXPECT_EQ(scene.planes[5].material, 1);
+  EXPECT_EQ(scene.planes[6].name, "ramp");
+  ASSERT_EQ(scene.spheres.size(), 4);
+  EXPECT_EQ(scene.spheres[0].name, "sphere 0");
+  EXPECT_EQ(scene.spheres[0].velocity, Vector3<double>(1, 2, 3));
+  EXPECT_EQ(scene.spheres[3].name, "row 2");
+  EXPECT_EQ(scene.spheres[3].position, Vector3<double>(1, 2, 4));
+  const Vector3<double> sum = scene.spheres[1].velocity + scene.spheres[2].velocity + scene.spheres[3].velocity;
+  EXPECT_LT(sum.norm(), 1e-15);
+}
+
+TEST(SceneJson, HasDefaults) {
+  const Scene scene = scene_from_json(json::parse(
+      R"({"duration": 0, "planes": [{"normal": [0, 0, 2], "point": [0, 0, 0]}],
+          "spheres": [{"radius": 1, "density": 1, "position": [0, 0, 1]}, {"radius": 1, "density": 1, "position": [2, 0, 1]}]})"));
+  EXPECT_EQ(scene.law, Model::rough);
+  EXPECT_EQ(scene.precision, Precision::binary64);
+  EXPECT_TRUE(scene.gravity.isZero(0));
+  EXPECT_EQ(scene.capture_height, default_capture_height);
+  EXPECT_EQ(scene.materials, std::vector<std::string>{"default"});
+  EXPECT_EQ(scene.pairs.of(0, 0).restitution, 1);
+  EXPECT_EQ(scene.planes[0].name, "plane 0");
+  EXPECT_EQ(scene.spheres[1].name, "sphere 1");
+}
+
+TEST(SceneJson, RoundTrips) {
+  std::vector<json> files{small_scene()};
+  for (const auto& path : tests::shipped_scenes()) {
+    files.push_back(tests::json_of(path));
+  }
+  EXPECT_EQ(files.size(), 6);
+  for (const json& file : files) {
+    const json written = scene_to_json(scene_from_json(file));
+    EXPECT_EQ(scene_to_json(scene_from_json(parse_json(written.dump()))).dump(), written.dump()) << file.at("title");
+    EXPECT_EQ(written.at("title"), file.at("title"));
+  }
+}
+
+TEST(SceneJson, DrawsTheSameVelocitiesEverywhere) {
+  json file = small_scene();
+  file["lattices"][0]["at_rest_as_a_whole"] = false;
+  const Scene scene = scene_from_json(file);
+  // Computed from the seed 7 by another program.
+  EXPECT_EQ(scene.spheres[1].velocity, Vector3<double>(0.4848048562114556, -0.022616638311467097, -0.4375740810531299));
+}
+
+TEST(SceneJson, DrawsWithTheDeviationAskedFor) {
+  const Scene scene = scene_from_json(json::parse(
+      R"({"duration": 1, "lattices": [{"count": [20, 20, 20], "first": [0, 0, 0], "spacing": [1, 1, 1], "radius": 0.5,
+          "density": 1, "speed": 3}]})"));
+  double sum = 0;
+  double squares = 0;
+  for (const Sphere& sphere : scene.spheres) {
+    sum += sphere.velocity.sum();
+    squares += sphere.velocity.squaredNorm();
+  }
+  EXPECT_NEAR(sum / 24000, 0, 0.08);
+  EXPECT_NEAR(squares / 24000, 9, 0.35);
+}
+
+TEST(SceneJson, ReadsAHundredThousandSpheresInASecond) {
+  const json lattice = json::parse(
+      R"({"duration": 1, "lattices": [{"count": [50, 50, 40], "first": [0, 0, 0], "spacing": [1, 1, 1], "radius": 0.5,
+          "density": 1, "speed": 1}]})");
+  const json written = scene_to_json(scene_from_json(lattice));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(scene_from_json(written).spheres.size(), 100'000);
+  // Some tenths of one; not compared with 1, since tests run beside others and unoptimised.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+TEST(SceneJson, SaysWhatIsWrongAndWhere) {
+  using Change = std::function<void(json&)>;
+  const std::vector<std::pair<std::string, Change>> changes{
+      {"/duration: is missing", [](json& s) { s.erase("duration"); }},
+      {"/duration: expected a finite number of at least 0, found -1", [](json& s) { s["duration"] = -1; }},
+      {"/duration: expected a finite number, found \"inf\"", [](json& s) { s["duration"] = "inf"; }},
+      {"/spheres/0/velocity/1: expected a finite number, found \"nan\"",
+       [](json& s) { s["spheres"][0]["velocity"][1] = "nan"; }},
+      {"/spheres/0/radius: expected a number greater than 0, found -1",
+       [](json& s) { s["spheres"][0]["radius"] = -1; }},
+      {"/spheres/0/position: expected an array of 3 numbers, found [1,2]",
+       [](json& s) {
+         s["spheres"][0]["position"] = {1, 2};
+       }},
+      {"/spheres/0/colour: unknown field; expected one of name, radius, density, material, position, velocity, "
+       "angular_velocity",
+       [](json& s) { s["spheres"][0]["colour"] = "red"; }},
+      {"/spheres/0/material: is missing, and there are 2 materials",
+       [](json& s) { s["spheres"][0].erase("material"); }},
+      {"/spheres/0/material: expected one of the materials \"steel\", \"wood\", found \"stone\"",
+       [](json& s) { s["spheres"][0]["material"] = "stone"; }},
+      {"/law: expected frictionless, reflection, sticking, rough or coulomb, found \"any\"",
+       [](json& s) { s["law"] = "any"; }},
+      {"/precision: expected binary32, binary64 or extended, found \"double\"",
+       [](json& s) { s["precision"] = "double"; }},
+      {"/gravity: expected gravity along one axis of the world, two of three numbers 0: the planes that spheres rest "
+       "on "
+       "are level, found [1,0,-9.81]",
+       [](json& s) { s["gravity"][0] = 1; }},
+      {"/capture_height: expected a finite number greater than 0, found 0", [](json& s) { s["capture_height"] = 0; }},
+      {"/materials/1: expected names that differ, found \"steel\" twice", [](json& s) { s["materials"][1] = "steel"; }},
+      {"/contacts/1: expected each pair of materials once, found that of /contacts/0 again",
+       [](json& s) {
+         s["contacts"][1]["materials"] = {"wood", "steel"};
+       }},
+      {"/contacts/0/restitution: expected a number from 0 to 1, found 1.5",
+       [](json& s) { s["contacts"][0]["restitution"] = 1.5; }},
+      {"/contacts/0/tangential_restitution: expected a number from -1 to 1, found -2",
+       [](json& s) { s["contacts"][0]["tangential_restitution"] = -2; }},
+      {"/contacts/0/friction: expected a finite number of at least 0, found -0.1",
+       [](json& s) { s["contacts"][0]["friction"] = -0.1; }},
+      {"/contacts: expected an entry for the materials \"steel\" and \"wood\", of sphere 0 (sphere 0) and plane 0 "
+       "(room "
+       "-x)",
+       [](json& s) { s["contacts"].erase(0); }},
+      {"/contacts: expected an entry for the materials \"steel\" and \"steel\", of sphere 0 (sphere 0) and sphere 1 "
+       "(row "
+       "0)",
+       [](json& s) { s["contacts"].erase(1); }},
+      {"/planes/0/normal: expected a vector whose length neither is 0 nor leaves the range of binary64, found [0,0,0]",
+       [](json& s) {
+         s["planes"][0]["normal"] = {0, 0, 0};
+       }},
+      {"/room/greatest/2: expected a number greater than that of /room/least/2, found 0",
+       [](json& s) { s["room"]["greatest"][2] = 0; }},
+      {"/lattices/0/count: expected three integers of at least 1, found [3,0,1]",
+       [](json& s) { s["lattices"][0]["count"][1] = 0; }},
+      {"/lattices/0/count: expected at most 1000000 spheres in total",
+       [](json& s) {
+         s["lattices"][0]["count"] = {1'000'000, 1'000'000, 18446744073709551615U};
+       }},
+      {"/lattices/0/seed: expected an integer from 0 to 2^64 - 1, found 1.5",
+       [](json& s) { s["lattices"][0]["seed"] = 1.5; }},
+      {"/lattices/0/density: expected a number greater than 0, found 0",
+       [](json& s) { s["lattices"][0]["density"] = 0; }},
+      {"/lattices/0: sphere 2 (row 1) overlaps sphere 1 (row 0)",
+       [](json& s) { s["lattices"][0]["spacing"][0] = 0x1.fffffffffffffp-1; }},
+      {"/spheres/0: sphere 0 (sphere 0) overlaps plane 4 (room -z), or is behind it",
+       [](json& s) { s["spheres"][0]["position"][2] = 0.25; }},
+      {"/spheres/0: expected radius and density that give a moment of inertia from 2.22507e-308 to 1.79769e+308, not 0",
+       [](json& s) { s["spheres"][0]["radius"] = 1e-90; }},
+      {"/spheres/0/position: expected to be within 2^40 diameters of the largest sphere of 0, found [0.0,0.0,1e+200]",
+       [](json& s) {
+         s["spheres"][0]["position"] = {0.0, 0.0, 1e200};
+       }},
+      {"/polyhedra: not supported yet", [](json& s) { s["polyhedra"] = json::array(); }},
+  };
+  ASSERT_EQ(error_of(small_scene()), "") << "else everything is refused";
+  for (const auto& [expected, change] : changes) {
+    json file = small_scene();
+    change(file);
+    EXPECT_EQ(error_of(file), expected);
+  }
+  EXPECT_EQ(error_of(json::array()), "/: expected an object, found []");
+}
+
+TEST(SceneJson, AsksForContactsOnlyOfWhatCanMeet) {
+  json file = small_scene();
+  file["materials"].push_back("unused");
+  EXPECT_EQ(error_of(file), "");
+  file.erase("contacts");
+  EXPECT_EQ(error_of(file), "") << "all have the defaults";
+  file["contacts"] = json::array();
+  EXPECT_NE(error_of(file), "");
+}
+
+}  // namespace
+}  // namespace carom::scene

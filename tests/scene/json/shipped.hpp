@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+
+namespace carom::tests {
+
+/// The scene files that ship, in order of their names.
+[[nodiscard]] inline std::vector<std::filesystem::path> shipped_scenes() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes")) {
+    if (entry.path().extension() == ".json") {
+      paths.push_back(entry.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+[[nodiscard]] inline nlohmann::json json_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+/// A scene that is valid: the file that tests break.
+[[nodiscard]] inline nlohmann::json small_scene() {
+  return parse_json(R"({
+    "title": "Two balls over a floor", "law": "coulomb", "precision": "extended", "duration": 2, "gravity": [0, 0, -9.81],
+    "capture_height": 1e-5,
+    "materials": ["steel", "wood"],
+    "contacts": [
+      {"materials": ["steel", "wood"], "restitution": 0.5, "friction": 0.25, "tangential_restitution": -0.5,
+       "rolling_resistance": 0.01, "spinning_resistance": 0.02},
+      {"materials": ["steel", "steel"]}
+    ],
+    "room": {"least": [-4, -4, 0], "greatest": [4, 4, 8], "material": "wood"},
+    "planes": [{"name": "ramp", "normal": [1, 0, 2], "point": [-4, 0, 0], "material": "wood"}],
+    "spheres": [{"radius": 0.5, "density": 1000, "material": "steel", "position": [0, 0, 4], "velocity": [1, 2, 3]}],
+    "lattices": [{"name": "row", "count": [3, 1, 1], "first": [-1, 2, 4], "spacing": [1, 0, 0], "radius": 0.5,
+                  "density": 500, "material": "steel", "speed": 0.5, "seed": 7, "at_rest_as_a_whole": true}]
+  })");
+}
+
+}  // namespace carom::tests

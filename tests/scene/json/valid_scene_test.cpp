@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/valid_scene.hpp>
+
+namespace carom::scene {
+namespace {
+
+Scene scene_of_two(double distance) {
+  Scene scene;
+  scene.materials = {"steel"};
+  scene.pairs = MaterialPairs(1);
+  scene.spheres = {{.name = "left", .radius = 0.1}, {.name = "right", .radius = 0.2, .position = {distance, 0, 0}}};
+  return scene;
+}
+
+std::string defect_of(const Scene& scene) {
+  const std::optional<SceneDefect> defect = first_defect(scene);
+  return defect ? describe(*defect) : "";
+}
+
+TEST(ValidScene, DecidesOverlapExactly) {
+  // 0.1 + 0.2 is rounded up to the double that stands here: as sums of what the doubles are, it is a little more.
+  EXPECT_EQ(defect_of(scene_of_two(0.1 + 0.2)), "");
+  EXPECT_EQ(defect_of(scene_of_two(0.3)), "spheres[1]: sphere 1 (right) overlaps sphere 0 (left)");
+}
+
+TEST(ValidScene, DecidesPlanesExactly) {
+  Scene scene = scene_of_two(1);
+  scene.planes = {{.name = "slope", .normal = {3, 0, 4}, .point = {0, 0, -0.1249}}};
+  EXPECT_EQ(defect_of(scene), "spheres[0]: sphere 0 (left) overlaps plane 0 (slope), or is behind it");
+  scene.spheres[0].radius = 0.0999;
+  EXPECT_EQ(defect_of(scene), "");
+  // To touch is not to overlap.
+  scene.planes[0].normal = {0, 0, 1};
+  scene.planes[0].point = {0, 0, -0.2};
+  EXPECT_EQ(defect_of(scene), "");
+  scene.planes[0].point[2] = std::nextafter(-0.2, 0);
+  EXPECT_EQ(defect_of(scene), "spheres[1]: sphere 1 (right) overlaps plane 0 (slope), or is behind it");
+}
+
+TEST(ValidScene, AsksForMassesThatThePrecisionHolds) {
+  Scene scene = scene_of_two(1);
+  scene.spheres[0].density = 1e-40;
+  EXPECT_EQ(defect_of(scene), "");
+  scene.precision = Precision::binary32;
+  EXPECT_NE(defect_of(scene).find("expected radius and density that give a mass from 1.17549e-38"), std::string::npos)
+      << defect_of(scene);
+}
+
+TEST(ValidScene, LooksAtWhatAFileCannotSay) {
+  Scene scene = scene_of_two(1);
+  scene.law = Model::any;
+  EXPECT_EQ(defect_of(scene), "law: expected frictionless, reflection, sticking, rough or coulomb");
+  scene = scene_of_two(1);
+  scene.spheres[1].material = 1;
+  EXPECT_EQ(defect_of(scene), "spheres[1].material: expected an index of a material");
+  scene = scene_of_two(1);
+  scene.spheres[1].velocity[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(defect_of(scene), "spheres[1].velocity: expected finite numbers");
+  scene = scene_of_two(1);
+  scene.pairs = MaterialPairs(2);
+  EXPECT_EQ(defect_of(scene), "pairs: expected the pairs of as many materials as there are");
+}
+
+}  // namespace
+}  // namespace carom::scene
