@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `carom scene` on the scenes that ship, and on what it has to refuse.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/replay_html.hpp"
+#include "support/program.hpp"
+
+namespace carom::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string shipped(const std::string& name) {
+  return std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/" + name + ".json";
+}
+
+json record_of(const std::string& name, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"scene", shipped(name), "--format", "json"});
+  const RunResult result = run_carom(more);
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  return json::parse(result.output);
+}
+
+class ShippedScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedScene, IsValidItsImpulsesPassAndItsLedgerCloses) {
+  const json record = record_of(GetParam());
+  EXPECT_TRUE(record["holds"].get<bool>());
+  EXPECT_EQ(record["simulated"], record["duration"]);
+  EXPECT_EQ(record["validity"]["invalid"], 0);
+  EXPECT_GT(record["validity"]["pairs"], 0);
+  EXPECT_GT(record["impulses"]["judged"], 0);
+  EXPECT_EQ(record["impulses"]["judged"], record["impulses"]["all"]);
+  EXPECT_LE(record["ledger"]["relative_rounding"].get<double>(), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::Values("bouncing_spheres", "spinning_floor", "break", "cradle"),
+                         [](const auto& scene) { return scene.param; });
+
+TEST(SceneCommand, GasKeepsItsEnergy) {
+  const json record = record_of("gas", {"--events", "20000", "--judge-every", "20"});
+  EXPECT_EQ(record["events"]["all"], 20000);
+  EXPECT_LT(record["ledger"]["relative_rounding"].get<double>(), 1e-12);
+  EXPECT_EQ(record["impulses"]["judged"], 1000);
+  EXPECT_EQ(record["spins_changed"], 0);
+}
+
+TEST(SceneCommand, SpheresSpinUnderRoughAndNeverWithoutFriction) {
+  const RunResult result =
+      run_carom({"scene", shipped("bouncing_spheres"), "--laws", "frictionless,reflection,rough", "--format", "json"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  const json records = json::parse(result.output);
+  EXPECT_EQ(records[0]["spins_changed"], 0);
+  EXPECT_EQ(records[1]["spins_changed"], 0);
+  EXPECT_EQ(records[2]["spins_changed"], 64);
+  // Of spheres reflection is frictionless: the same events, with the same bits.
+  EXPECT_EQ(records[0]["events"], records[1]["events"]);
+  EXPECT_EQ(records[0]["ledger"], records[1]["ledger"]);
+}
+
+TEST(SceneCommand, WritesWhatItPromises) {
+  const TemporaryDirectory directory;
+  const fs::path out = directory.path() / "out";
+  const RunResult result = run_carom({"scene", shipped("spinning_floor"), "--out", out.string()});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  for (const char* name :
+       {"events.csv", "series.csv", "scene.json", "report.html", "energy.svg", "momentum.svg", "spin.svg"}) {
+    EXPECT_GT(fs::file_size(out / name), 0U) << name;
+  }
+  const json record = json::parse(content_of(out / "scene.json"));
+  const std::string events = content_of(out / "events.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(events.begin(), events.end(), '\n')),
+            1 + record["events"]["all"].get<std::size_t>());
+  EXPECT_EQ(fs::exists(out / "replay.html"), tool::has_replay());
+  EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
+}
+
+TEST(SceneCommand, IsTheSameTwice) {
+  json first = record_of("break");
+  json second = record_of("break");
+  first.erase("seconds");
+  second.erase("seconds");
+  EXPECT_EQ(first, second);
+}
+
+TEST(SceneCommand, RefusesWithThePlace) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "scene.json").string();
+  const auto refused = [&](const std::string& text) {
+    static_cast<void>(directory.write("scene.json", text));
+    const RunResult result = run_carom({"scene", file});
+    EXPECT_EQ(result.exit_status, 2) << text;
+    return result.errors;
+  };
+  EXPECT_NE(refused(R"({"duration": 1, "spheres": [{"radius": -1, "density": 1, "position": [0,0,0]}]})")
+                .find("/spheres/0/radius"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"duration": 1, "spheres": [{"radius": 1, "density": 1, "position": [0,0,0]},
+                                                    {"radius": 1, "density": 1, "position": [1,0,0]}]})")
+                .find("overlap"),
+            std::string::npos);
+  EXPECT_NE(refused("{").find(file), std::string::npos);
+  EXPECT_EQ(run_carom({"scene", file + ".absent"}).exit_status, 2);
+  EXPECT_EQ(run_carom({"scene", shipped("cradle"), "--laws", "sliding"}).exit_status, 2);
+}
+
+TEST(SceneCommand, PlansTheScalarSolverForPairsOfSpheres) {
+  const RunResult result =
+      run_carom({"plan", shipped("bouncing_spheres"), "--law", "reflection", "--repetitions", "0"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_NE(result.output.find("spheres: "), std::string::npos);
+  EXPECT_NE(result.output.find("N is an eigenvector of K"), std::string::npos);
+  EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
+  EXPECT_EQ(result.output.find("normal_length"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace carom::tests
