@@ -150,6 +150,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
   const Path& path = paths_[sphere];
   const CellGrid::Leaving leaving = grid_.leaving(sphere, path, now_);
   leavings_[sphere] = leaving;
+  paths_[sphere].planned_until = leaving.time;
   const double own_horizon = std::min({path.end, leaving.time, scene_.duration});
   Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0, 0};
   bool is_clear = true;
@@ -175,7 +176,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
   grid_.for_neighbours(sphere, [&](Index other) {
     const Path& its = paths_[other];
     // What comes later than the first that was found is not asked for.
-    const double horizon = std::min({own_horizon, its.end, leavings_[other].time, best.when.latest});
+    const double horizon = std::min({own_horizon, its.end, its.planned_until, best.when.latest});
     const Beside pair(here, placed(its, now_), path.radius + its.radius);
     is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
     if (stay_apart(path, its, pair, now_, horizon)) {
