@@ -27,8 +27,10 @@ std::vector<Sphere> spheres_of(const Lattice& lattice) {
   Vector3<double> sum{0, 0, 0};
   for (std::size_t i = 0; i < total; ++i) {
     Sphere& sphere = spheres[i];
-    const Vector3<double> steps{static_cast<double>(i % columns), static_cast<double>(i / columns % rows),
-                                static_cast<double>(i / columns / rows)};
+    const std::size_t row = i / columns;
+    const std::size_t layer = row / rows;
+    const Vector3<double> steps{static_cast<double>(i % columns), static_cast<double>(row % rows),
+                                static_cast<double>(layer)};
     sphere.name += ' ' + std::to_string(i);
     sphere.position = lattice.first + lattice.spacing.cwiseProduct(steps);
     for (int axis = 0; axis < 3 && lattice.speed != 0; ++axis) {

@@ -170,8 +170,8 @@ bool is_far_above(const Sphere& sphere, const Plane& plane) {
   return height > 0x1p-40 * size;
 }
 
-/// As placing.hpp does, of spheres where they begin: there sums of products decide what bounds do not, a hundred times
-/// as quickly as roots of polynomials. Crystals have spheres that touch by the hundred thousand.
+/// As placing.hpp decides, of spheres where they begin: a sum of products takes a small part of the time that rationals
+/// do, and crystals have spheres that touch by the hundred thousand.
 bool overlap_at_the_beginning(const Path& a, const Path& b) {
   const Beside pair(placed(a, 0), placed(b, 0), a.radius + b.radius);
   if (std::abs(pair.squared_gap()) > pair.squared_gap_error()) {
