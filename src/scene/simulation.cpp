@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include <carom/scene/grid_around.hpp>
 #include <carom/scene/placing.hpp>
 #include <carom/scene/simulation.hpp>
 
@@ -16,6 +17,9 @@ namespace {
 
 /// Impacts at one time, more than any that ends by itself has been seen to need.
 constexpr unsigned long long most_at_one_instant = 1'000'000;
+
+/// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
+constexpr double most_cells_away = 0x1p30;
 
 /// An elastic rebound is worth following further down: it keeps its energy.
 constexpr double elastic_capture_share = 1e-6;
@@ -31,29 +35,6 @@ std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity
     }
   }
   return std::nullopt;
-}
-
-/// Cells as wide as the largest sphere, or so wide that there is about one for each sphere.
-CellGrid grid_for(const std::vector<Path>& paths) {
-  double radius = 0;
-  Vector3<double> least = Vector3<double>::Constant(never);
-  Vector3<double> greatest = -least;
-  for (const Path& path : paths) {
-    radius = std::max(radius, path.radius);
-    least = least.cwiseMin(path.position);
-    greatest = greatest.cwiseMax(path.position);
-  }
-  if (paths.empty()) {
-    return {};
-  }
-  const Vector3<double> extent = (greatest - least).array() + 2 * radius;
-  const double share = std::cbrt(extent.prod() / static_cast<double>(paths.size()));
-  const double width = std::max(2 * radius * (1 + 0x1p-16), 0.75 * share);
-  CellGrid::Cell cells{};
-  for (int axis = 0; axis < 3; ++axis) {
-    cells[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::min(extent[axis] / width, 1048576.0)) + 2;
-  }
-  return {width, cells, paths.size()};
 }
 
 }  // namespace
@@ -103,7 +84,7 @@ Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
     }
     reaches_.insert(reaches_.end(), reaches.begin(), reaches.end());
   }
-  grid_ = grid_for(paths_);
+  grid_ = grid_around(paths_);
   queue_ = EventQueue(count);
   for (Index i = 0; i < count; ++i) {
     grid_.put(i, paths_[i].position);
@@ -173,6 +154,10 @@ bool Simulation::plan_or_doubt(Index sphere) {
     }
   };
   const Placed here = placed(path, now_);
+  if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width())) {
+    throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
+                     scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
+  }
   grid_.for_neighbours(sphere, [&](Index other) {
     const Path& its = paths_[other];
     // What comes later than the first that was found is not asked for.

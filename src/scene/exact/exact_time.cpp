@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -190,6 +192,20 @@ int sign_of_gap(const Path& sphere, const Reach& plane, double time) {
   return CGAL::sign(gap(sphere, plane, Rational(time))[0]);
 }
 
+namespace {
+
+/// The place of a double among all, 0 first; it rises with them.
+std::int64_t in_order(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(std::abs(x));
+  return x < 0 ? -bits : bits;
+}
+double from_order(std::int64_t place) {
+  const double size = std::bit_cast<double>(place < 0 ? -place : place);
+  return place < 0 ? -size : size;
+}
+
+}  // namespace
+
 double reach_of(const Vector3<double>& normal, const Vector3<double>& point, double radius) {
   Rational level(0);
   Rational square(0);
@@ -203,14 +219,22 @@ double reach_of(const Vector3<double>& normal, const Vector3<double>& point, dou
     const Rational over = Rational(x) - level;
     return over >= Rational(0) && over * over >= square;
   };
-  double reach = CGAL::to_double(level) + std::sqrt(CGAL::to_double(square));
-  while (!is_clear(reach)) {
-    reach = std::nextafter(reach, never);
+  // Near it, in steps that double: the doubles in their order, as integers.
+  std::int64_t low = in_order(CGAL::to_double(level) + std::sqrt(CGAL::to_double(square)));
+  std::int64_t high = low;
+  for (std::int64_t step = 1; is_clear(from_order(low)); step *= 2) {
+    high = low;
+    low -= step;
   }
-  while (is_clear(std::nextafter(reach, -never))) {
-    reach = std::nextafter(reach, -never);
+  for (std::int64_t step = 1; !is_clear(from_order(high)); step *= 2) {
+    low = high;
+    high += step;
   }
-  return reach;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (is_clear(from_order(middle)) ? high : low) = middle;
+  }
+  return from_order(high);
 }
 
 }  // namespace carom::scene
