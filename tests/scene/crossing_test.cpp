@@ -69,9 +69,7 @@ ExactQuadratic exactly(const UncertainQuadratic& q) { return {Rational(q.c0), Ra
 
 /// One of the quadratics within the radii, at 0 not negative.
 ExactQuadratic within(properties::Stream& stream, const UncertainQuadratic& q) {
-  const auto moved = [&](double c, double e) {
-    return Rational(c) + Rational(stream.integer(-8, 8), 8) * Rational(e);
-  };
+  const auto moved = [&](double c, double e) { return Rational(c) + Rational(stream.integer(-8, 8), 8) * Rational(e); };
   ExactQuadratic truth{moved(q.c0, q.e0), moved(q.c1, q.e1), moved(q.c2, q.e2)};
   if (truth.c0 < 0) {
     truth.c0 = Rational(0);

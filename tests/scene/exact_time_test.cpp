@@ -90,8 +90,7 @@ TEST(ExactTime, OfAGrazingPassIsNone) {
   // A parabola whose top touches the plane, an ulp off whichever way.
   const Reach ceiling{{0, 0, -1}, -2};
   EXPECT_FALSE(exact_contact(path_of({0, 0, 0}, {1, 0, 4}, {0, 0, -4}, 0.5), ceiling, 0));
-  const auto hit =
-      exact_contact(path_of({0, 0, 0}, {1, 0, std::nextafter(4.0, 5)}, {0, 0, -4}, 0.5), ceiling, 0);
+  const auto hit = exact_contact(path_of({0, 0, 0}, {1, 0, std::nextafter(4.0, 5)}, {0, 0, -4}, 0.5), ceiling, 0);
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
   // An ulp nearer, and they touch.

@@ -37,10 +37,11 @@ Collision random_collision(properties::Stream& stream) {
   StruckSphere a = random_sphere(stream, 2 * stream.vector(), stream.between(0.2, 1));
   const double radius = stream.between(0.2, 1);
   StruckSphere b = random_sphere(stream, a.position - (a.radius + radius) * normal, radius);
-  const double apart = normal.dot(a.velocity - b.velocity);
+  const bool on_plane = stream.chance(3);
+  const double apart = normal.dot(on_plane ? a.velocity : Vector(a.velocity - b.velocity));
   a.velocity -= (std::max(apart, 0.0) + 0.25) * normal;
   const MaterialPair pair{stream.unit(), stream.unit(), stream.signed_unit(), 0, 0};
-  return stream.chance(3) ? collision_with_plane(a, normal * stream.between(0.5, 2), pair) : collision_of(a, b, pair);
+  return on_plane ? collision_with_plane(a, normal * stream.between(0.5, 2), pair) : collision_of(a, b, pair);
 }
 
 Outcome<double> generic(Model law, const Collision& collision) {

@@ -166,15 +166,15 @@ TEST(LevelMotion, IsTheSameOnEveryAxis) {
   const Arc arc = arc_of({1, 0.5, 0}, {2, -3, 4}, cloth);
   // x → y → z → x
   const auto turned = [](const Vector& x) { return Vector(x.z(), x.x(), x.y()); };
-  const Arc other = level_arc({0, 1, g}, 3, cloth, true, radius, 0, turned({1, 2, radius}), turned({1, 0.5, 0}),
-                              turned({2, -3, 4}));
+  const Arc other =
+      level_arc({0, 1, g}, 3, cloth, true, radius, 0, turned({1, 2, radius}), turned({1, 0.5, 0}), turned({2, -3, 4}));
   EXPECT_LE((other.path.acceleration - turned(arc.path.acceleration)).norm(), tolerance);
   EXPECT_LE((other.turning.angular_acceleration - turned(arc.turning.angular_acceleration)).norm(), 8 * tolerance);
   EXPECT_NEAR(other.path.end, arc.path.end, tolerance);
   // Turned by half a turn about x, up is down.
   const auto over = [](const Vector& x) { return Vector(x.x(), -x.y(), -x.z()); };
-  const Arc below = level_arc({2, -1, g}, 3, cloth, true, radius, 0, over({1, 2, radius}), over({1, 0.5, 0}),
-                              over({2, -3, 4}));
+  const Arc below =
+      level_arc({2, -1, g}, 3, cloth, true, radius, 0, over({1, 2, radius}), over({1, 0.5, 0}), over({2, -3, 4}));
   EXPECT_LE((below.path.acceleration - over(arc.path.acceleration)).norm(), tolerance);
   EXPECT_LE((below.turning.angular_acceleration - over(arc.turning.angular_acceleration)).norm(), 8 * tolerance);
 }

