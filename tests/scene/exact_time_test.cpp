@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -82,6 +84,21 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
     EXPECT_GE(sign_of_gap(a, b, bounds.earliest), 0);
   }
   EXPECT_GT(found, 100);
+}
+
+/// What keep_apart leaves: the least of all speeds. The contact is later than any double.
+TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
+  const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, still, 0.5);
+  const Reach wall{{1, 0, 0}, 0.5};
+  const auto contact = exact_contact(creeping, wall, 0);
+  ASSERT_TRUE(contact);
+  // By a signal, where it is not.
+  EXPECT_EXIT(
+      {
+        const TimeBounds bounds = contact->bounds();
+        std::exit(bounds.earliest == std::numeric_limits<double>::max() && bounds.latest == never ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 TEST(ExactTime, OfAGrazingPassIsNone) {

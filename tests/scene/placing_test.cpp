@@ -43,6 +43,27 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
   EXPECT_GT(moved, 1000);
 }
 
+/// Back where it began, but for less than the widest format can tell of v + s a/2.
+TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
+  properties::Stream stream = properties::stream_from(4);
+  int returned = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double time = stream.between(0.25, 1);
+    const double acceleration = stream.between(4, 10);
+    const long double half = static_cast<long double>(time) * acceleration / 2;
+    const double velocity = -static_cast<double>(half);
+    if (static_cast<long double>(velocity) != -half) {
+      continue;  // one in 2¹¹ is a double
+    }
+    const Path path = path_of({1, 0, 0}, {velocity, 0, 0}, {acceleration, 0, 0}, 0.5);
+    const Rational exact = unit::exact_position(path, time)[0];
+    ++returned;
+    EXPECT_TRUE(Rational(rounded_away(path, time, {1, 0, 0})[0]) >= exact);
+    EXPECT_TRUE(Rational(rounded_away(path, time, {-1, 0, 0})[0]) <= exact);
+  }
+  EXPECT_GT(returned, 10);
+}
+
 TEST(RoundedAway, LeavesWhatDoesNotMove) {
   const Path still = path_of({0.1, 0.2, 0.3}, {0, 0, 0}, {0, 0, 0}, 1);
   EXPECT_EQ(rounded_away(still, 7, {1, -1, 1}), still.position);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -341,6 +343,14 @@ TEST(Simulation, LosesNoEvent) {
       EXPECT_NEAR(event->time, static_cast<double>(expected.time), 1e-11);
     }
   }
+}
+
+/// As `keep_apart` may leave a sphere: it does not come anywhere in the scene's time.
+TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
+  Scene scene = unit::empty_scene(Model::frictionless, elastic, 10);
+  unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0});
+  EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 /// A ball rolls to another; whatever the span that is looked at, they meet where they touch.
