@@ -124,7 +124,10 @@ Ledger::Ledger(const scene::Simulation& simulation)
     initial_momentum_ += held_.back().mass * wide(arc.path.velocity);
   }
   initial_ = present();
-  scale_ = initial_.translation + initial_.rotation;
+  for (const Held& held : held_) {
+    heights_ += std::abs(held.energies.potential);
+  }
+  scale_ = initial_.translation + initial_.rotation + heights_;
 }
 
 Energies Ledger::present() const { return {translation_.sum(), rotation_.sum(), potential_.sum()}; }
@@ -249,7 +252,7 @@ void Ledger::record(const scene::Event& event) {
   } else {
     add(plane_impulse_, momentum);
   }
-  scale_ = std::max({scale_, translation_.sum() + rotation_.sum()});
+  scale_ = std::max(scale_, translation_.sum() + rotation_.sum() + heights_);
 }
 
 void Ledger::close(const scene::Simulation& simulation) {

@@ -68,7 +68,8 @@ class Ledger {
   [[nodiscard]] const Energies& initial() const { return initial_; }
   /// As the states have it; of spheres that no event has touched, as of their last one.
   [[nodiscard]] Energies present() const;
-  /// What |E| is measured by: the greatest kinetic energy so far, and what gravity has moved.
+  /// What rounding is measured by: the greatest kinetic energy so far, and Σ m |g·x| of where the spheres began, since
+  /// an ulp of a place is an ulp of that.
   [[nodiscard]] long double scale() const { return scale_; }
   /// Momentum [N s]: initial, and by cause: what gravity, the planes (their impacts and their reaction on what lies on
   /// them) and rounding have given.
@@ -103,6 +104,7 @@ class Ledger {
   EnumArray<Cause, Account, all_causes.size()> energy_;
   Account gravity_work_, rounding_, angular_rounding_;
   long double scale_ = 0;
+  long double heights_ = 0;
   long double angular_scale_ = 0;
   Vector3<long double> initial_momentum_;
   Momentum gravity_impulse_, plane_impulse_, momentum_rounding_;

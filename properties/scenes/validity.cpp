@@ -99,6 +99,15 @@ std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
           velocity + Rational(2) * half * delay, half};
 }
 
+/// c₀ + c₁ s + c₂ s² ≥ 0 on [0, span]: at both ends, and where it turns, if it does so inside.
+bool is_nowhere_negative(const std::array<Rational, 3>& c, const Rational& span) {
+  if (c[0] < 0 || c[0] + span * (c[1] + span * c[2]) < 0) {
+    return false;
+  }
+  const bool turns_inside = c[2] > 0 && c[1] < 0 && -c[1] < Rational(2) * c[2] * span;
+  return !turns_inside || Rational(4) * c[0] * c[2] >= c[1] * c[1];
+}
+
 bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
   const Rational radii = Rational(a.radius) + Rational(b.radius);
   std::array<Rational, 5> gap{-radii * radii, 0, 0, 0, 0};
@@ -114,7 +123,9 @@ bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
       }
     }
   }
-  return is_nowhere_negative(bernstein(gap, Rational(end) - Rational(begin)));
+  const Rational span = Rational(end) - Rational(begin);
+  return gap[3] == 0 && gap[4] == 0 ? is_nowhere_negative({gap[0], gap[1], gap[2]}, span)
+                                    : is_nowhere_negative(bernstein(gap, span));
 }
 
 /// Whether they are so far apart at the beginning that they cannot meet. A billionth of the distance is left for
@@ -162,7 +173,7 @@ bool is_above(const scene::Plane& plane, const Path& path, double begin, double 
     square += n * n;
   }
   const Rational span = Rational(end) - Rational(begin);
-  if (!is_nowhere_negative(bernstein(height, span))) {
+  if (!is_nowhere_negative(height, span)) {
     return false;
   }
   std::array<Rational, 5> over{-square * Rational(path.radius) * Rational(path.radius), 0, 0, 0, 0};
@@ -331,6 +342,9 @@ class Checker {
   void check_pair(const Piece& a, const Piece& b) {
     const double begin = std::max(a.begin, b.begin);
     const double end = std::min(a.end, b.end);
+    if (begin == end && history_.begin() < history_.end()) {
+      return;  // one of them no longer holds: what has replaced it is looked at from here on
+    }
     ++found_.pairs;
     if (are_surely_apart(*a.path, *b.path, begin, end)) {
       return;

@@ -24,7 +24,7 @@ Vector3<double> rounded_away(const Path& path, double time, const Vector3<double
     const Wide moved = s * (v + half);
     const Wide exact = x + moved;
     double rounded = static_cast<double>(exact);
-    if (moved != 0 && away[axis] != 0) {
+    if (s != 0 && (v != 0 || a != 0) && away[axis] != 0) {
       const Wide bound = 8 * wide_roundoff * (std::abs(x) + std::abs(s) * (std::abs(v) + std::abs(half)));
       const bool up = away[axis] > 0;
       if (up ? Wide(rounded) < exact + bound : Wide(rounded) > exact - bound) {

@@ -16,6 +16,25 @@ TimeBounds exactly(const Path& path, const Other& other, double now, double hori
   return contact ? up_to(horizon, contact->bounds()) : TimeBounds{};
 }
 
+/// Where bounds are wider than this part of the time that is looked at, they are taken exactly: a slow approach has a
+/// wide time of contact, and other events would fall into it.
+constexpr double widest_share = 0x1p-24;
+
+TimeBounds bounded_or_exact(const Crossing& crossing, const auto& exactly, double now, double horizon) {
+  switch (crossing.decision) {
+    case Decision::none:
+      return {};
+    case Decision::bounded:
+      if (crossing.error <= widest_share * (horizon - now)) {
+        return up_to(horizon, bounds_from(now, crossing));
+      }
+      break;
+    case Decision::undecided:
+      break;
+  }
+  return exactly();
+}
+
 }  // namespace
 
 TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
@@ -26,28 +45,14 @@ TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, dou
   } else if (horizon > now) {
     crossing = first_crossing(squared_gap(pair, a, b, horizon - now));
   }
-  switch (crossing.decision) {
-    case Decision::none:
-      return {};
-    case Decision::bounded:
-      return up_to(horizon, bounds_from(now, crossing));
-    case Decision::undecided:
-      break;
-  }
-  return exactly(a, b, now, horizon, counts);
+  return bounded_or_exact(
+      crossing, [&] { return exactly(a, b, now, horizon, counts); }, now, horizon);
 }
 
 TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon, ExactCounts& counts) {
   const Crossing crossing = first_crossing(height_over(sphere, plane, now));
-  switch (crossing.decision) {
-    case Decision::none:
-      return {};
-    case Decision::bounded:
-      return up_to(horizon, bounds_from(now, crossing));
-    case Decision::undecided:
-      break;
-  }
-  return exactly(sphere, plane, now, horizon, counts);
+  return bounded_or_exact(
+      crossing, [&] { return exactly(sphere, plane, now, horizon, counts); }, now, horizon);
 }
 
 }  // namespace carom::scene

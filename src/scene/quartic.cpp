@@ -14,46 +14,53 @@ struct Halves {
   Bernstein first, second;
 };
 
-/// De Casteljau's subdivision at the middle: each number is the mean of two, with one rounding.
-Halves halved(const Bernstein& whole) {
+/// De Casteljau's subdivision at a share of the interval; each number has up to three roundings of its own.
+Halves divided(const Bernstein& whole, double share) {
   Bernstein row = whole;
   Halves halves{};
   for (std::size_t level = 0; level < 5; ++level) {
     halves.first[level] = row[0];
     halves.second[4 - level] = row[4 - level];
     for (std::size_t k = 0; k + level < 4; ++k) {
-      row[k] = 0.5 * (row[k] + row[k + 1]);
+      row[k] = (1 - share) * row[k] + share * row[k + 1];
     }
   }
   return halves;
 }
 
-struct Search {
-  double error;  // of a coefficient, at any depth
-  double resolution;
+/// Where a root lies in the middle, or so near that the middle has no sure sign.
+constexpr double beside_the_middle = 15.0 / 32;
 
-  /// The first part that is not certainly positive, and down to the resolution begins so and ends below 0.
-  [[nodiscard]] std::optional<Crossing> first_in(const Bernstein& b, double begin, double end) const {
-    if (*std::min_element(b.begin(), b.end()) > error) {
-      return std::nullopt;
-    }
-    const double middle = 0.5 * (begin + end);
-    const bool crosses = b[0] > error && b[4] < -error;
-    const bool is_least = end - begin <= resolution || middle <= begin || middle >= end;
-    const Halves halves = halved(b);
-    // Where a half would no longer be decided, the whole is what is known.
-    if (crosses && (is_least || std::abs(halves.first[4]) <= error)) {
-      return Crossing{Decision::bounded, middle, 0.5 * (end - begin) * (1 + 4 * roundoff)};
-    }
-    if (is_least || *std::max_element(b.begin(), b.end()) <= error) {
-      return Crossing{Decision::undecided};
-    }
-    if (auto found = first_in(halves.first, begin, middle)) {
-      return found;
-    }
-    return first_in(halves.second, middle, end);
+/// The first part of [begin, end] that is not certainly positive, as narrow as the bounds allow. `error` is of each
+/// coefficient; a division adds four rows of three roundings each.
+std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, double error, double resolution) {
+  const auto [least, greatest] = std::minmax_element(b.begin(), b.end());
+  if (*least > error) {
+    return std::nullopt;
   }
-};
+  const bool crosses = b[0] > error && b[4] < -error;
+  const Crossing here{Decision::bounded, 0.5 * (begin + end), 0.5 * (end - begin) * (1 + 4 * roundoff)};
+  const bool is_least = end - begin <= resolution || here.s <= begin || here.s >= end;
+  if (is_least || *greatest <= error) {
+    return crosses ? here : Crossing{Decision::undecided};
+  }
+  const double divided_error = error + 12 * roundoff * std::max(*greatest, -*least);
+  double share = 0.5;
+  Halves halves = divided(b, share);
+  if (std::abs(halves.first[4]) <= divided_error) {
+    share = beside_the_middle;
+    halves = divided(b, share);
+    // Neither has a sign: what is left is hardly more than its error.
+    if (crosses && std::abs(halves.first[4]) <= divided_error) {
+      return here;
+    }
+  }
+  const double middle = begin + share * (end - begin);
+  if (auto found = first_in(halves.first, begin, middle, divided_error, resolution)) {
+    return found;
+  }
+  return first_in(halves.second, middle, end, divided_error, resolution);
+}
 
 }  // namespace
 
@@ -80,15 +87,12 @@ UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, d
   const double size = pair.distance_size + pair.velocity_size * span + h_size;
   const double error = pair.distance_error + span * (pair.velocity_error + 4 * roundoff * pair.velocity_size) +
                        6 * roundoff * span * span * (a.acceleration_size + b.acceleration_size);
-  // |d + v t + h t²|² changes by at most (2 size + error) error; products and sums have less than 24 roundings, and 60
-  // halvings of four means each 240 more.
-  return {bernstein, (2 * size + error) * error + (24 + 240) * roundoff * (size * size + pair.radii * pair.radii),
-          span};
+  // |d + v t + h t²|² changes by at most (2 size + error) error; products and sums have less than 24 roundings.
+  return {bernstein, (2 * size + error) * error + 24 * roundoff * (size * size + pair.radii * pair.radii), span};
 }
 
 Crossing first_crossing(const UncertainQuartic& quartic) {
-  const Search search{quartic.error, quartic.span * 0x1p-56};
-  return search.first_in(quartic.bernstein, 0, quartic.span).value_or(Crossing{});
+  return first_in(quartic.bernstein, 0, quartic.span, quartic.error, quartic.span * 0x1p-56).value_or(Crossing{});
 }
 
 }  // namespace carom::scene

@@ -16,7 +16,10 @@ namespace carom::scene {
 namespace {
 
 /// Impacts at one time, more than any that ends by itself has been seen to need.
-constexpr unsigned long long most_at_one_instant = 1'000'000;
+constexpr unsigned long long most_at_one_instant = 100'000;
+
+/// How often it is looked whether to stop, where nothing happens but that spheres leave cells.
+constexpr unsigned long long crossings_between_looks = 4096;
 
 /// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
@@ -244,6 +247,9 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
       grid_.move(first, leavings_[first]);
       ++counts_.crossings;
       plan(first);
+      if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
+        return std::nullopt;
+      }
       continue;
     }
     if (is_stale(planned)) {
@@ -257,7 +263,10 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
       if (other == first || unsettled) {
         return;
       }
-      if (its.kind == Kind::crossing || is_stale(its)) {
+      if (its.kind == Kind::crossing) {
+        return;  // bounds are so narrow that a cell's margin has room for what it moves until then
+      }
+      if (is_stale(its)) {
         unsettled = other;
         return;
       }
@@ -271,10 +280,6 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     if (!unsettled) {
       return chosen;
     }
-    if (planned_[*unsettled].kind == Kind::crossing) {
-      grid_.move(*unsettled, leavings_[*unsettled]);
-      ++counts_.crossings;
-    }
     plan(*unsettled);
   }
 }
@@ -282,7 +287,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
 const Event* Simulation::advance() {
   const std::optional<Index> next = next_sphere();
   if (!next) {
-    now_ = scene_.duration;
+    now_ = stop_.stop_requested() ? now_ : scene_.duration;
     return nullptr;
   }
   const Planned planned = planned_[*next];

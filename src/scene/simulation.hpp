@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <carom/collision/outcome.hpp>
@@ -81,6 +84,9 @@ class Simulation {
   /// where impacts at one instant do not end.
   [[nodiscard]] const Event* advance();
 
+  /// From now on `advance` ends early, with nothing, once a stop is requested.
+  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] double time() const { return now_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
@@ -129,6 +135,7 @@ class Simulation {
   void begin_change(Change& change, Index sphere) const;
 
   Scene scene_;
+  std::stop_token stop_;
   double now_ = 0;
   std::vector<Path> paths_;
   std::vector<Turning> turnings_;

@@ -20,6 +20,8 @@ using Found = std::optional<SceneDefect>;
 /// In largest diameters: beyond it a double knows a place to less than 2⁻¹² of one.
 constexpr double farthest = 0x1p28;
 
+constexpr double least_gravity = 1e-200;
+
 /// The numbers that the precision of the impulses knows to a roundoff.
 struct Range {
   double least, greatest;
@@ -49,6 +51,9 @@ Found scene_defect(const Scene& scene) {
   }
   if (!scene.gravity.allFinite()) {
     return defect("gravity", "expected finite numbers");
+  }
+  if (const double g = scene.gravity.cwiseAbs().maxCoeff(); g > 0 && g < least_gravity) {
+    return defect("gravity", "expected 0 or at least 1e-200 m/s^2, so that what it does is a normal number");
   }
   if ((scene.gravity.array() != 0).count() > 1) {
     return defect(

@@ -147,6 +147,9 @@ TimeBounds ExactTime::bounds() const {
   double below = CGAL::to_interval(kernel().approximate_relative_1_object()(root, bits).first).first;
   for (;;) {
     const double next = std::nextafter(below, never);
+    if (next == never) {
+      return {below, never};  // a sphere that creeps may come later than any double
+    }
     switch (compare(as_root(Rational(next)), root)) {
       case CGAL::SMALLER:
         below = next;

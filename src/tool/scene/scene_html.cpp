@@ -46,7 +46,7 @@ void add_ledger(pugi::xml_node main, const SceneRun& run) {
     add_row(body, name_of(cause), joules(ledger.energy(cause)));
   }
   add_row(body, "at last", joules(ledger.present().total()));
-  add_row(body, "rounding beside the greatest kinetic energy",
+  add_row(body, "rounding beside the scale of the energy",
           fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit()));
   add_row(
       body, "single roundings, without signs",

@@ -38,6 +38,7 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
       judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
       series_(simulation_, sample_count),
       has_turned_(simulation_.size(), false) {
+  simulation_.stop_on(options.stop);
   for (std::size_t sphere = 0; sphere < simulation_.size(); ++sphere) {
     first_.push_back(simulation_.arc(sphere));
   }
@@ -99,6 +100,9 @@ void SceneRun::run() {
         ended_early_ = "as many events as were asked for";
         break;
       }
+    }
+    if (ended_early_.empty() && options_.stop.stop_requested()) {
+      ended_early_ = "interrupted";
     }
   } catch (const scene::SceneError& error) {
     ended_early_ = error.what();

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <carom/properties/scenes/history.hpp>
+#include <carom/properties/scenes/judged_impulses.hpp>
+#include <carom/properties/scenes/ledger.hpp>
+#include <carom/properties/scenes/validity.hpp>
+
+#include "scene/scenes.hpp"
+
+namespace carom::unit {
+
+[[nodiscard]] inline oracles::Yardstick yardstick_of(Precision precision) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(precision);
+  yardstick.least_size = least_size_known_to_a_roundoff(precision);
+  return yardstick;
+}
+
+/// What the checkers are told of an event: the event, changed; false: nothing.
+using Alter = std::function<bool(scene::Event&)>;
+
+/// A run, and all that watches it.
+struct WatchedRun {
+  WatchedRun(scene::Scene of, std::size_t most_events, const Alter& alter)
+      : simulation(std::move(of)),
+        history(simulation),
+        ledger(simulation),
+        judge(simulation.scene().law, simulation.scene().precision, 1, yardstick_of(simulation.scene().precision)) {
+    for (std::size_t k = 0; k < most_events; ++k) {
+      const scene::Event* const next = simulation.advance();
+      if (next == nullptr) {
+        break;
+      }
+      scene::Event event = *next;
+      if (event.b) {
+        const scene::Path& a = event.a.after.path;
+        const scene::Path& b = event.b->after.path;
+        const double distance = (a.position - b.position).norm();
+        widest_gap = std::max(widest_gap, distance / (a.radius + b.radius) - 1);
+      }
+      if (!alter(event)) {
+        continue;
+      }
+      history.record(event);
+      ledger.record(event);
+      judge.record(event);
+    }
+    history.end_at(simulation.time());
+    ledger.close(simulation);
+  }
+  WatchedRun(scene::Scene of, std::size_t most_events)
+      : WatchedRun(std::move(of), most_events, [](scene::Event&) { return true; }) {}
+
+  [[nodiscard]] properties::Validity validity() const {
+    return properties::check_validity(simulation.scene(), history);
+  }
+  /// Σ |rounding| beside the scale.
+  [[nodiscard]] long double relative_rounding() const { return ledger.rounding_without_signs() / ledger.scale(); }
+
+  /// Of the impacts of spheres, beside the sum of their radii.
+  double widest_gap = 0;
+  scene::Simulation simulation;
+  properties::History history;
+  properties::Ledger ledger;
+  properties::ImpulseJudge judge;
+};
+
+}  // namespace carom::unit

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runs.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace carom::properties {
+namespace {
+
+using scene::Scene;
+
+constexpr std::array all_laws{Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb};
+
+std::string text_of(const Validity& validity) {
+  std::string text;
+  for (const Invalidity& one : validity.invalid) {
+    text += "sphere " + std::to_string(one.sphere) + " and " + one.other + " from " + std::to_string(one.begin) +
+            " to " + std::to_string(one.end) + ": " + one.what + "\n";
+  }
+  return text;
+}
+
+/// A box under gravity: valid throughout, its books balanced, every impulse right.
+void check(const Scene& scene, std::size_t most_events) {
+  ASSERT_FALSE(scene::first_defect(scene)) << scene::describe(*scene::first_defect(scene));
+  const unit::WatchedRun run(scene, most_events);
+  const Validity validity = run.validity();
+  EXPECT_EQ(validity.count, 0U) << text_of(validity);
+  // Those that strike each other touch, but for the bounds of the time. They are widest of a quartic: 264 u of the
+  // square of what is travelled in its span (3 s under gravity: 44), half of that over the distance of the centres.
+  EXPECT_LE(run.widest_gap, 1e-9);
+  EXPECT_GT(validity.exact_pairs, 0U);
+  EXPECT_GT(validity.joints, 50U);
+  // Each entry rounds a state of a few numbers to some 8 u of itself, 10⁻¹⁵; signs are as good as random, so thousands
+  // of them stay far below 10⁻¹² of the scale.
+  const long double scale = run.ledger.scale();
+  EXPECT_LE(std::abs(run.ledger.energy(Cause::rounding)), 1e-12L * scale);
+  long double sum = run.ledger.initial().total();
+  for (const Cause cause : all_causes) {
+    sum += run.ledger.energy(cause);
+  }
+  EXPECT_NEAR(static_cast<double>(sum / scale), static_cast<double>(run.ledger.present().total() / scale), 1e-15);
+  EXPECT_EQ(run.judge.violated(), 0U) << run.judge.first_bad()->invariant << " at " << run.judge.first_bad()->time;
+  EXPECT_GT(run.judge.judged(), 30U);
+  EXPECT_EQ(run.judge.judged(), run.judge.impulses());
+  EXPECT_FALSE(run.judge.held().empty());
+}
+
+class RandomBoxes : public testing::TestWithParam<Model> {};
+
+TEST_P(RandomBoxes, AreValidAndBalanced) {
+  std::uint64_t seed = 0;
+  for (const double restitution : {0.0, 0.5, 1.0}) {
+    for (const double gravity : {0.0, 9.81}) {
+      SCOPED_TRACE("restitution " + std::to_string(restitution) + ", gravity " + std::to_string(gravity));
+      Scene scene = unit::box_of_spheres(GetParam(), {restitution, 0.25, 0.5, 0.02, 0.01}, 3, 3, ++seed);
+      scene.gravity = {0, 0, -gravity};
+      check(scene, 400);
+    }
+  }
+}
+
+TEST_P(RandomBoxes, AreValidInEveryPrecision) {
+  for (const Precision precision : {Precision::binary32, Precision::extended}) {
+    SCOPED_TRACE(name_of(precision));
+    Scene scene = unit::box_of_spheres(GetParam(), {0.75, 0.25, 0.5, 0, 0}, 2, 5, 77);
+    scene.gravity = {-3, 0, 0};
+    scene.precision = precision;
+    const unit::WatchedRun run(scene, 100);
+    const Validity validity = run.validity();
+    EXPECT_EQ(validity.count, 0U) << text_of(validity);
+    if (precision == Precision::binary32) {
+      EXPECT_EQ(run.judge.violated(), 0U) << run.judge.first_bad()->invariant;
+    }
+    EXPECT_GT(run.judge.judged(), 30U);
+  }
+}
+
+/// Slopes: nothing can rest there.
+TEST_P(RandomBoxes, MayStandOnSlopes) {
+  Scene scene = unit::box_of_spheres(GetParam(), {0.5, 0.25, 0.5, 0, 0}, 2, 2, 5);
+  scene.gravity = {0, 0, -9.81};
+  unit::add_plane(scene, {1, 0, 3}, {-1, 0, -0.5});
+  unit::add_plane(scene, {0, -1, 2}, {0, 3, -0.25});
+  check(scene, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RandomBoxes, testing::ValuesIn(all_laws),
+                         [](const auto& law) { return std::string(name_of(law.param)); });
+
+}  // namespace
+}  // namespace carom::properties

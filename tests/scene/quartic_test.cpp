@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/scene/quartic.hpp>
+
+#include "paths.hpp"
+
+namespace carom::scene {
+namespace {
+
+using unit::path_of;
+using unit::Vector;
+
+/// What is wrong with bounds of when two paths touch, up to a horizon; nothing where they are right.
+std::string wrong_with(const TimeBounds& found, const std::optional<ExactTime>& truth, double horizon) {
+  const bool in_time = truth && *truth <= ExactTime::at(horizon);
+  if (found.earliest == never) {
+    return in_time ? "a contact is lost" : "";
+  }
+  if (!truth) {
+    return "a contact that is not";
+  }
+  if (found.earliest > horizon) {
+    return "a contact beyond the horizon";
+  }
+  return ExactTime::at(found.earliest) <= *truth && *truth <= ExactTime::at(found.latest) ? ""
+                                                                                          : "not within the bounds";
+}
+
+struct Pair {
+  Path a, b;
+};
+
+/// Two spheres that do not overlap at 0, with accelerations of their own. Often the second is so thrown that it meets
+/// the first, or nearly.
+Pair random_pair(properties::Stream& stream) {
+  const double size = stream.power_of_ten(-1, 1);
+  const Path a = path_of(stream.vector() * size, stream.vector(), stream.vector(), stream.between(0.05, 0.5),
+                         stream.chance(2) ? 0 : -stream.unit());
+  for (;;) {
+    const double time = stream.between(0.1, 2);
+    const double radius = stream.between(0.05, 0.5);
+    const Vector acceleration = stream.chance(3) ? Vector(0, 0, 0) : Vector(stream.vector());
+    const Vector position = position_at(a, 0) + stream.vector() * 3;
+    const Vector target = position_at(a, time) + stream.vector() * (a.radius + radius);
+    const Vector velocity = (target - position) / time - 0.5 * time * acceleration;
+    const Path b = path_of(position, velocity, acceleration, radius);
+    if (sign_of_gap(a, b, 0) >= 0) {
+      return {a, b};
+    }
+  }
+}
+
+TEST(Quartic, BoundsContainTheExactTime) {
+  int contacts = 0;
+  int misses = 0;
+  int wide = 0;
+  ExactCounts counts;
+  properties::check(400, [&] {
+    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+    const Pair pair = random_pair(stream);
+    const double horizon = stream.integer(1, 32) / 8.0;
+    const Beside beside(placed(pair.a, 0), placed(pair.b, 0), pair.a.radius + pair.b.radius);
+    const TimeBounds found = contact_between(pair.a, pair.b, beside, 0, horizon, counts);
+    ++(found.earliest < never ? contacts : misses);
+    const std::string wrong = wrong_with(found, exact_contact(pair.a, pair.b, 0), horizon);
+    if (!wrong.empty()) {
+      RC_FAIL(wrong);
+    }
+    wide += found.earliest < never && found.latest - found.earliest > 1e-6 ? 1 : 0;
+    // Nor does the quick answer lose one.
+    const bool is_apart = stay_apart(pair.a, pair.b, beside, 0, horizon);
+    RC_ASSERT(!is_apart || found.earliest == never);
+  });
+  EXPECT_GT(contacts, 100);
+  EXPECT_GT(misses, 50);
+  // Speeds near 1, distances near 3: contacts are known far better than to a millionth.
+  EXPECT_EQ(wide, 0);
+  EXPECT_LT(counts.predictions, 40U);  // bounds decide nearly all
+}
+
+/// Of the same acceleration the gap is a quadratic: the same promise.
+TEST(Quadratic, BoundsContainTheExactTime) {
+  int contacts = 0;
+  ExactCounts counts;
+  properties::check(400, [&] {
+    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+    Pair pair = random_pair(stream);
+    pair.b.velocity += 0.5 * (pair.b.acceleration - pair.a.acceleration);
+    pair.b.acceleration = pair.a.acceleration;
+    measure(pair.b);
+    const double horizon = stream.integer(1, 32) / 8.0;
+    if (sign_of_gap(pair.a, pair.b, 0) < 0) {
+      return;
+    }
+    const Beside beside(placed(pair.a, 0), placed(pair.b, 0), pair.a.radius + pair.b.radius);
+    const TimeBounds found = contact_between(pair.a, pair.b, beside, 0, horizon, counts);
+    contacts += found.earliest < never ? 1 : 0;
+    const std::string wrong = wrong_with(found, exact_contact(pair.a, pair.b, 0), horizon);
+    if (!wrong.empty()) {
+      RC_FAIL(wrong);
+    }
+    RC_ASSERT(!stay_apart(pair.a, pair.b, beside, 0, horizon) || found.earliest == never);
+  });
+  EXPECT_GT(contacts, 50);
+}
+
+TEST(Plane, BoundsContainTheExactTime) {
+  int contacts = 0;
+  ExactCounts counts;
+  properties::check(400, [&] {
+    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+    const Vector normal = stream.direction();
+    const Path path = path_of(3 * stream.vector(), stream.vector(), stream.vector(), 0.25, -stream.unit());
+    Reach reach{normal, reach_of(normal, stream.vector(), path.radius)};
+    if (sign_of_gap(path, reach, 0) < 0) {
+      // The other side.
+      reach = {-normal, reach_of(-normal, stream.vector(), path.radius)};
+      if (sign_of_gap(path, reach, 0) < 0) {
+        return;
+      }
+    }
+    const TimeBounds found = contact_between(path, reach, 0, 4, counts);
+    contacts += found.earliest < never ? 1 : 0;
+    const std::string wrong = wrong_with(found, exact_contact(path, reach, 0), 4);
+    if (!wrong.empty()) {
+      RC_FAIL(wrong);
+    }
+  });
+  EXPECT_GT(contacts, 100);
+}
+
+TEST(Quartic, ThatTouchesZeroIsUndecided) {
+  // (t − 1/2)⁴ + 0, and the same above 0.
+  const UncertainQuartic touching{{1.0 / 16, -1.0 / 16, 1.0 / 16, -1.0 / 16, 1.0 / 16}, 0x1p-50, 1};
+  EXPECT_EQ(first_crossing(touching).decision, Decision::undecided);
+  UncertainQuartic above = touching;
+  for (double& coefficient : above.bernstein) {
+    coefficient += 0x1p-40;
+  }
+  EXPECT_EQ(first_crossing(above).decision, Decision::none);
+}
+
+/// (x² − 1/64)(x² − 9/64) of x = t − 1/2, with the roots 1/8, 3/8, 5/8 and 7/8 on [0, 1], as seen from `begin` on.
+UncertainQuartic with_four_roots(double begin) {
+  const double x = begin - 0.5;
+  // Its Taylor coefficients at x.
+  const double c0 = (x * x - 1.0 / 64) * (x * x - 9.0 / 64);
+  const double c1 = 4 * x * x * x - 20.0 / 64 * x;
+  const double c2 = 6 * x * x - 10.0 / 64;
+  const double c3 = 4 * x;
+  return {
+      {c0, c0 + c1 / 4, c0 + c1 / 2 + c2 / 6, c0 + 3 * c1 / 4 + c2 / 2 + c3 / 4, c0 + c1 + c2 + c3 + 1}, 0x1p-48, 1};
+}
+
+TEST(Quartic, FindsTheFirstOfFourRoots) {
+  const Crossing found = first_crossing(with_four_roots(0.03));
+  ASSERT_EQ(found.decision, Decision::bounded);
+  EXPECT_NEAR(found.s, 0.125 - 0.03, found.error);
+  // Its slope there is −3/32: 2⁻⁴⁸ of height is 11 · 2⁻⁴⁸ of time, which halving meets within a factor 8.
+  EXPECT_LE(found.error, 128 * 0x1p-48);
+}
+
+/// Where a point of subdivision is the root itself, the bounds are as narrow: an event takes place at the earlier one.
+TEST(Quartic, FindsARootInTheMiddle) {
+  const Crossing found = first_crossing(with_four_roots(0));
+  ASSERT_EQ(found.decision, Decision::bounded);
+  EXPECT_NEAR(found.s, 0.125, found.error);
+  EXPECT_LE(found.error, 128 * 0x1p-48);
+}
+
+TEST(Quartic, BoundsAContactInTheMiddleOfTheSpanNarrowly) {
+  // x = −15/8 + 2 t − t²/2 is −1 at 1/2, of a span of 1.
+  const Path rolling = path_of({-1.875, 0, 0}, {2, 0, 0}, {-1, 0, 0}, 0.5);
+  const Path waiting = unit::resting({0, 0, 0}, 0.5);
+  ExactCounts counts;
+  for (const double horizon : {1.0, 1.1}) {
+    const Beside beside(placed(rolling, 0), placed(waiting, 0), 1);
+    const TimeBounds found = contact_between(rolling, waiting, beside, 0, horizon, counts);
+    EXPECT_LE(found.earliest, 0.5);
+    EXPECT_GE(found.latest, 0.5);
+    EXPECT_LE(found.latest - found.earliest, 1e-11) << "up to " << horizon;
+  }
+}
+
+}  // namespace
+}  // namespace carom::scene

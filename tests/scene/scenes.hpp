@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/properties/families/stream.hpp>
+#include <carom/scene/simulation.hpp>
+#include <carom/scene/valid_scene.hpp>
+
+/// Scenes as the tests draw them.
+namespace carom::unit {
+
+/// Spheres and planes of one material.
+[[nodiscard]] inline scene::Scene empty_scene(Model law, const scene::MaterialPair& pair, double duration) {
+  scene::Scene scene;
+  scene.law = law;
+  scene.duration = duration;
+  scene.materials = {"all"};
+  scene.pairs = scene::MaterialPairs(1);
+  scene.pairs.set(0, 0, pair);
+  return scene;
+}
+
+inline void add_sphere(scene::Scene& scene, double radius, const Vector3<double>& position,
+                       const Vector3<double>& velocity) {
+  scene::Sphere sphere;
+  sphere.name = "ball " + std::to_string(scene.spheres.size());
+  sphere.radius = radius;
+  sphere.position = position;
+  sphere.velocity = velocity;
+  scene.spheres.push_back(sphere);
+}
+
+inline void add_plane(scene::Scene& scene, const Vector3<double>& normal, const Vector3<double>& point) {
+  scene.planes.push_back({"plane " + std::to_string(scene.planes.size()), 0, normal, point});
+}
+
+/// Six planes around [0, size]³.
+inline void add_box(scene::Scene& scene, double size) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3<double> normal = Vector3<double>::Unit(axis);
+    add_plane(scene, normal, Vector3<double>::Zero());
+    add_plane(scene, -normal, size * normal);
+  }
+}
+
+/// side³ spheres of mixed radii in a cube of that many cells of edge 1, each with a place of its own.
+[[nodiscard]] inline scene::Scene box_of_spheres(Model law, const scene::MaterialPair& pair, int side, double duration,
+                                                 std::uint64_t seed) {
+  properties::Stream stream = properties::stream_from(seed);
+  scene::Scene scene = empty_scene(law, pair, duration);
+  add_box(scene, side);
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      for (int z = 0; z < side; ++z) {
+        const double radius = stream.between(0.2, 0.4);
+        const Vector3<double> cell{x + 0.5, y + 0.5, z + 0.5};
+        const Vector3<double> aside = 0.09 * stream.vector();
+        const Vector3<double> velocity = 2 * stream.vector();
+        add_sphere(scene, radius, cell + aside, velocity);
+        scene.spheres.back().angular_velocity = 3 * stream.vector();
+        scene.spheres.back().density = stream.between(0.5, 2);
+      }
+    }
+  }
+  return scene;
+}
+
+/// Up to so many events of a scene, as they are.
+[[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
+  scene::Simulation simulation(std::move(scene));
+  std::vector<scene::Event> events;
+  while (events.size() < most) {
+    const scene::Event* event = simulation.advance();
+    if (event == nullptr) {
+      break;
+    }
+    events.push_back(*event);
+  }
+  return events;
+}
+
+}  // namespace carom::unit
