@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes with structure that random ones do not have: rows that touch, exact grazes, balls that are pressed together.
+#include <stop_token>
+
+#include <gtest/gtest.h>
+
+#include "properties/scenes/runs.hpp"
+
+namespace carom::properties {
+namespace {
+
+using scene::MaterialPair;
+using scene::Scene;
+
+void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
+  const unit::WatchedRun run(scene, most_events);
+  const Validity validity = run.validity();
+  EXPECT_EQ(validity.count, 0U);
+  for (const Invalidity& one : validity.invalid) {
+    ADD_FAILURE() << one.sphere << " and " << one.other << " from " << one.begin << " to " << one.end << ": "
+                  << one.what;
+  }
+  EXPECT_EQ(run.judge.violated(), 0U);
+  EXPECT_LE(run.relative_rounding(), 1e-12L);
+}
+
+/// What is left of the blow closes at 10⁻¹⁶ m/s: a time of contact known to some seconds, in which cells are left.
+TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
+  for (const double restitution : {0.0, 0.25, 1.0}) {
+    Scene scene = unit::empty_scene(Model::frictionless, {restitution, 0, 0, 0, 0}, 5);
+    unit::add_sphere(scene, 0.5, {-3, 0, 0}, {1, 0, 0});
+    unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
+    unit::add_sphere(scene, 0.5, {1, 0, 0}, {0, 0, 0});
+    expect_valid(scene);
+  }
+}
+
+/// The gap is 0 for an instant within two arcs, and nowhere below.
+TEST(StructuredScenes, SpheresGrazeExactly) {
+  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 5);
+  unit::add_sphere(scene, 0.5, {-6, 0, 0}, {2, 0, 0});
+  unit::add_sphere(scene, 0.5, {0, 1, 0}, {0, 0, 0});
+  const unit::WatchedRun run(scene, 100);
+  EXPECT_EQ(run.simulation.counts().events, 0U);
+  EXPECT_EQ(run.validity().count, 0U);
+}
+
+TEST(StructuredScenes, BallsThatRollArePressedTogether) {
+  for (const double restitution : {0.95, 1.0}) {
+    const MaterialPair ball{restitution, 0, 0, 0, 0};
+    Scene scene = unit::empty_scene(Model::rough, ball, 0.2);
+    scene.materials = {"ball", "bed"};
+    scene.pairs = scene::MaterialPairs(2);
+    scene.pairs.set(0, 0, ball);
+    scene.pairs.set(0, 1, {0.5, 0.2, 0, 0.01, 0});
+    scene.gravity = {0, 0, -9.81};
+    unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
+    scene.planes.back().material = 1;
+    unit::add_sphere(scene, 0.03125, {0, 0, 0.03125}, {0.01, 0.01, 0});
+    scene.spheres.back().angular_velocity = {-0.32, 0.32, 0};
+    unit::add_sphere(scene, 0.03125, {0, 0.0625, 0.03125}, {0, 0.01, 0});
+    scene.spheres.back().angular_velocity = {-0.32, 0, 0};
+    for (scene::Sphere& sphere : scene.spheres) {
+      sphere.density = 1700;
+    }
+    expect_valid(scene, 2000);
+  }
+}
+
+/// An ulp of a place is 10⁻¹⁰ m there, and an ulp of m g x.
+TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
+  Scene scene = unit::empty_scene(Model::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
+  scene.gravity = {0, 0, -9.81};
+  const double far = 1e6;
+  unit::add_plane(scene, {0, 0, 1}, {far, far, far});
+  unit::add_sphere(scene, 0.5, {far, far, far + 2}, {1, 0.5, 0});
+  unit::add_sphere(scene, 0.5, {far + 3, far, far + 1}, {-1, 0.25, 0});
+  expect_valid(scene);
+}
+
+/// Nothing happens but that cells are left, for ever.
+TEST(StructuredScenes, AStopIsHeardWhileNothingHappens) {
+  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1e17);
+  unit::add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});
+  scene::Simulation simulation(scene);
+  std::stop_source source;
+  simulation.stop_on(source.get_token());
+  source.request_stop();
+  EXPECT_EQ(simulation.advance(), nullptr);
+  EXPECT_LT(simulation.time(), 1e17);
+}
+
+}  // namespace
+}  // namespace carom::properties
