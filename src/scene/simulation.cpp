@@ -235,6 +235,13 @@ bool Simulation::comes_before(Index left, Index right) {
   return rank(left, of_left) < rank(right, of_right);
 }
 
+void Simulation::leave_cell(Index sphere) {
+  now_ = std::max(now_, planned_[sphere].when.earliest);
+  grid_.move(sphere, leavings_[sphere]);
+  ++counts_.crossings;
+  plan(sphere);
+}
+
 std::optional<Simulation::Index> Simulation::next_sphere() {
   for (;;) {
     const Index first = queue_.first();
@@ -243,10 +250,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     }
     const Planned planned = planned_[first];
     if (planned.kind == Kind::crossing) {
-      now_ = std::max(now_, planned.when.earliest);
-      grid_.move(first, leavings_[first]);
-      ++counts_.crossings;
-      plan(first);
+      leave_cell(first);
       if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
         return std::nullopt;
       }
@@ -258,13 +262,17 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     }
     Index chosen = first;
     std::optional<Index> unsettled;
+    std::optional<Index> leaves;  // its cell, first of those within the bounds
     queue_.for_each_until(planned.when.latest, [&](Index other) {
       const Planned& its = planned_[other];
       if (other == first || unsettled) {
         return;
       }
       if (its.kind == Kind::crossing) {
-        return;  // bounds are so narrow that a cell's margin has room for what it moves until then
+        if (!leaves || its.when.earliest < planned_[*leaves].when.earliest) {
+          leaves = other;
+        }
+        return;
       }
       if (is_stale(its)) {
         unsettled = other;
@@ -277,10 +285,14 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
         chosen = other;
       }
     });
-    if (!unsettled) {
+    if (unsettled) {
+      plan(*unsettled);
+    } else if (leaves && planned_[*leaves].when.earliest < planned_[chosen].when.earliest) {
+      // Before anything can happen: a fast sphere would be far out of its cell by then.
+      leave_cell(*leaves);
+    } else {
       return chosen;
     }
-    plan(*unsettled);
   }
 }
 

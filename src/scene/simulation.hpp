@@ -118,6 +118,7 @@ class Simulation {
   [[nodiscard]] bool is_stale(const Planned& planned) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);
+  void leave_cell(Index sphere);
   [[nodiscard]] std::optional<Index> next_sphere();
 
   void strike(Index a, Index b);
