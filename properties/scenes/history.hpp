@@ -8,21 +8,26 @@
 
 namespace carom::properties {
 
-/// How each sphere has moved over a span of time: all that a checker is given of a run.
+/// How each body has moved over a span of time: all that a checker is given of a run.
 class History {
  public:
-  /// From the simulation's present on.
-  explicit History(const scene::Simulation& simulation) : begin_(simulation.time()), end_(simulation.time()) {
-    for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
-      arcs_.push_back({simulation.arc(sphere)});
+  /// From the state's time on.
+  explicit History(const scene::SceneState& state)
+      : begin_(state.time), end_(state.time), first_polyhedron_(state.scene->spheres.size()) {
+    for (const scene::BodyState& body : state.bodies) {
+      arcs_.push_back({body.arc});
+      orientations_.emplace_back();
+      if (arcs_.size() > first_polyhedron_) {
+        orientations_.back().push_back(body.orientation_at_start);
+      }
     }
   }
 
   void record(const scene::Event& event) {
     end_ = event.time;
-    arcs_[event.a.sphere].push_back(event.a.after);
+    record(event.a);
     if (event.b) {
-      arcs_[event.b->sphere].push_back(event.b->after);
+      record(*event.b);
     }
   }
 
@@ -31,13 +36,24 @@ class History {
 
   [[nodiscard]] double begin() const { return begin_; }
   [[nodiscard]] double end() const { return end_; }
-  /// Of each sphere, in order of time: each holds from its start, or from `begin`, to the next one's start, or to
+  /// Of each body, in order of time: each holds from its start, or from `begin`, to the next one's start, or to
   /// `end`.
   [[nodiscard]] const std::vector<std::vector<scene::Arc>>& arcs() const { return arcs_; }
+  /// Of each polyhedron, at the start of each of its arcs: body axes to world axes. Nothing of spheres.
+  [[nodiscard]] const std::vector<std::vector<Quaternion<double>>>& orientations() const { return orientations_; }
 
  private:
+  void record(const scene::Change& change) {
+    arcs_[change.body].push_back(change.after);
+    if (change.body >= first_polyhedron_) {
+      orientations_[change.body].push_back(change.orientation);
+    }
+  }
+
   double begin_, end_;
+  std::size_t first_polyhedron_;
   std::vector<std::vector<scene::Arc>> arcs_;
+  std::vector<std::vector<Quaternion<double>>> orientations_;
 };
 
 }  // namespace carom::properties

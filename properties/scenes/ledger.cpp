@@ -2,18 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include <carom/properties/scenes/ledger.hpp>
+#include <carom/properties/scenes/wide.hpp>
 
 namespace carom::properties {
 namespace {
 
 using scene::Arc;
 using scene::Phase;
-using Wide = Vector3<long double>;
-
-Wide wide(const Vector3<double>& v) { return v.cast<long double>(); }
+using Wide = WideVector;
 
 Wide wide_velocity_at(const Arc& arc, double time) {
   return wide(arc.path.velocity) + (static_cast<long double>(time) - arc.path.start) * wide(arc.path.acceleration);
@@ -75,6 +72,24 @@ long double energy_of_impact(Model law, const Collision& collision) {
   return normal_energy - friction_impulse * slip + tangential * friction_impulse * friction_impulse / 2;
 }
 
+/// What an impulse on A, and its opposite on B, do to the energy of two bodies: F·V + ½ F·K F, with K F = F/m_A + F/m_B
+/// + (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F a sum of squares.
+long double work_of_impulse(const Collision& collision, const Wide& impulse) {
+  long double work = 0;
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const Wide on_body = body == &collision.a ? impulse : Wide(-impulse);
+    const Wide arm = wide(collision.point) - wide(body->position);
+    const Wide torque = arm.cross(on_body);
+    work += on_body.dot(wide(body->velocity)) + torque.dot(wide(body->angular_velocity));
+    if (!body->immovable) {
+      const Wide along_axes = wide_rotation(body->orientation).transpose() * torque;
+      work += on_body.squaredNorm() / (2 * static_cast<long double>(body->mass)) +
+              along_axes.cwiseAbs2().cwiseQuotient(wide(body->principal_inertia)).sum() / 2;
+    }
+  }
+  return work;
+}
+
 /// ∫ |f + g s| ds over [0, span] for a speed f ≥ 0 that falls to no less than 0, but for rounding.
 long double distance(long double speed, long double loss, long double span) {
   return speed * span - loss * span * span / 2;
@@ -85,7 +100,7 @@ long double distance(long double speed, long double loss, long double span) {
 std::string_view name_of(Cause cause) {
   switch (cause) {
     case Cause::impacts:
-      return "impacts of spheres";
+      return "impacts of bodies";
     case Cause::plane_impacts:
       return "impacts with planes";
     case Cause::slow_contacts:
@@ -108,20 +123,21 @@ void Account::add(long double amount) {
   sum_ = next;
 }
 
-Ledger::Ledger(const scene::Simulation& simulation)
-    : scene_(&simulation.scene()), gravity_(wide(simulation.scene().gravity)), initial_momentum_(Wide::Zero()) {
-  for (std::size_t plane = 0; plane < scene_->planes.size(); ++plane) {
-    levels_.push_back(simulation.level(plane).value_or(scene::Level{2, 1, 0}));
+Ledger::Ledger(const scene::SceneState& state)
+    : scene_(state.scene), gravity_(wide(state.scene->gravity)), initial_momentum_(Wide::Zero()) {
+  for (const std::optional<scene::Level>& level : state.levels) {
+    levels_.push_back(level.value_or(scene::Level{2, 1, 0}));
   }
-  for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
-    held_.push_back({simulation.mass(sphere), simulation.moment(sphere), {}});
-    const Arc arc = simulation.arc(sphere);
-    const Energies energies = energies_of(arc, arc.path.start, sphere);
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const scene::BodyState& body = state.bodies[i];
+    held_.push_back({body.mass, wide(body.principal_inertia), !is_sphere(*scene_, i), body.orientation_at_start, {}});
+    const Spin spin{body.orientation_at_start, wide(body.arc.turning.angular_velocity)};
+    const Energies energies = energies_of(body.arc, body.arc.path.start, i, spin);
     held_.back().energies = energies;
     translation_.add(energies.translation);
     rotation_.add(energies.rotation);
     potential_.add(energies.potential);
-    initial_momentum_ += held_.back().mass * wide(arc.path.velocity);
+    initial_momentum_ += held_.back().mass * wide(body.arc.path.velocity);
   }
   initial_ = present();
   for (const Held& held : held_) {
@@ -147,17 +163,27 @@ void Ledger::round_energy(long double amount) {
   rounding_.add(std::abs(amount));
 }
 
-Energies Ledger::energies_of(const Arc& arc, double time, std::size_t sphere) const {
-  const Held& held = held_[sphere];
-  return {held.mass * wide_velocity_at(arc, time).squaredNorm() / 2, held.moment * spin_at(arc, time).squaredNorm() / 2,
+Vector3<long double> Ledger::spin_momentum(std::size_t body, const Spin& spin) const {
+  const Held& held = held_[body];
+  if (!held.is_polyhedron) {
+    return held.principal_inertia[0] * spin.rate;
+  }
+  const Matrix3<long double> axes = wide_rotation(spin.orientation);
+  return axes * held.principal_inertia.cwiseProduct(axes.transpose() * spin.rate);
+}
+
+Energies Ledger::energies_of(const Arc& arc, double time, std::size_t body, const Spin& spin) const {
+  const Held& held = held_[body];
+  return {held.mass * wide_velocity_at(arc, time).squaredNorm() / 2, spin_momentum(body, spin).dot(spin.rate) / 2,
           -held.mass * gravity_.dot(wide_position_at(arc, time))};
 }
 
-void Ledger::follow(const Arc& arc, double end, std::size_t sphere) {
-  const Held& held = held_[sphere];
+void Ledger::follow(const Arc& arc, double end, std::size_t body, const Spin& at_end) {
+  const Held& held = held_[body];
   const long double span = static_cast<long double>(end) - arc.path.start;
-  const Energies before = energies_of(arc, arc.path.start, sphere);
-  const Energies after = energies_of(arc, end, sphere);
+  const Spin at_start{held.orientation, wide(arc.turning.angular_velocity)};
+  const Energies before = energies_of(arc, arc.path.start, body, at_start);
+  const Energies after = energies_of(arc, end, body, at_end);
   const long double work =
       held.mass * gravity_.dot(span * (wide(arc.path.velocity) + span / 2 * wide(arc.path.acceleration)));
   gravity_work_.add(work);
@@ -172,7 +198,7 @@ void Ledger::follow(const Arc& arc, double end, std::size_t sphere) {
     Wide n = Wide::Zero();
     n[level.axis] = level.up;
     const scene::MaterialPair& pair =
-        scene_->pairs.of(scene_->spheres[sphere].material, scene_->planes[arc.turning.plane].material);
+        scene_->pairs.of(material_of(*scene_, body), scene_->planes[arc.turning.plane].material);
     const long double g = level.gravity;
     const long double radius = arc.path.radius;
     const Wide v = wide(arc.path.velocity);
@@ -187,7 +213,7 @@ void Ledger::follow(const Arc& arc, double end, std::size_t sphere) {
     }
     if (arc.turning.angular_acceleration[level.axis] != 0) {
       const long double loss = 2.5L * pair.spinning_resistance * g / radius;
-      book(Cause::spinning, -held.moment * loss * distance(std::abs(w[level.axis]), loss, span));
+      book(Cause::spinning, -held.principal_inertia[0] * loss * distance(std::abs(w[level.axis]), loss, span));
     }
   }
   round_energy((after.translation + after.rotation) - (before.translation + before.rotation) - work - by_causes);
@@ -205,10 +231,14 @@ void Ledger::record(const scene::Event& event) {
   Wide angular = Wide::Zero();
   long double angular_size = 0;
   const auto change = [&](const scene::Change& one) {
-    const Held& held = held_[one.sphere];
-    follow(one.before, event.time, one.sphere);
-    const Energies before = energies_of(one.before, event.time, one.sphere);
-    const Energies after = energies_of(one.after, event.time, one.sphere);
+    Held& held = held_[one.body];
+    const Wide rate = held.is_polyhedron ? wide(one.angular_velocity_before) : spin_at(one.before, event.time);
+    const Spin spin{one.orientation, rate};
+    const Spin spin_after{one.orientation, wide(one.after.turning.angular_velocity)};
+    follow(one.before, event.time, one.body, spin);
+    const Energies before = energies_of(one.before, event.time, one.body, spin);
+    const Energies after = energies_of(one.after, event.time, one.body, spin_after);
+    held.orientation = one.orientation;
     gained += (after.translation + after.rotation) - (before.translation + before.rotation);
     round_energy(after.potential - before.potential);
     translation_.add(after.translation - before.translation);
@@ -219,7 +249,7 @@ void Ledger::record(const scene::Event& event) {
     momentum += held.mass * (v_after - v);
     angular +=
         held.mass * (wide(one.after.path.position).cross(v_after) - wide_position_at(one.before, event.time).cross(v)) +
-        held.moment * (wide(one.after.turning.angular_velocity) - spin_at(one.before, event.time));
+        spin_momentum(one.body, spin_after) - spin_momentum(one.body, spin);
     angular_size += held.mass * wide_position_at(one.before, event.time).norm() * v.norm();
   };
   change(event.a);
@@ -227,20 +257,15 @@ void Ledger::record(const scene::Event& event) {
     change(*event.b);
   }
   long double by_law = 0;
+  const bool has_polyhedron = held_[event.a.body].is_polyhedron || (event.b && held_[event.b->body].is_polyhedron);
   if (event.has_impulse) {
-    by_law = energy_of_impact(scene_->law, event.collision);
+    const Wide impulse = held_[event.a.body].mass * (wide(event.outcome.a.velocity) - wide(event.collision.a.velocity));
+    by_law =
+        has_polyhedron ? work_of_impulse(event.collision, impulse) : energy_of_impact(scene_->law, event.collision);
     energy_[event.b ? Cause::impacts : Cause::plane_impacts].add(by_law);
   }
   if (event.was_slow) {
-    // Elastic by the law, the speeds along the normal are then raised from one to the other.
-    const Wide n = wide(event.collision.normal).normalized();
-    const auto speed = [&](const auto& a, const auto& b) { return n.dot(wide(a) - wide(b)); };
-    const long double before = speed(event.outcome.a.velocity, event.outcome.b.velocity);
-    const Vector3<double> still = Vector3<double>::Zero();
-    const long double after = speed(event.a.after.path.velocity, event.b ? event.b->after.path.velocity : still);
-    long double inverse_mass = 1 / held_[event.a.sphere].mass;
-    inverse_mass += event.b ? 1 / held_[event.b->sphere].mass : 0;
-    const long double pushed = (after * after - before * before) / (2 * inverse_mass);
+    const long double pushed = has_polyhedron ? work_of_sending_apart(event) : work_of_raised_speed(event);
     energy_[Cause::slow_contacts].add(pushed);
     by_law += pushed;
   }
@@ -255,10 +280,27 @@ void Ledger::record(const scene::Event& event) {
   scale_ = std::max(scale_, translation_.sum() + rotation_.sum() + heights_);
 }
 
-void Ledger::close(const scene::Simulation& simulation) {
-  for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
-    const Arc arc = simulation.arc(sphere);
-    follow(arc, simulation.time(), sphere);
+long double Ledger::work_of_sending_apart(const scene::Event& event) const {
+  const Wide impulse = held_[event.a.body].mass * (wide(event.a.after.path.velocity) - wide(event.outcome.a.velocity));
+  return work_of_impulse(with_velocities(event.collision, event.outcome), impulse);
+}
+
+long double Ledger::work_of_raised_speed(const scene::Event& event) const {
+  const Wide n = wide(event.collision.normal).normalized();
+  const auto speed = [&](const auto& a, const auto& b) { return n.dot(wide(a) - wide(b)); };
+  const Vector3<double> still = Vector3<double>::Zero();
+  const Vector3<double>& of_b = event.b ? event.b->after.path.velocity : still;
+  const long double before = speed(event.outcome.a.velocity, event.outcome.b.velocity);
+  const long double after = speed(event.a.after.path.velocity, of_b);
+  long double inverse_mass = 1 / held_[event.a.body].mass;
+  inverse_mass += event.b ? 1 / held_[event.b->body].mass : 0;
+  return (after * after - before * before) / (2 * inverse_mass);
+}
+
+void Ledger::close(const scene::SceneState& state) {
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const scene::BodyState& body = state.bodies[i];
+    follow(body.arc, state.time, i, {body.orientation, wide(body.angular_velocity)});
   }
 }
 

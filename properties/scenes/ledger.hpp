@@ -8,13 +8,14 @@
 
 #include <carom/collision/enum_array.hpp>
 #include <carom/collision/vector.hpp>
+#include <carom/scene/scene_state.hpp>
 #include <carom/scene/simulation.hpp>
 
 namespace carom::properties {
 
 /// What changes the mechanical energy of a scene, or only its form.
 enum class Cause {
-  impacts,        // of spheres, by their law
+  impacts,        // of two bodies, by their law
   plane_impacts,  // with planes, by their law
   slow_contacts,  // sent off at the least speed that is followed
   sliding,        // friction on level planes
@@ -49,16 +50,18 @@ struct Energies {
 };
 
 /// The account of a scene: each joule and each newton second has its cause. What a cause amounts to comes from the
-/// law's closed form for spheres and from the phase's, never from the difference of two states; what the states differ
-/// by beyond that is rounding, a cause of its own. All in long double: an entry of its own rounds by 2⁻¹¹ of what
+/// law's closed form for spheres and from the phase's; where an impact is of a polyhedron, from the impulse F that the
+/// outcome has given A, as F·V + ½ F·K F; never from the difference of two energies. What the states differ by beyond
+/// that is rounding, a cause of its own. All in long double: an entry of its own rounds by 2⁻¹¹ of what
 /// rounding a state to double does.
 class Ledger {
  public:
-  explicit Ledger(const scene::Simulation& simulation);
+  /// Begins with a state; the scene that it refers to stays.
+  explicit Ledger(const scene::SceneState& state);
 
   void record(const scene::Event& event);
   /// Everything moves on until then, undisturbed. Call it once, at last.
-  void close(const scene::Simulation& simulation);
+  void close(const scene::SceneState& state);
 
   [[nodiscard]] long double energy(Cause cause) const { return energy_[cause].sum(); }
   /// Σ |rounding| of the single entries: what the sum would be, did no two of them cancel.
@@ -85,15 +88,28 @@ class Ledger {
  private:
   using Momentum = std::array<Account, 3>;
   struct Held {
-    long double mass, moment;
+    long double mass;
+    Vector3<long double> principal_inertia;
+    bool is_polyhedron;
+    Quaternion<double> orientation;  // at the start of its arc
     Energies energies;
+  };
+  /// How a body turns at a time.
+  struct Spin {
+    Quaternion<double> orientation;
+    Vector3<long double> rate;  // world
   };
 
   [[nodiscard]] static Vector3<long double> sum_of(const Momentum& momentum);
   static void add(Momentum& account, const Vector3<long double>& amount);
-  void follow(const scene::Arc& arc, double end, std::size_t sphere);
+  void follow(const scene::Arc& arc, double end, std::size_t body, const Spin& at_end);
   void round_energy(long double amount);
-  [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t sphere) const;
+  /// Of a slow contact: along the normal the bodies are sent apart faster than the law says, or at all.
+  [[nodiscard]] long double work_of_sending_apart(const scene::Event& event) const;
+  /// The same of spheres, from the speeds along the normal alone.
+  [[nodiscard]] long double work_of_raised_speed(const scene::Event& event) const;
+  [[nodiscard]] Vector3<long double> spin_momentum(std::size_t body, const Spin& spin) const;
+  [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t body, const Spin& spin) const;
 
   const scene::Scene* scene_;
   Vector3<long double> gravity_;

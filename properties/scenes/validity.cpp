@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/exact/rational.hpp>
+#include <carom/properties/scenes/polyhedra_validity.hpp>
 #include <carom/properties/scenes/validity.hpp>
 
 namespace carom::properties {
@@ -376,8 +377,11 @@ void Validity::add(const Validity& other) {
   planes += other.planes;
   joints += other.joints;
   largest_jump = std::max(largest_jump, other.largest_jump);
+  unseen = std::max(unseen, other.unseen);
 }
 
-Validity check_validity(const scene::Scene& scene, const History& history) { return Checker(scene, history).check(); }
+Validity check_validity(const scene::Scene& scene, const History& history) {
+  return scene.polyhedra.empty() ? Checker(scene, history).check() : check_polyhedra(scene, history);
+}
 
 }  // namespace carom::properties

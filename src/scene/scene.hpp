@@ -48,6 +48,19 @@ struct Sphere {
   Vector3<double> angular_velocity{0, 0, 0};  // [rad/s]
 };
 
+/// A convex body of uniform density, at the scene's beginning. A point x of its own frame is at position + R x, R the
+/// rotation of `orientation`. World coordinates but for the vertices.
+struct Polyhedron {
+  std::string name;
+  std::vector<Vector3<double>> vertices;       // its corners, in its own frame [m]
+  double density = 1;                          // > 0 [kg/m³]
+  std::size_t material = 0;                    // index into Scene::materials
+  Vector3<double> position{0, 0, 0};           // of the origin of its own frame [m]
+  Quaternion<double> orientation{1, 0, 0, 0};  // own axes to world axes, any nonzero length
+  Vector3<double> velocity{0, 0, 0};           // of the centre of mass [m/s]
+  Vector3<double> angular_velocity{0, 0, 0};   // [rad/s]
+};
+
 /// A fixed half-space: bodies stay on the side that the normal points to.
 struct Plane {
   std::string name;
@@ -71,7 +84,30 @@ struct Scene {
   std::vector<std::string> materials;
   MaterialPairs pairs;
   std::vector<Sphere> spheres;
+  std::vector<Polyhedron> polyhedra;
   std::vector<Plane> planes;
 };
+
+/// Bodies are counted spheres first.
+[[nodiscard]] inline std::size_t body_count(const Scene& scene) {
+  return scene.spheres.size() + scene.polyhedra.size();
+}
+[[nodiscard]] inline bool is_sphere(const Scene& scene, std::size_t body) { return body < scene.spheres.size(); }
+[[nodiscard]] inline const Polyhedron& polyhedron_of(const Scene& scene, std::size_t body) {
+  return scene.polyhedra[body - scene.spheres.size()];
+}
+[[nodiscard]] inline std::size_t material_of(const Scene& scene, std::size_t body) {
+  return is_sphere(scene, body) ? scene.spheres[body].material : polyhedron_of(scene, body).material;
+}
+/// "sphere 3", "polyhedron 0", as they are counted in the scene.
+[[nodiscard]] inline std::string kind_and_number(const Scene& scene, std::size_t body) {
+  return is_sphere(scene, body) ? "sphere " + std::to_string(body)
+                                : "polyhedron " + std::to_string(body - scene.spheres.size());
+}
+/// The same with its name: "sphere 3 (cue)".
+[[nodiscard]] inline std::string description_of(const Scene& scene, std::size_t body) {
+  const std::string& name = is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
+  return kind_and_number(scene, body) + " (" + name + ')';
+}
 
 }  // namespace carom::scene

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <carom/scene/grid_around.hpp>
+#include <carom/scene/least_speed.hpp>
 #include <carom/scene/placing.hpp>
 #include <carom/scene/simulation.hpp>
 
@@ -23,9 +24,6 @@ constexpr unsigned long long crossings_between_looks = 4096;
 
 /// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
-
-/// An elastic rebound is worth following further down: it keeps its energy.
-constexpr double elastic_capture_share = 1e-6;
 
 bool has_friction(Model law) { return law != Model::frictionless && law != Model::reflection; }
 
@@ -57,6 +55,9 @@ std::string_view name_of(EventKind kind) {
 }
 
 Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
+  if (!scene_.polyhedra.empty()) {
+    throw std::logic_error("Simulation: a scene with polyhedra is for Tumbling");
+  }
   const std::size_t count = scene_.spheres.size();
   paths_.resize(count);
   turnings_.resize(count);
@@ -107,6 +108,20 @@ std::size_t Simulation::bytes_per_sphere() const {
   return sizeof(Path) + sizeof(Turning) + sizeof(Index) + sizeof(Planned) + sizeof(CellGrid::Leaving) +
          2 * sizeof(double) + scene_.planes.size() * sizeof(Reach) + grid_.bytes_per_sphere() + sizeof(double) +
          2 * sizeof(Index);
+}
+
+SceneState Simulation::state() const {
+  SceneState state{&scene_, now_, {}, levels_};
+  state.bodies.reserve(size());
+  for (std::size_t sphere = 0; sphere < size(); ++sphere) {
+    BodyState body;
+    body.mass = masses_[sphere];
+    body.principal_inertia = Vector3<double>::Constant(moments_[sphere]);
+    body.arc = arc(sphere);
+    body.angular_velocity = angular_velocity_at(body.arc, now_);
+    state.bodies.push_back(body);
+  }
+  return state;
 }
 
 bool Simulation::is_stale(const Planned& planned) const {
@@ -338,11 +353,6 @@ void Simulation::count_instant(const char* what, Index sphere) {
   }
 }
 
-double Simulation::slow_speed(double radius, double restitution) const {
-  const double height = scene_.capture_height * radius * (restitution < 1 ? 1 : elastic_capture_share);
-  return std::sqrt(2 * scene_.gravity.norm() * height);
-}
-
 StruckSphere Simulation::struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const {
   return {masses_[sphere],
           moments_[sphere],
@@ -353,7 +363,7 @@ StruckSphere Simulation::struck_sphere(Index sphere, const Vector3<double>& posi
 }
 
 void Simulation::begin_change(Change& change, Index sphere) const {
-  change.sphere = sphere;
+  change.body = sphere;
   change.before = arc(sphere);
 }
 
@@ -424,7 +434,8 @@ void Simulation::strike(Index a, Index b) {
   const StruckSphere struck_b = struck_sphere(b, moved_b.path.position, event_.b->before);
   MaterialPair pair = scene_.pairs.of(scene_.spheres[a].material, scene_.spheres[b].material);
   const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
-  const double slow = slow_speed(std::min(struck_a.radius, struck_b.radius), pair.restitution);
+  const double slow =
+      least_speed(scene_, scene_.gravity.norm(), std::min(struck_a.radius, struck_b.radius), pair.restitution);
   event_.was_slow = -normal.dot(struck_a.velocity - struck_b.velocity) < slow;
   if (event_.was_slow) {
     pair.restitution = 1;
@@ -462,7 +473,7 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   const StruckSphere struck_one = struck_sphere(sphere, moved.path.position, event_.a.before);
   MaterialPair pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
   const double approach = -normal.dot(struck_one.velocity) / normal.norm();
-  const double slow = slow_speed(struck_one.radius, pair.restitution);
+  const double slow = least_speed(scene_, scene_.gravity.norm(), struck_one.radius, pair.restitution);
   const std::optional<Level>& level = levels_[plane];
   const bool stays = level && pair.restitution * approach <= slow;
   event_.was_slow = !level && approach < slow;
@@ -472,13 +483,11 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   } else if (event_.was_slow) {
     pair.restitution = 1;
   }
-  BodyVelocity<double> stored{struck_one.velocity, struck_one.angular_velocity};
-  if (approach > 0) {
-    event_.collision = collision_with_plane(struck_one, normal, pair);
-    event_.outcome = struck(scene_.law, scene_.precision, event_.collision);
-    event_.has_impulse = true;
-    stored = event_.outcome.a;
-  }
+  event_.collision = collision_with_plane(struck_one, normal, pair);
+  event_.has_impulse = approach > 0;
+  event_.outcome =
+      event_.has_impulse ? struck(scene_.law, scene_.precision, event_.collision) : unchanged(event_.collision);
+  BodyVelocity<double> stored = event_.outcome.a;
   if (event_.was_slow) {
     ++counts_.slow;
     const double missing = std::max(0.0, slow - normal.dot(stored.velocity) / normal.norm());

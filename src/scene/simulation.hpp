@@ -18,6 +18,7 @@
 #include <carom/scene/level_motion.hpp>
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
+#include <carom/scene/scene_state.hpp>
 
 namespace carom::scene {
 
@@ -27,28 +28,31 @@ class SceneError : public std::runtime_error {
 };
 
 enum class EventKind : std::uint8_t {
-  impact,        // of two spheres
-  plane_impact,  // of a sphere and a plane
+  impact,        // of two bodies
+  plane_impact,  // of a body and a plane
   capture,       // a sphere stays on a level plane
   phase,         // slip, rolling or spin has ended
 };
 
 [[nodiscard]] std::string_view name_of(EventKind kind);
 
-/// A sphere's motion up to an event, and from it on.
+/// A body's motion up to an event, and from it on.
 struct Change {
-  std::uint32_t sphere = 0;
+  std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
   Arc before, after;
+  /// Where the scene has polyhedra: body axes to world axes at the event, and how it turned until then [rad/s].
+  Quaternion<double> orientation{1, 0, 0, 0};
+  Vector3<double> angular_velocity_before{0, 0, 0};
 };
 
 struct Event {
   double time = 0;  // [s]
   EventKind kind = EventKind::impact;
   Change a;
-  std::optional<Change> b;   // of an impact of two spheres
+  std::optional<Change> b;   // of an impact of two bodies
   std::uint32_t plane = 0;   // of the other kinds
   bool has_impulse = false;  // of impacts always; of a capture where the sphere came down
-  Collision collision;       // where there is an impulse: its origin is the contact point
+  Collision collision;       // of every contact: its origin is the contact point
   Outcome<double> outcome;   // where there is an impulse, as the law gave it; `after` has what was stored
   /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `slow_speed`.
   bool was_slow = false;
@@ -57,7 +61,7 @@ struct Event {
 /// What a run has counted.
 struct Counts {
   unsigned long long events = 0;
-  unsigned long long impacts = 0;  // of two spheres
+  unsigned long long impacts = 0;  // of two bodies
   unsigned long long plane_impacts = 0;
   unsigned long long captures = 0;
   unsigned long long phases = 0;
@@ -65,13 +69,14 @@ struct Counts {
   unsigned long long slow = 0;            // impacts that were sent off at the least speed
   unsigned long long moved_clear = 0;     // stored positions that had to be moved by ulps, for a third body
   unsigned long long at_one_instant = 0;  // most impacts at one time
+  unsigned long long advances = 0;        // of conservative advancement
   ExactCounts exact;
 };
 
-/// Runs a scene of spheres, one event at a time, in certified order: whatever the bounds of prediction.hpp leave open
-/// is decided exactly, and of two events at one instant that with the lower spheres is first. An event takes place at a
-/// double that is not after its exact time, by what the bounds leave: so nothing ever overlaps, and what is stored is
-/// rounded so that nothing does (placing.hpp).
+/// Runs a scene of spheres alone, one event at a time, in certified order: whatever the bounds of prediction.hpp leave
+/// open is decided exactly, and of two events at one instant that with the lower spheres is first. An event takes place
+/// at a double that is not after its exact time, by what the bounds leave: so nothing ever overlaps, and what is stored
+/// is rounded so that nothing does (placing.hpp).
 ///
 /// Each sphere keeps its own next event alone, and is looked at again when that is due: an event that no longer holds,
 /// since its partner has been struck, is too early and never too late (B. Lubachevsky 1991).
@@ -97,6 +102,7 @@ class Simulation {
   /// Which plane spheres can rest on, and how.
   [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
   [[nodiscard]] std::size_t bytes_per_sphere() const;
+  [[nodiscard]] SceneState state() const;
 
  private:
   using Index = std::uint32_t;
@@ -132,7 +138,6 @@ class Simulation {
   [[nodiscard]] bool is_clear(Index sphere);
   void move_clear(Index sphere);
   [[nodiscard]] StruckSphere struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const;
-  [[nodiscard]] double slow_speed(double radius, double restitution) const;
   void begin_change(Change& change, Index sphere) const;
 
   Scene scene_;

@@ -232,6 +232,8 @@ std::string describe(const SceneDefect& defect) {
       return text_of("planes[", defect.index, "]", field, ": ", defect.what);
     case Of::sphere:
       return text_of("spheres[", defect.index, "]", field, ": ", defect.what);
+    case Of::polyhedron:
+      return text_of("polyhedra[", defect.index, "]", field, ": ", defect.what);
   }
   return defect.field + ": " + defect.what;
 }

@@ -23,8 +23,8 @@ MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0
 
 /// Kind and whose, without regard to order.
 std::tuple<EventKind, std::string, std::string> who(const Scene& scene, const Event& event) {
-  std::string first = scene.spheres[event.a.sphere].name;
-  std::string second = event.b ? scene.spheres[event.b->sphere].name : "plane " + std::to_string(event.plane);
+  std::string first = scene.spheres[event.a.body].name;
+  std::string second = event.b ? scene.spheres[event.b->body].name : "plane " + std::to_string(event.plane);
   if (event.b && second < first) {
     std::swap(first, second);
   }
@@ -32,8 +32,8 @@ std::tuple<EventKind, std::string, std::string> who(const Scene& scene, const Ev
 }
 
 std::string text_of(const Event& event) {
-  return std::string(name_of(event.kind)) + " " + std::to_string(event.a.sphere) + " " +
-         (event.b ? std::to_string(event.b->sphere) : "on " + std::to_string(event.plane)) + " at " +
+  return std::string(name_of(event.kind)) + " " + std::to_string(event.a.body) + " " +
+         (event.b ? std::to_string(event.b->body) : "on " + std::to_string(event.plane)) + " at " +
          std::to_string(event.time);
 }
 
@@ -144,8 +144,8 @@ TEST(Simulation, PassesTheBlowOnThroughACradle) {
   const std::vector<Event> events = unit::events_of(scene, 100);
   ASSERT_EQ(events.size(), 4U);
   for (std::uint32_t k = 0; k < 4; ++k) {
-    EXPECT_EQ(events[k].a.sphere, k);
-    EXPECT_EQ(events[k].b->sphere, k + 1);
+    EXPECT_EQ(events[k].a.body, k);
+    EXPECT_EQ(events[k].b->body, k + 1);
     EXPECT_NEAR(events[k].time, 1, 128 * roundoff);
     EXPECT_EQ(events[k].a.after.path.velocity, Vector(0, 0, 0));
     EXPECT_EQ(events[k].b->after.path.velocity, Vector(1, 0, 0));
@@ -168,11 +168,11 @@ TEST(Simulation, TakesOfEqualTimesTheLowerSpheresFirst) {
     const std::vector<Event> events = unit::events_of(scene, 100);
     ASSERT_GE(events.size(), 2U);
     const std::size_t low = std::min(order[1], order[2]);
-    EXPECT_EQ(events[0].a.sphere, std::min(low, order[0]));
-    EXPECT_EQ(events[0].b->sphere, std::max(low, order[0]));
+    EXPECT_EQ(events[0].a.body, std::min(low, order[0]));
+    EXPECT_EQ(events[0].b->body, std::max(low, order[0]));
     const std::size_t high = std::max(order[1], order[2]);
-    EXPECT_EQ(events[1].a.sphere, std::min(high, order[0]));
-    EXPECT_EQ(events[1].b->sphere, std::max(high, order[0]));
+    EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
+    EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
     // √(1 − 0.75²) from the centre. Terms of the squared gap up to 14, each known to some 28 u, beside √D = 1.3: twice
     // 3 · 14 · 28 u/1.3.
     EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
@@ -334,7 +334,7 @@ TEST(Simulation, LosesNoEvent) {
       ASSERT_EQ(event->a.sphere, expected.sphere) << "seed " << seed << ", event " << k << ": " << text_of(*event);
       ASSERT_EQ(event->b.has_value(), expected.partner.has_value());
       if (event->b) {
-        ASSERT_EQ(event->b->sphere, *expected.partner);
+        ASSERT_EQ(event->b->body, *expected.partner);
       } else {
         ASSERT_EQ(event->plane, expected.plane);
       }

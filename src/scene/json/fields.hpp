@@ -26,14 +26,24 @@ inline void read(Fields& fields, const char* name, double& into) {
   into = finite_number(fields.required(name), fields.at(name));
 }
 
+template <int size>
+[[nodiscard]] Eigen::Matrix<double, size, 1> finite_vector(const nlohmann::json& array, const std::string& place) {
+  if (!array.is_array() || array.size() != static_cast<std::size_t>(size)) {
+    throw FormatError(place, "expected an array of " + std::to_string(size) + " numbers" + detail::found(array));
+  }
+  Eigen::Matrix<double, size, 1> vector;
+  for (int k = 0; k < size; ++k) {
+    vector[k] = finite_number(array[static_cast<std::size_t>(k)], place + '/' + std::to_string(k));
+  }
+  return vector;
+}
+
 inline void read(Fields& fields, const char* name, Vector3<double>& into) {
-  const nlohmann::json& array = fields.required(name);
-  if (!array.is_array() || array.size() != 3) {
-    throw FormatError(fields.at(name), "expected an array of 3 numbers" + detail::found(array));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    into[axis] = finite_number(array[static_cast<std::size_t>(axis)], fields.at(name) + '/' + std::to_string(axis));
-  }
+  into = finite_vector<3>(fields.required(name), fields.at(name));
+}
+
+inline void read(Fields& fields, const char* name, Quaternion<double>& into) {
+  into = finite_vector<4>(fields.required(name), fields.at(name));
 }
 
 inline void read(Fields& fields, const char* name, std::string& into) {

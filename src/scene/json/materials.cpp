@@ -88,16 +88,16 @@ void MaterialsReader::check_all_listed() const {
   if (!has_contacts_) {
     return;
   }
-  // Two bodies of each material say all: a sphere meets others of its own.
+  // Two bodies of each material say all: a body meets others of its own.
   struct Users {
-    std::vector<std::string> spheres;
+    std::vector<std::string> bodies;
     std::optional<std::string> plane;
   };
   std::vector<Users> users(scene_.materials.size());
-  for (std::size_t i = 0; i < scene_.spheres.size(); ++i) {
-    std::vector<std::string>& spheres = users[scene_.spheres[i].material].spheres;
-    if (spheres.size() < 2) {
-      spheres.push_back("sphere " + std::to_string(i) + " (" + scene_.spheres[i].name + ")");
+  for (std::size_t i = 0; i < body_count(scene_); ++i) {
+    std::vector<std::string>& bodies = users[carom::scene::material_of(scene_, i)].bodies;
+    if (bodies.size() < 2) {
+      bodies.push_back(description_of(scene_, i));
     }
   }
   for (std::size_t i = 0; i < scene_.planes.size(); ++i) {
@@ -114,15 +114,15 @@ void MaterialsReader::check_all_listed() const {
     }
   };
   for (std::size_t a = 0; a < users.size(); ++a) {
-    for (std::size_t b = 0; b < users.size() && !users[a].spheres.empty(); ++b) {
-      if (b > a && !users[b].spheres.empty()) {
-        require(a, b, users[a].spheres[0], users[b].spheres[0]);
+    for (std::size_t b = 0; b < users.size() && !users[a].bodies.empty(); ++b) {
+      if (b > a && !users[b].bodies.empty()) {
+        require(a, b, users[a].bodies[0], users[b].bodies[0]);
       }
-      if (b == a && users[a].spheres.size() > 1) {
-        require(a, a, users[a].spheres[0], users[a].spheres[1]);
+      if (b == a && users[a].bodies.size() > 1) {
+        require(a, a, users[a].bodies[0], users[a].bodies[1]);
       }
       if (users[b].plane) {
-        require(a, b, users[a].spheres[0], *users[b].plane);
+        require(a, b, users[a].bodies[0], *users[b].plane);
       }
     }
   }

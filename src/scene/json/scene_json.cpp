@@ -10,6 +10,7 @@
 #include <carom/scene/json/materials.hpp>
 #include <carom/scene/json/scene_json.hpp>
 #include <carom/scene/lattice.hpp>
+#include <carom/scene/polyhedra/valid_polyhedra.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
@@ -24,18 +25,19 @@ class SceneReader {
   explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}
 
   [[nodiscard]] Scene read() {
-    if (root_.has("polyhedra")) {
-      throw FormatError("/polyhedra", "not supported yet");
-    }
     read_settings();
     materials_.read(root_);
     read_room();
     read_planes();
     read_spheres();
     read_lattices();
+    read_polyhedra();
     root_.reject_others();
     materials_.check_all_listed();
     if (const std::optional<SceneDefect> defect = first_defect(scene_)) {
+      reject(*defect);
+    }
+    if (const std::optional<SceneDefect> defect = first_polyhedron_defect(scene_)) {
       reject(*defect);
     }
     return std::move(scene_);
@@ -138,6 +140,41 @@ class SceneReader {
     }
   }
 
+  void read_polyhedra() {
+    const json& list = read_list(root_, "polyhedra");
+    if (!list.empty() && scene_.spheres.size() + list.size() > most_bodies_with_polyhedra) {
+      throw FormatError("/polyhedra", "expected at most " + std::to_string(most_bodies_with_polyhedra) +
+                                          " bodies in a scene with polyhedra, found " +
+                                          std::to_string(scene_.spheres.size() + list.size()));
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Fields fields(list[i], "/polyhedra/" + std::to_string(i));
+      Polyhedron polyhedron;
+      polyhedron.name = "polyhedron " + std::to_string(i);
+      read_optional(fields, "name", polyhedron.name);
+      read_vertices(fields, polyhedron);
+      carom::scene::read(fields, "density", polyhedron.density);
+      polyhedron.material = materials_.material_of(fields);
+      carom::scene::read(fields, "position", polyhedron.position);
+      read_optional(fields, "orientation", polyhedron.orientation);
+      read_optional(fields, "velocity", polyhedron.velocity);
+      read_optional(fields, "angular_velocity", polyhedron.angular_velocity);
+      fields.reject_others();
+      scene_.polyhedra.push_back(std::move(polyhedron));
+    }
+  }
+
+  static void read_vertices(Fields& fields, Polyhedron& polyhedron) {
+    const json& list = read_list(fields, "vertices");
+    if (list.size() < 4 || list.size() > most_vertices) {
+      throw FormatError(fields.at("vertices"), "expected from 4 to " + std::to_string(most_vertices) +
+                                                   " points, found " + std::to_string(list.size()));
+    }
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      polyhedron.vertices.push_back(finite_vector<3>(list[k], fields.at("vertices") + '/' + std::to_string(k)));
+    }
+  }
+
   void read_substance(Fields& fields, Sphere& sphere) const {
     carom::scene::read(fields, "radius", sphere.radius);
     carom::scene::read(fields, "density", sphere.density);
@@ -202,6 +239,8 @@ class SceneReader {
         return materials_.place_of(defect.index, defect.other);
       case SceneDefect::Of::plane:
         return defect.index < planes_of_room_ ? "/room" : "/planes/" + std::to_string(defect.index - planes_of_room_);
+      case SceneDefect::Of::polyhedron:
+        return "/polyhedra/" + std::to_string(defect.index);
       case SceneDefect::Of::sphere: {
         const auto lattice = std::upper_bound(first_of_lattices_.begin(), first_of_lattices_.end(), defect.index);
         return lattice == first_of_lattices_.begin()
@@ -247,6 +286,26 @@ json contacts_to_json(const Scene& scene) {
   return contacts;
 }
 
+json polyhedra_to_json(const Scene& scene) {
+  json polyhedra = json::array();
+  for (const Polyhedron& polyhedron : scene.polyhedra) {
+    json vertices = json::array();
+    for (const Vector3<double>& vertex : polyhedron.vertices) {
+      vertices.push_back(vector_to_json(vertex));
+    }
+    const Quaternion<double>& q = polyhedron.orientation;
+    polyhedra.push_back({{"name", polyhedron.name},
+                         {"vertices", vertices},
+                         {"density", polyhedron.density},
+                         {"material", scene.materials[polyhedron.material]},
+                         {"position", vector_to_json(polyhedron.position)},
+                         {"orientation", {q[0], q[1], q[2], q[3]}},
+                         {"velocity", vector_to_json(polyhedron.velocity)},
+                         {"angular_velocity", vector_to_json(polyhedron.angular_velocity)}});
+  }
+  return polyhedra;
+}
+
 }  // namespace
 
 Scene scene_from_json(const json& value) { return SceneReader(value).read(); }
@@ -279,6 +338,9 @@ json scene_to_json(const Scene& scene) {
                        {"position", vector_to_json(sphere.position)},
                        {"velocity", vector_to_json(sphere.velocity)},
                        {"angular_velocity", vector_to_json(sphere.angular_velocity)}});
+  }
+  if (!scene.polyhedra.empty()) {
+    result["polyhedra"] = polyhedra_to_json(scene);
   }
   return result;
 }

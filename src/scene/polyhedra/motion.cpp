@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <carom/scene/polyhedra/motion.hpp>
 
 namespace carom::scene {
 
+BoundedRotation rotation_at(const Motion& motion, double time) {
+  const double elapsed = std::min(time - motion.start, motion.rotation.duration());
+  BoundedRotation rotation = motion.rotation.at(elapsed);
+  if (motion.start != 0) {
+    rotation.angle_error += 0x1p-52 * elapsed * motion.rotation.greatest_rate();
+    rotation.rate_error += 0x1p-52 * elapsed * motion.rotation.greatest_rate() * motion.rotation.greatest_rate() *
+                           motion.rotation.greatest_turning();
+  }
+  return rotation;
+}
+
 Placement placement_at(const Motion& motion, double time) {
-  const BoundedRotation rotation = motion.rotation.at(time);
-  const Vector3<double> moved = time * (motion.velocity + time / 2 * motion.acceleration);
-  const double terms = motion.position.norm() + time * (motion.velocity.norm() + time / 2 * motion.acceleration.norm());
-  return {rotation.state.orientation, motion.position + moved, rotation.angle_error, 0x1p-50 * terms};
+  const double elapsed = time - motion.start;
+  const BoundedRotation rotation = rotation_at(motion, time);
+  const Vector3<double> moved = elapsed * (motion.velocity + elapsed / 2 * motion.acceleration);
+  const double terms =
+      motion.position.norm() + elapsed * (motion.velocity.norm() + elapsed / 2 * motion.acceleration.norm());
+  return {rotation.state.orientation, motion.position + moved, rotation.angle_error, 0x1p-49 * terms};
 }
 
 }  // namespace carom::scene

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -29,10 +31,11 @@ struct Moving {
 };
 
 Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
-  const BoundedRotation rotation = motion.rotation.at(time);
+  const BoundedRotation rotation = rotation_at(motion, time);
+  const double elapsed = time - motion.start;
   Moving m;
   m.placement = placement_at(motion, time);
-  m.velocity = motion.velocity + time * motion.acceleration;
+  m.velocity = motion.velocity + elapsed * motion.acceleration;
   m.acceleration = motion.acceleration;
   m.rate = world_rate(rotation.state);
   m.greatest_rate = motion.rotation.greatest_rate();
@@ -40,8 +43,9 @@ Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
   m.radius = shape.core_radius;
   m.bending = m.radius * m.greatest_rate * m.greatest_rate * m.turning;
   // Some 27 roundings of what a speed is the sum of, as of a gap, and the errors of orientation and rate.
-  m.speed_error = 0x1p-47 * (motion.velocity.norm() + time * motion.acceleration.norm() + m.greatest_rate * m.radius) +
-                  (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
+  m.speed_error =
+      0x1p-47 * (motion.velocity.norm() + elapsed * motion.acceleration.norm() + m.greatest_rate * m.radius) +
+      (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
   m.vertices = placed_vertices(shape, m.placement, m.placement.position);
   for (const Vector& vertex : m.vertices) {
     m.velocities.emplace_back(m.rate.cross(vertex));
@@ -49,48 +53,67 @@ Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
   return m;
 }
 
-/// The gap along a direction that stands still. What is certain is `certified`: less than the computed gap by what may
-/// be wrong.
-GapBound along_fixed(const Moving& a, const Moving& b, const Separation& separation) {
-  const Vector& n = separation.normal;
-  const double approach = n.dot(a.velocity - b.velocity);
+/// Times to look for a way out at, each a quarter of the one before.
+constexpr int most_trials = 24;
+
+/// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Heights and speeds of both
+/// bodies' vertices are from B's centre, in axes that turn with n. What may be wrong of a height is taken off later
+/// (from_certified).
+GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
+  const Vector between = a.placement.position - b.placement.position;
+  const Vector velocity = a.velocity - b.velocity;
+  const Vector acceleration = a.acceleration - b.acceleration;
+  const double rate = turning.norm();
+  const double centre_speed = velocity.norm() + acceleration.norm() * limit;
+  const double greatest_speed = centre_speed + a.radius * a.greatest_rate + b.radius * b.greatest_rate;
+  const double greatest_arm = between.norm() + a.radius + b.radius + centre_speed * limit;
+  const double speed_error = a.speed_error + b.speed_error + 0x1p-47 * rate * greatest_arm;
   GapBound bound;
   for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-    bound.a.push_back({n.dot(a.vertices[i]), approach + n.dot(a.velocities[i]) - a.speed_error - b.speed_error});
+    const double speed = n.dot(velocity + a.velocities[i] - turning.cross(between + a.vertices[i]));
+    bound.a.push_back({n.dot(a.vertices[i]), speed - speed_error});
   }
   for (std::size_t i = 0; i < b.vertices.size(); ++i) {
-    bound.b.push_back({n.dot(b.vertices[i]), n.dot(b.velocities[i])});
+    bound.b.push_back({n.dot(b.vertices[i]), n.dot(b.velocities[i] - turning.cross(b.vertices[i]))});
   }
-  const double relative = n.dot(a.acceleration - b.acceleration);
-  bound.curvature = std::max(0.0, a.bending + b.bending - relative) * (1 + 0x1p-40);
+  const double against = rate > 0 ? acceleration.norm() : -n.dot(acceleration);
+  bound.curvature =
+      std::max(0.0, a.bending + b.bending + against + 2 * rate * greatest_speed + rate * rate * greatest_arm) *
+      (1 + 0x1p-40);
   return bound;
 }
 
-/// The gap along a direction that turns with B, where B's points rest; up to a time.
-GapBound along_turning(const Moving& a, const Moving& b, const Separation& separation, double limit) {
-  const Vector& n = separation.normal;
-  const Vector between = a.placement.position - b.placement.position;
-  const Vector velocity = a.velocity - b.velocity;
-  const double acceleration = (a.acceleration - b.acceleration).norm();
-  // In place of the errors of ω_B, and of the arm that it acts on.
-  const double arm = between.norm() + a.radius;
-  const double speed_error =
-      a.speed_error + b.speed_error * (b.radius > 0 ? 1 + arm / b.radius : 1) + 0x1p-47 * b.greatest_rate * arm;
-  GapBound bound;
-  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-    const Vector from_b = between + a.vertices[i];
-    bound.a.push_back({n.dot(a.vertices[i]), n.dot(velocity + a.velocities[i] - b.rate.cross(from_b)) - speed_error});
+/// The two vertices that are foremost by more than 2⁻²⁶ of the radius, if they are two: the ends of an edge that a
+/// direction is across. `sign` 1: lowest along n, −1: highest.
+std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double sign) {
+  double foremost = sign * n.dot(body.vertices.front());
+  for (const Vector& vertex : body.vertices) {
+    foremost = std::min(foremost, sign * n.dot(vertex));
   }
-  for (const Vector& vertex : b.vertices) {
-    bound.b.push_back({n.dot(vertex), 0});
+  std::vector<const Vector*> ends;
+  for (const Vector& vertex : body.vertices) {
+    if (sign * n.dot(vertex) <= foremost + 0x1p-26 * body.radius) {
+      ends.push_back(&vertex);
+    }
   }
-  const double centre_speed = velocity.norm() + acceleration * limit;
-  const double greatest_speed = centre_speed + a.radius * a.greatest_rate;
-  const double greatest_arm = arm + centre_speed * limit;
-  bound.curvature = (a.bending + acceleration + 2 * b.greatest_rate * greatest_speed +
-                     b.greatest_rate * b.greatest_rate * b.turning * greatest_arm) *
-                    (1 + 0x1p-40);
-  return bound;
+  return ends.size() == 2 ? std::optional<Vector>(*ends[1] - *ends[0]) : std::nullopt;
+}
+
+/// How n turns that stays across an edge of each body: n·e = 0 gives n'·e = −n·(ω × e), and n'·n = 0; Ω = n × n'.
+std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const Vector& n) {
+  const std::optional<Vector> of_a = foremost_edge(a, n, 1);
+  const std::optional<Vector> of_b = foremost_edge(b, n, -1);
+  if (!of_a || !of_b) {
+    return std::nullopt;
+  }
+  Matrix3<double> across;
+  across << of_a->transpose(), of_b->transpose(), n.transpose();
+  // Of edges that are nearly parallel no direction is across both for long.
+  if (std::abs(across.determinant()) < 0x1p-10 * of_a->norm() * of_b->norm()) {
+    return std::nullopt;
+  }
+  const Vector change(-n.dot(a.rate.cross(*of_a)), -n.dot(b.rate.cross(*of_b)), 0);
+  return n.cross(across.inverse() * change);
 }
 
 /// Sets what is lost so that the bound begins with what is certified of the gap.
@@ -111,15 +134,16 @@ GapBound from_certified(GapBound bound, double certified) {
 /// Conservative advancement. `separation_at(time)` certifies, `open_for(time, separation, least, limit)` says how long
 /// a gap is certain to stay above `least`, and `opens(time, separation)` whether the shapes draw apart.
 template <class SeparationAt, class OpenFor, class Opens>
-TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double horizon,
-                      double tolerance) {
+TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double begin,
+                      double horizon, double tolerance) {
   TimeOfContact result;
+  result.time = begin;
   constexpr int most_advances = 10000;
   for (result.advances = 1; result.advances <= most_advances; ++result.advances) {
     const Separation separation = separation_at(result.time);
     if (!(separation.certified > 0)) {
       // The step before this one left the gap open; what errors have grown by since closes it.
-      result.approach = result.time == 0 ? Approach::overlaps : Approach::undecided;
+      result.approach = result.time == begin ? Approach::overlaps : Approach::undecided;
       result.separation = separation;
       return result;
     }
@@ -137,7 +161,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     }
     // Rounded down, so that the sum is not beyond the step either.
     const double step = open_for(result.time, separation, least, limit);
-    const double next = step >= limit ? horizon : std::nextafter(result.time + step, 0.0);
+    const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
       result.approach = Approach::undecided;
       return result;
@@ -148,47 +172,76 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   return result;
 }
 
-Separation reversed(Separation separation) {
-  separation.normal = -separation.normal;
-  return separation;
-}
-
 }  // namespace
 
-TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double horizon,
+TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin, double horizon,
                               double tolerance) {
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
+  std::optional<Vector> way_out;  // how a direction turns that the shapes draw apart along
+  // Directions that stand still, or turn with what may touch: a body's face, or an edge of each.
+  const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
+    use(Vector::Zero());
+    if (at_b.greatest_rate > 0 && at_b.radius > 0) {
+      use(at_b.rate);
+    }
+    if (at_a.greatest_rate > 0 && at_a.radius > 0) {
+      use(at_a.rate);
+    }
+    if (const std::optional<Vector> turning = turning_with_edges(at_a, at_b, n)) {
+      use(*turning);
+    }
+    if (way_out) {
+      use(*way_out);
+    }
+  };
   const auto open_for = [&](double time, const Separation& separation, double least, double limit) {
     const Moving at_a = moving(pair.a(), a, time);
     const Moving at_b = moving(pair.b(), b, time);
-    double step = time_open(from_certified(along_fixed(at_a, at_b, separation), separation.certified), least, limit);
-    // A direction that turns is of use for as long as it does not turn far.
-    const double rates = at_a.greatest_rate + at_b.greatest_rate;
-    const double short_limit = rates * limit > 0.5 ? 0.5 / rates : limit;
-    if (step < short_limit && at_b.greatest_rate > 0 && at_b.radius > 0) {
-      const GapBound bound = along_turning(at_a, at_b, separation, short_limit);
-      step = std::max(step, time_open(from_certified(bound, separation.certified), least, short_limit));
-    }
-    if (step < short_limit && at_a.greatest_rate > 0 && at_a.radius > 0) {
-      const GapBound bound = along_turning(at_b, at_a, reversed(separation), short_limit);
-      step = std::max(step, time_open(from_certified(bound, separation.certified), least, short_limit));
-    }
-    return step;
+    double longest = 0;
+    for_each_turning(at_a, at_b, separation.normal, [&](const Vector& turning) {
+      // One that turns is of use for as long as it does not turn far.
+      const double rate = turning.norm();
+      const double own_limit = rate * limit > 0.5 ? 0.5 / rate : limit;
+      if (longest < own_limit) {
+        const GapBound bound = along(at_a, at_b, separation.normal, turning, own_limit);
+        longest = std::max(longest, time_open(from_certified(bound, separation.certified), least, own_limit));
+      }
+    });
+    way_out.reset();
+    return longest;
   };
   const auto opens = [&](double time, const Separation& separation) {
-    return opening_speed(along_fixed(moving(pair.a(), a, time), moving(pair.b(), b, time), separation), tolerance) > 0;
+    const Moving at_a = moving(pair.a(), a, time);
+    const Moving at_b = moving(pair.b(), b, time);
+    const auto opens_along = [&](const Vector& turning) {
+      return opening_speed(along(at_a, at_b, separation.normal, turning, 0), tolerance) > 0;
+    };
+    bool does = false;
+    for_each_turning(at_a, at_b, separation.normal,
+                     [&](const Vector& turning) { does = does || opens_along(turning); });
+    // Faces and edges that touch in a part of themselves may need any direction: that in which they are apart soon.
+    double later = horizon - time;
+    for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
+      const Vector across = separation.normal.cross(separation_at(time + later).normal);
+      const double sine = across.norm();
+      if (sine > 0 && sine < 0.5) {
+        way_out = across * (std::asin(sine) / (sine * later));
+        does = opens_along(*way_out);
+      }
+    }
+    return does;
   };
-  return advance(separation_at, open_for, opens, horizon, tolerance);
+  return advance(separation_at, open_for, opens, begin, horizon, tolerance);
 }
 
-TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b, double horizon,
-                              double tolerance) {
+TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b, double begin,
+                              double horizon, double tolerance) {
   Moving ground{};
   ground.vertices = {Vector::Zero()};
   ground.velocities = {Vector::Zero()};
   ground.velocity = ground.acceleration = ground.rate = Vector::Zero();
   const auto bound_at = [&](double time, const Separation& separation) {
-    return along_fixed(moving(a, motion, time), ground, separation);
+    return along(moving(a, motion, time), ground, separation.normal, Vector::Zero(), horizon - time);
   };
   return advance([&](double time) { return separation(a, placement_at(motion, time), b); },
                  [&](double time, const Separation& separation, double least, double limit) {
@@ -197,7 +250,7 @@ TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const 
                  [&](double time, const Separation& separation) {
                    return opening_speed(bound_at(time, separation), tolerance) > 0;
                  },
-                 horizon, tolerance);
+                 begin, horizon, tolerance);
 }
 
 }  // namespace carom::scene

@@ -9,7 +9,7 @@ namespace carom::scene {
 enum class Approach {
   touches,    // within the tolerance at the time given, and not before
   misses,     // certain to stay apart up to the horizon
-  overlaps,   // not certain to be apart at time 0
+  overlaps,   // not certain to be apart when it begins
   undecided,  // certain to be apart up to the time given; the tolerance is finer than the numbers can tell, or it takes
               // too long
 };
@@ -21,9 +21,9 @@ struct TimeOfContact {
   int advances = 0;       // how many separations it took
 };
 
-/// The first time in [0, horizon] at which two moving shapes are within the tolerance [m] of each other and do not draw
-/// apart. Up to that time, and at it, they are certain not to touch, whatever is rounded: the motion is the exact one
-/// from the numbers given, and its errors are taken off every gap.
+/// The first time in [begin, horizon] at which two moving shapes are within the tolerance [m] of each other and do not
+/// draw apart. Up to that time, and at it, they are certain not to touch, whatever is rounded: the motion is the exact
+/// one from the numbers given, and its errors are taken off every gap.
 ///
 /// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996): from a
 /// certified separation along n, time goes on as far as the gap along n is certain to stay open; then a new n is found.
@@ -34,19 +34,20 @@ struct TimeOfContact {
 ///     C = r ω² (1 + a/√3),
 ///
 /// with r the greatest distance of a vertex from its centre, ω the greatest rate of the whole motion and a ω²/√3 ≥ ‖ω'‖
-/// (RotationPath). The same is tried for an n that turns with A or with B, so that a face of the turning body stays a
-/// face: there the second derivative of n·(x − p_B), in B's axes, has the terms of a turning frame, and is at most C_A
-/// + ‖a_A − a_B‖ + 2 ω_B ‖ẋ − ṗ_B‖ + ω_B² (1 + a_B/√3) ‖x − p_B‖. The longest step is taken.
+/// (RotationPath). The same is tried for an n that turns at a constant rate Ω: that of A or of B, so that a face of the
+/// turning body stays a face, or the one that keeps n across an edge of each. In axes that turn with n the velocity of
+/// a point x from B's centre is ẋ − Ω × x, and the second derivative has C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ + ‖Ω‖²
+/// ‖x‖ in place of what stands above. The longest step is taken; the shapes draw apart where one of these n says so.
 ///
-/// A gap within the tolerance at time 0, as after an impact, is no contact as long as the shapes draw apart; it becomes
-/// one where they do no longer. Preconditions: 0 ≤ horizon ≤ duration of both rotations; the tolerance is positive, and
-/// is met in full only where it is above about 2⁻⁴⁴ of sizes and distance and of the errors of placements: below, the
-/// answer is `undecided`.
-[[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double horizon,
-                                            double tolerance);
+/// A gap within the tolerance at the beginning, as after an impact, is no contact as long as the shapes draw apart; it
+/// becomes one where they do no longer. Preconditions: both motions start by `begin` and end no sooner than the
+/// horizon; the tolerance is positive, and is met in full only where it is above about 2⁻⁴⁴ of sizes and distance and
+/// of the errors of placements: below, the answer is `undecided`.
+[[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin,
+                                            double horizon, double tolerance);
 
 /// The same against a half-space, which does not move.
 [[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b,
-                                            double horizon, double tolerance);
+                                            double begin, double horizon, double tolerance);
 
 }  // namespace carom::scene

@@ -78,7 +78,7 @@ Written run_one(const scene::Scene& scene, const SceneArguments& arguments, cons
   options.check = arguments.check;
   options.most_events = arguments.events;
   options.stop = stop;
-  const bool replays = out && has_replay() && scene.spheres.size() <= 2000;
+  const bool replays = out && has_replay() && body_count(scene) <= 2000;
   options.most_replayed = replays ? options.most_replayed : 0;
   const auto progress = progress_line("ms of " + scene.title);
   if (progress) {
@@ -90,9 +90,9 @@ Written run_one(const scene::Scene& scene, const SceneArguments& arguments, cons
   if (out) {
     make_directories(*out);
     events.emplace(*out / "events.csv");
-    events->write(events_csv_header());
-    options.on_event = [&events, number = std::uint64_t{0}](const scene::Event& event) mutable {
-      events->write(events_csv_line(++number, event));
+    events->write(events_csv_header(scene));
+    options.on_event = [&events, &scene, number = std::uint64_t{0}](const scene::Event& event) mutable {
+      events->write(events_csv_line(scene, ++number, event));
     };
   }
   const auto run = [&] {

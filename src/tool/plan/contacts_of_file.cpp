@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/polyhedra/scene_loop.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
@@ -17,11 +17,16 @@ namespace {
 using properties::plan::ClassedCollision;
 
 std::string class_of(const scene::Scene& scene, const scene::Event& event) {
-  const auto material = [&](std::size_t sphere) { return scene.materials[scene.spheres[sphere].material]; };
+  const auto material = [&](std::size_t body) { return scene.materials[material_of(scene, body)]; };
+  const bool is_of_sphere = is_sphere(scene, event.a.body);
   if (event.b) {
-    return fmt::format("spheres: {} and {}", material(event.a.sphere), material(event.b->sphere));
+    const bool is_with_sphere = is_sphere(scene, event.b->body);
+    const char* const kinds = is_of_sphere && is_with_sphere     ? "spheres"
+                              : !is_of_sphere && !is_with_sphere ? "polyhedra"
+                                                                 : "sphere and polyhedron";
+    return fmt::format("{}: {} and {}", kinds, material(event.a.body), material(event.b->body));
   }
-  return fmt::format("sphere and plane: {} and {}", material(event.a.sphere),
+  return fmt::format("{} and plane: {} and {}", is_of_sphere ? "sphere" : "polyhedron", material(event.a.body),
                      scene.materials[scene.planes[event.plane].material]);
 }
 
@@ -51,7 +56,7 @@ class Sampled {
 RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string& file) {
   Sampled contacts;
   try {
-    scene::Simulation simulation(scene);
+    scene::SceneLoop simulation(scene);
     while (const scene::Event* event = simulation.advance()) {
       if (event->has_impulse) {
         contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});

@@ -76,7 +76,7 @@ void add_order(pugi::xml_node main, const SceneRun& run) {
   const pugi::xml_node section = add_section(main, "order", "Events and their order");
   const scene::Counts& counts = run.simulation().counts();
   std::vector<Fact> facts{{"events", std::to_string(counts.events)},
-                          {"impacts of spheres", std::to_string(counts.impacts)},
+                          {"impacts of bodies", std::to_string(counts.impacts)},
                           {"impacts with planes", std::to_string(counts.plane_impacts)},
                           {"captures by level planes", std::to_string(counts.captures)},
                           {"changes of phase", std::to_string(counts.phases)},
@@ -86,12 +86,14 @@ void add_order(pugi::xml_node main, const SceneRun& run) {
                           {"ties", std::to_string(counts.exact.ties)},
                           {"contacts decided exactly", std::to_string(counts.exact.predictions)},
                           {"gaps decided exactly", std::to_string(counts.exact.gaps)},
+                          {"gaps asked for by conservative advancement", std::to_string(counts.advances)},
                           {"places moved clear", std::to_string(counts.moved_clear)}};
   if (const auto& validity = run.validity()) {
     facts.emplace_back("invalid states", std::to_string(validity->count));
     facts.emplace_back("pairs of paths checked",
                        fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
     facts.emplace_back("largest jump of a stored place", fmt::format("{:.2g} m", validity->largest_jump));
+    facts.emplace_back("deepest overlap that would not have been seen", fmt::format("{:.2g} m", validity->unseen));
   } else {
     facts.emplace_back("invalid states", "not checked");
   }
@@ -112,11 +114,12 @@ std::string scene_html(const SceneRun& run, bool has_replay_beside) {
   add(summary, "p", {{"class", run.holds() ? "result exit-0" : "result exit-1"}}, scene_verdict(run));
   add_facts(summary, {{"law", std::string(name_of(run.scene().law))},
                       {"precision of impulses", std::string(name_of(run.scene().precision))},
-                      {"spheres", std::to_string(run.simulation().size())},
+                      {"spheres", std::to_string(run.scene().spheres.size())},
+                      {"polyhedra", std::to_string(run.scene().polyhedra.size())},
                       {"planes", std::to_string(run.scene().planes.size())},
                       {"simulated", fmt::format("{:g} s of {:g} s", run.simulation().time(), run.scene().duration)},
                       {"ended early", run.ended_early()},
-                      {"spheres whose spin changed", std::to_string(run.spins_changed())}});
+                      {"bodies whose spin changed", std::to_string(run.spins_changed())}});
   const pugi::xml_node links = add(summary, "p");
   for (const char* file :
        {"replay.html", "energy.svg", "momentum.svg", "spin.svg", "events.csv", "series.csv", "scene.json"}) {

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene_records.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/scene/polyhedra/free_rotation.hpp>
+#include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::tool {
 namespace {
@@ -23,6 +30,9 @@ json energies_json(const properties::Energies& energies) {
           {"potential", static_cast<double>(energies.potential)}};
 }
 
+/// How often a body that tumbles is shown where it is, rather than turning at a constant rate.
+constexpr double longest_replayed_arc = 1.0 / 60;  // [s]
+
 json arc_json(const scene::Arc& arc) {
   json row = json::array();
   row.push_back(arc.path.start);
@@ -35,6 +45,85 @@ json arc_json(const scene::Arc& arc) {
   const bool spins = arc.turning.phase == scene::Phase::resting && !arc.turning.angular_velocity.isZero(0);
   row.push_back(spins ? "spinning" : std::string(name_of(arc.turning.phase)));
   return row;
+}
+
+/// A polyhedron's arc in pieces, each with its orientation: within them its angular velocity is taken as linear.
+void add_tumbling_arcs(json& arcs, const scene::Arc& arc, const Quaternion<double>& orientation,
+                       const Vector3<double>& principal_inertia, double end) {
+  const double span = std::max(0.0, end - arc.path.start);
+  const auto pieces = static_cast<std::size_t>(std::ceil(span / longest_replayed_arc)) + 1;
+  const scene::RotationPath rotation(principal_inertia,
+                                     scene::rotation_state(orientation, arc.turning.angular_velocity), span);
+  for (std::size_t k = 0; k + 1 < pieces || k == 0; ++k) {
+    const double elapsed = span * static_cast<double>(k) / static_cast<double>(pieces - 1 + (pieces == 1 ? 1 : 0));
+    const double next = std::min(span, elapsed + longest_replayed_arc);
+    const scene::RotationState turned = rotation.at(elapsed).state;
+    scene::Arc piece = arc;
+    piece.path.start = arc.path.start + elapsed;
+    piece.path.position = position_at(arc.path, piece.path.start);
+    piece.path.velocity = velocity_at(arc.path, piece.path.start);
+    piece.turning.angular_velocity = scene::world_rate(turned);
+    if (next > elapsed) {
+      piece.turning.angular_acceleration =
+          (scene::world_rate(rotation.at(next).state) - piece.turning.angular_velocity) / (next - elapsed);
+    }
+    json row = arc_json(piece);
+    for (int i = 0; i < 4; ++i) {
+      row.push_back(turned.orientation[i]);
+    }
+    arcs.push_back(std::move(row));
+  }
+}
+
+/// The arcs of each body, in order.
+json replayed_arcs(const SceneRun& run) {
+  const scene::Scene& scene = run.scene();
+  std::vector<scene::BodyState> present = run.first().bodies;
+  json arcs = json::array();
+  for (std::size_t body = 0; body < present.size(); ++body) {
+    arcs.push_back(json::array());
+  }
+  const auto add = [&](std::size_t body, double end) {
+    const scene::BodyState& state = present[body];
+    if (is_sphere(scene, body)) {
+      arcs[body].push_back(arc_json(state.arc));
+    } else {
+      add_tumbling_arcs(arcs[body], state.arc, state.orientation_at_start, state.principal_inertia, end);
+    }
+  };
+  const auto go_on = [&](const scene::Change& change, double time) {
+    add(change.body, time);
+    present[change.body].arc = change.after;
+    present[change.body].orientation_at_start = change.orientation;
+  };
+  for (const Event& event : *run.replayed()) {
+    go_on(event.a, event.time);
+    if (event.b) {
+      go_on(*event.b, event.time);
+    }
+  }
+  for (std::size_t body = 0; body < present.size(); ++body) {
+    add(body, run.simulation().time());
+  }
+  return arcs;
+}
+
+json replayed_bodies(const scene::Scene& scene) {
+  json bodies = json::array();
+  for (const scene::Sphere& sphere : scene.spheres) {
+    bodies.push_back({{"name", sphere.name}, {"kind", "sphere"}, {"radius", sphere.radius}});
+  }
+  for (const scene::Polyhedron& polyhedron : scene.polyhedra) {
+    const auto body = rigid_body(polyhedron);
+    const scene::ConvexPolyhedron& core = std::get<scene::RigidBody>(body).shape.core;
+    json vertices = json::array();
+    for (const Vector3<double>& vertex : core.vertices) {
+      vertices.push_back(vector_to_json(vertex));
+    }
+    bodies.push_back(
+        {{"name", polyhedron.name}, {"kind", "polyhedron"}, {"vertices", vertices}, {"faces", core.faces}});
+  }
+  return bodies;
 }
 
 std::string count_text(unsigned long long count, const char* one, const char* many) {
@@ -53,7 +142,8 @@ json scene_record(const SceneRun& run) {
   record["duration"] = run.scene().duration;
   record["simulated"] = run.simulation().time();
   record["ended_early"] = run.ended_early().empty() ? json(nullptr) : json(run.ended_early());
-  record["spheres"] = run.simulation().size();
+  record["spheres"] = run.scene().spheres.size();
+  record["polyhedra"] = run.scene().polyhedra.size();
   record["planes"] = run.scene().planes.size();
   record["holds"] = run.holds();
   record["events"] = {{"all", counts.events},
@@ -67,19 +157,24 @@ json scene_record(const SceneRun& run) {
                      {"ties", counts.exact.ties},
                      {"contacts_decided_exactly", counts.exact.predictions},
                      {"gaps_decided_exactly", counts.exact.gaps},
-                     {"moved_clear", counts.moved_clear}};
+                     {"moved_clear", counts.moved_clear},
+                     {"gaps_asked_for", counts.advances}};
   record["spins_changed"] = run.spins_changed();
   if (run.validity()) {
     json invalid = json::array();
     for (const properties::Invalidity& one : run.validity()->invalid) {
-      invalid.push_back(
-          {{"sphere", one.sphere}, {"other", one.other}, {"begin", one.begin}, {"end", one.end}, {"what", one.what}});
+      invalid.push_back({{"body", kind_and_number(run.scene(), one.body)},
+                         {"other", one.other},
+                         {"begin", one.begin},
+                         {"end", one.end},
+                         {"what", one.what}});
     }
     record["validity"] = {{"invalid", run.validity()->count},
                           {"pairs", run.validity()->pairs},
                           {"exact_pairs", run.validity()->exact_pairs},
                           {"planes", run.validity()->planes},
                           {"largest_jump", run.validity()->largest_jump},
+                          {"unseen", run.validity()->unseen},
                           {"first", invalid}};
   } else {
     record["validity"] = nullptr;
@@ -140,30 +235,41 @@ std::string scene_verdict(const SceneRun& run) {
 std::string scene_text(const SceneRun& run) {
   const scene::Counts& counts = run.simulation().counts();
   const properties::Ledger& ledger = run.ledger();
-  std::string text = fmt::format("{}: {}, {}, law {} in {}, {:g} s of {:g} s\n",
-                                 run.scene().title.empty() ? "scene" : run.scene().title,
-                                 count_text(run.simulation().size(), "sphere", "spheres"),
+  const std::string polyhedra =
+      run.scene().polyhedra.empty() ? "" : count_text(run.scene().polyhedra.size(), "polyhedron", "polyhedra") + ", ";
+  std::string text = fmt::format("{}: {}{}, {}, law {} in {}, {:g} s of {:g} s\n",
+                                 run.scene().title.empty() ? "scene" : run.scene().title, polyhedra,
+                                 count_text(run.scene().spheres.size(), "sphere", "spheres"),
                                  count_text(run.scene().planes.size(), "plane", "planes"), name_of(run.scene().law),
                                  name_of(run.scene().precision), run.simulation().time(), run.scene().duration);
   if (!run.ended_early().empty()) {
     text += fmt::format("  ended early: {}\n", run.ended_early());
   }
-  text += fmt::format("events    {}: {} of spheres, {} with planes, {} captures, {} changes of phase\n", counts.events,
+  text += fmt::format("events    {}: {} of bodies, {} with planes, {} captures, {} changes of phase\n", counts.events,
                       count_text(counts.impacts, "impact", "impacts"), counts.plane_impacts, counts.captures,
                       counts.phases);
   text += fmt::format("          {} slow contacts; at most {} at one instant; {:.3g} s of wall time\n", counts.slow,
                       counts.at_one_instant, run.seconds());
-  text += fmt::format(
-      "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved "
-      "clear\n",
-      counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
+  if (!run.scene().polyhedra.empty()) {
+    text += fmt::format(
+        "order     by times of contact; until then bodies are certain to be apart; {} gaps were asked for\n",
+        counts.advances);
+  } else {
+    text += fmt::format(
+        "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved "
+        "clear\n",
+        counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
+  }
   if (const auto& validity = run.validity()) {
     text +=
         fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
                     validity->count, validity->pairs, validity->exact_pairs);
+    if (!run.scene().polyhedra.empty()) {
+      text += fmt::format("          an overlap of {:.2g} m would not have been seen\n", validity->unseen);
+    }
     for (const properties::Invalidity& one : validity->invalid) {
-      text += fmt::format("          sphere {} and {}, from {} s to {} s: {}\n", one.sphere, one.other, one.begin,
-                          one.end, one.what);
+      text += fmt::format("          {} and {}, from {} s to {} s: {}\n", kind_and_number(run.scene(), one.body),
+                          one.other, one.begin, one.end, one.what);
     }
   } else {
     text += "validity  not checked\n";
@@ -177,7 +283,7 @@ std::string scene_text(const SceneRun& run) {
   if (const auto& bad = run.judge().first_bad()) {
     text += fmt::format("          first at t = {} s: {}\n", bad->time, bad->invariant);
   }
-  text += fmt::format("spin      changed of {} of {} spheres\n", run.spins_changed(), run.simulation().size());
+  text += fmt::format("spin      changed of {} of {} bodies\n", run.spins_changed(), run.simulation().size());
   const properties::Energies final = ledger.present();
   text += fmt::format("energy    {:.9g} J at first, {:.9g} J at last\n", static_cast<double>(ledger.initial().total()),
                       static_cast<double>(final.total()));
@@ -196,13 +302,8 @@ json replay_record(const SceneRun& run) {
   record["law"] = name_of(scene.law);
   record["duration"] = run.simulation().time();
   record["gravity"] = vector_to_json(scene.gravity);
-  record["bodies"] = json::array();
-  record["arcs"] = json::array();
-  for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
-    record["bodies"].push_back(
-        {{"name", scene.spheres[sphere].name}, {"kind", "sphere"}, {"radius", scene.spheres[sphere].radius}});
-    record["arcs"].push_back(json::array({arc_json(run.first_arcs()[sphere])}));
-  }
+  record["bodies"] = replayed_bodies(scene);
+  record["arcs"] = replayed_arcs(run);
   record["planes"] = json::array();
   for (const scene::Plane& plane : scene.planes) {
     record["planes"].push_back(
@@ -211,17 +312,13 @@ json replay_record(const SceneRun& run) {
   record["room"] = nullptr;
   record["impacts"] = json::array();
   for (const Event& event : *run.replayed()) {
-    record["arcs"][event.a.sphere].push_back(arc_json(event.a.after));
-    if (event.b) {
-      record["arcs"][event.b->sphere].push_back(arc_json(event.b->after));
-    }
     if (event.has_impulse) {
       const Vector3<double> impulse =
-          run.simulation().mass(event.a.sphere) * (event.outcome.a.velocity - event.collision.a.velocity);
+          run.first().bodies[event.a.body].mass * (event.outcome.a.velocity - event.collision.a.velocity);
       const Vector3<double> point = event.a.after.path.position - event.collision.a.position;
-      const auto other = event.b ? static_cast<long long>(event.b->sphere) : -1 - static_cast<long long>(event.plane);
+      const auto other = event.b ? static_cast<long long>(event.b->body) : -1 - static_cast<long long>(event.plane);
       record["impacts"].push_back(
-          {event.time, event.a.sphere, other, point[0], point[1], point[2], impulse[0], impulse[1], impulse[2]});
+          {event.time, event.a.body, other, point[0], point[1], point[2], impulse[0], impulse[1], impulse[2]});
     }
   }
   json series{{"t", json::array()},
@@ -240,7 +337,7 @@ json replay_record(const SceneRun& run) {
   return record;
 }
 
-std::string events_csv_header() {
+std::string events_csv_header(const scene::Scene& scene) {
   std::string header = "event,time,kind,a,b,plane,restitution,slow";
   for (const char* body : {"a", "b"}) {
     header += fmt::format(",{}_phase", body);
@@ -250,10 +347,17 @@ std::string events_csv_header() {
       }
     }
   }
+  if (!scene.polyhedra.empty()) {
+    for (const char* body : {"a", "b"}) {
+      for (const char part : {'w', 'x', 'y', 'z'}) {
+        header += fmt::format(",{}_orientation_{}", body, part);
+      }
+    }
+  }
   return header + '\n';
 }
 
-std::string events_csv_line(std::uint64_t number, const Event& event) {
+std::string events_csv_line(const scene::Scene& scene, std::uint64_t number, const Event& event) {
   const auto body = [](const scene::Arc& arc) {
     std::string text = fmt::format(",{}", name_of(arc.turning.phase));
     for (const Vector3<double>* vector : {&arc.path.position, &arc.path.velocity, &arc.path.acceleration,
@@ -262,11 +366,17 @@ std::string events_csv_line(std::uint64_t number, const Event& event) {
     }
     return text;
   };
-  std::string line = fmt::format("{},{},{},{},", number, event.time, name_of(event.kind), event.a.sphere);
-  line += event.b ? fmt::format("{},,", event.b->sphere) : fmt::format(",{},", event.plane);
+  std::string line = fmt::format("{},{},{},{},", number, event.time, name_of(event.kind), event.a.body);
+  line += event.b ? fmt::format("{},,", event.b->body) : fmt::format(",{},", event.plane);
   line += event.has_impulse ? fmt::format("{},{}", event.collision.restitution, event.was_slow ? 1 : 0) : ",0";
   line += body(event.a.after);
   line += event.b ? body(event.b->after) : std::string(16, ',');
+  if (!scene.polyhedra.empty()) {
+    const auto orientation = [](const Quaternion<double>& q) {
+      return fmt::format(",{},{},{},{}", q[0], q[1], q[2], q[3]);
+    };
+    line += orientation(event.a.orientation) + (event.b ? orientation(event.b->orientation) : ",,,,");
+  }
   return line + '\n';
 }
 

@@ -22,9 +22,10 @@ namespace carom::tool {
 [[nodiscard]] nlohmann::json replay_record(const SceneRun& run);
 
 /// The first line of events.csv, and the line of an event: its number, kind, bodies, and what each body was left with,
-/// every number so that reading it gives the same bits.
-[[nodiscard]] std::string events_csv_header();
-[[nodiscard]] std::string events_csv_line(std::uint64_t number, const scene::Event& event);
+/// every number so that reading it gives the same bits. Orientations at the event stand last, where the scene has
+/// polyhedra.
+[[nodiscard]] std::string events_csv_header(const scene::Scene& scene);
+[[nodiscard]] std::string events_csv_line(const scene::Scene& scene, std::uint64_t number, const scene::Event& event);
 
 /// series.csv: the samples.
 [[nodiscard]] std::string series_csv(const SceneRun& run);

@@ -24,9 +24,10 @@ oracles::Yardstick yardstick_of(Precision precision) {
   return yardstick;
 }
 
-bool turns(const scene::Change& change) {
-  return change.before.turning.angular_velocity != change.after.turning.angular_velocity ||
-         !change.before.turning.angular_acceleration.isZero(0);
+bool turns(const scene::Change& change, bool is_polyhedron) {
+  const Vector3<double>& before =
+      is_polyhedron ? change.angular_velocity_before : change.before.turning.angular_velocity;
+  return before != change.after.turning.angular_velocity || !change.before.turning.angular_acceleration.isZero(0);
 }
 
 }  // namespace
@@ -34,16 +35,14 @@ bool turns(const scene::Change& change) {
 SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
     : options_(options),
       simulation_(scene),
-      ledger_(simulation_),
+      first_(simulation_.state()),
+      ledger_(first_),
       judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
-      series_(simulation_, sample_count),
+      series_(first_, sample_count),
       has_turned_(simulation_.size(), false) {
   simulation_.stop_on(options.stop);
-  for (std::size_t sphere = 0; sphere < simulation_.size(); ++sphere) {
-    first_.push_back(simulation_.arc(sphere));
-  }
   if (options.check) {
-    history_.emplace(simulation_);
+    history_.emplace(first_);
     validity_.emplace();
   }
   if (options.most_replayed > 0) {
@@ -55,17 +54,21 @@ void SceneRun::check() {
   if (history_) {
     history_->end_at(simulation_.time());
     validity_->add(properties::check_validity(scene(), *history_));
-    history_.emplace(simulation_);
+    history_.emplace(simulation_.state());
   }
+}
+
+void SceneRun::note_turning(const scene::Change& change) {
+  has_turned_[change.body] = has_turned_[change.body] || turns(change, !is_sphere(scene(), change.body));
 }
 
 void SceneRun::record(const scene::Event& event) {
   series_.record(event);
   ledger_.record(event);
   judge_.record(event);
-  has_turned_[event.a.sphere] = has_turned_[event.a.sphere] || turns(event.a);
+  note_turning(event.a);
   if (event.b) {
-    has_turned_[event.b->sphere] = has_turned_[event.b->sphere] || turns(*event.b);
+    note_turning(*event.b);
   }
   if (history_) {
     history_->record(event);
@@ -108,7 +111,7 @@ void SceneRun::run() {
     ended_early_ = error.what();
     has_failed_ = true;
   }
-  ledger_.close(simulation_);
+  ledger_.close(simulation_.state());
   series_.close(simulation_.time());
   check();
   history_.reset();

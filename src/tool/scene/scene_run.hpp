@@ -12,7 +12,7 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/polyhedra/scene_loop.hpp>
 
 #include "scene/series.hpp"
 
@@ -43,16 +43,17 @@ class SceneRun {
   void run();
 
   [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }
-  [[nodiscard]] const scene::Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] const scene::SceneLoop& simulation() const { return simulation_; }
   [[nodiscard]] const properties::Ledger& ledger() const { return ledger_; }
   [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
   /// Where it was checked.
   [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
   [[nodiscard]] const std::vector<Sample>& samples() const { return series_.samples(); }
-  [[nodiscard]] const std::vector<scene::Arc>& first_arcs() const { return first_; }
+  /// Where it began.
+  [[nodiscard]] const scene::SceneState& first() const { return first_; }
   /// The events of a replay; none where there were too many.
   [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
-  /// Spheres whose w was ever other than at the beginning, by a bit.
+  /// Bodies that an event has ever given another w, by a bit, or a changing one.
   [[nodiscard]] std::size_t spins_changed() const;
   [[nodiscard]] double seconds() const { return seconds_; }  // of wall time, with all that was judged
   /// Why the duration was not reached; empty where it was.
@@ -68,17 +69,18 @@ class SceneRun {
   [[nodiscard]] bool holds() const;
 
  private:
+  void note_turning(const scene::Change& change);
   void record(const scene::Event& event);
   void check();
 
   SceneOptions options_;
-  scene::Simulation simulation_;
+  scene::SceneLoop simulation_;
+  scene::SceneState first_;
   properties::Ledger ledger_;
   properties::ImpulseJudge judge_;
   std::optional<properties::History> history_;
   std::optional<properties::Validity> validity_;
   Series series_;
-  std::vector<scene::Arc> first_;
   std::optional<std::vector<scene::Event>> replayed_;
   std::vector<bool> has_turned_;
   double seconds_ = 0;

@@ -3,14 +3,25 @@
 
 #include <algorithm>
 
+#include <carom/scene/polyhedra/free_rotation.hpp>
+
 namespace carom::tool {
 
-Series::Series(const scene::Simulation& simulation, std::size_t count)
-    : simulation_(&simulation),
-      step_(simulation.scene().duration / static_cast<double>(std::max<std::size_t>(count, 1))) {
-  for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
-    arcs_.push_back(simulation.arc(sphere));
+Series::Series(const scene::SceneState& state, std::size_t count)
+    : scene_(state.scene),
+      bodies_(state.bodies),
+      step_(state.scene->duration / static_cast<double>(std::max<std::size_t>(count, 1))) {}
+
+Vector3<double> Series::spin_at(std::size_t body, double time) const {
+  const scene::BodyState& state = bodies_[body];
+  if (is_sphere(*scene_, body) || state.arc.turning.angular_velocity.isZero(0)) {
+    return angular_velocity_at(state.arc, time);
   }
+  const double elapsed = time - state.arc.path.start;
+  const scene::RotationPath path(state.principal_inertia,
+                                 scene::rotation_state(state.orientation_at_start, state.arc.turning.angular_velocity),
+                                 elapsed);
+  return scene::world_rate(path.at(elapsed).state);
 }
 
 void Series::sample_until(double time) {
@@ -18,16 +29,21 @@ void Series::sample_until(double time) {
        next = static_cast<double>(samples_.size()) * step_) {
     Sample sample;
     sample.time = next;
-    for (std::size_t sphere = 0; sphere < arcs_.size(); ++sphere) {
-      const scene::Arc& arc = arcs_[sphere];
-      const double mass = simulation_->mass(sphere);
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      const scene::BodyState& state = bodies_[body];
+      const scene::Arc& arc = state.arc;
       const Vector3<double> velocity = scene::velocity_at(arc.path, next);
-      const Vector3<double> spin = scene::angular_velocity_at(arc, next);
-      sample.translation += mass * velocity.squaredNorm() / 2;
-      sample.rotation += simulation_->moment(sphere) * spin.squaredNorm() / 2;
-      sample.potential -= mass * simulation_->scene().gravity.dot(scene::position_at(arc.path, next));
-      sample.momentum += mass * velocity;
-      sample.mean_spin += spin.norm() / static_cast<double>(arcs_.size());
+      const Vector3<double> spin = spin_at(body, next);
+      sample.translation += state.mass * velocity.squaredNorm() / 2;
+      // In free rotation the energy stays as it was when the arc began.
+      const Vector3<double> rate =
+          is_sphere(*scene_, body)
+              ? spin
+              : scene::rotation_state(state.orientation_at_start, arc.turning.angular_velocity).body_rate;
+      sample.rotation += state.principal_inertia.dot(rate.cwiseAbs2()) / 2;
+      sample.potential -= state.mass * scene_->gravity.dot(scene::position_at(arc.path, next));
+      sample.momentum += state.mass * velocity;
+      sample.mean_spin += spin.norm() / static_cast<double>(bodies_.size());
     }
     if (samples_.empty()) {
       first_potential_ = sample.potential;
@@ -37,11 +53,16 @@ void Series::sample_until(double time) {
   }
 }
 
+void Series::go_on(const scene::Change& change) {
+  bodies_[change.body].arc = change.after;
+  bodies_[change.body].orientation_at_start = change.orientation;
+}
+
 void Series::record(const scene::Event& event) {
   sample_until(event.time);
-  arcs_[event.a.sphere] = event.a.after;
+  go_on(event.a);
   if (event.b) {
-    arcs_[event.b->sphere] = event.b->after;
+    go_on(*event.b);
   }
 }
 

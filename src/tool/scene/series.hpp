@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <carom/scene/scene_state.hpp>
 #include <carom/scene/simulation.hpp>
 
 namespace carom::tool {
@@ -22,7 +23,8 @@ struct Sample {
 /// Samples at equal distances of time, for pictures.
 class Series {
  public:
-  Series(const scene::Simulation& simulation, std::size_t count);
+  /// From where a scene begins; the scene that the state refers to stays.
+  Series(const scene::SceneState& state, std::size_t count);
 
   void record(const scene::Event& event);
   /// Nothing more happens until then.
@@ -31,9 +33,11 @@ class Series {
 
  private:
   void sample_until(double time);
+  [[nodiscard]] Vector3<double> spin_at(std::size_t body, double time) const;
+  void go_on(const scene::Change& change);
 
-  const scene::Simulation* simulation_;
-  std::vector<scene::Arc> arcs_;
+  const scene::Scene* scene_;
+  std::vector<scene::BodyState> bodies_;
   double step_;
   double first_potential_ = 0;
   std::vector<Sample> samples_;

@@ -15,8 +15,8 @@ constexpr std::array all_laws{Model::frictionless, Model::reflection, Model::sti
 std::string text_of(const Validity& validity) {
   std::string text;
   for (const Invalidity& one : validity.invalid) {
-    text += "sphere " + std::to_string(one.sphere) + " and " + one.other + " from " + std::to_string(one.begin) +
-            " to " + std::to_string(one.end) + ": " + one.what + "\n";
+    text += "sphere " + std::to_string(one.body) + " and " + one.other + " from " + std::to_string(one.begin) + " to " +
+            std::to_string(one.end) + ": " + one.what + "\n";
   }
   return text;
 }

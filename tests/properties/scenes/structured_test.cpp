@@ -17,8 +17,7 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   const Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U);
   for (const Invalidity& one : validity.invalid) {
-    ADD_FAILURE() << one.sphere << " and " << one.other << " from " << one.begin << " to " << one.end << ": "
-                  << one.what;
+    ADD_FAILURE() << one.body << " and " << one.other << " from " << one.begin << " to " << one.end << ": " << one.what;
   }
   EXPECT_EQ(run.judge.violated(), 0U);
   EXPECT_LE(run.relative_rounding(), 1e-12L);

@@ -37,7 +37,7 @@ TEST(TimeOfContact, OfAFallingCubeIsThatOfItsLowestCorner) {
     Motion motion = resting(unit::unit_quaternion(stream), {stream.signed_unit(), 0, 3});
     motion.velocity = {1, 2, stream.signed_unit()};
     motion.acceleration = {0, 0, -9.81};
-    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 2, tolerance);
+    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, tolerance);
     ASSERT_EQ(found.approach, Approach::touches);
     // height + v t − g t²/2 = gap
     const double height = 3 + least_height(cube, motion.rotation.at(0).state.orientation);
@@ -56,7 +56,7 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   Motion ball = resting({1, 0, 0, 0}, {0.25, -0.5, 6});
   ball.velocity = {0.125, 0.25, -3};
-  const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 10, tolerance);
+  const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 0, 10, tolerance);
   ASSERT_EQ(found.approach, Approach::touches);
   EXPECT_NEAR(found.time, 1.5, tolerance);
   EXPECT_LT(found.time, 1.5);
@@ -72,7 +72,7 @@ TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only as it comes to x; the face is within 1.5 before
   // that.
   const Motion ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
-  const TimeOfContact found = time_of_contact(pair, ball, turning, 10, tolerance);
+  const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, tolerance);
   ASSERT_EQ(found.approach, Approach::touches);
   // The nearest point of the cube is on the face turned by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
   // leaves it at 1; with the ball's radius 1/4: cos φ = 5/6.
@@ -141,7 +141,7 @@ std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
 }
 
 TimeOfContact found_of(const Meeting& m) {
-  return time_of_contact(ShapePair(m.a.shape, m.b.shape), m.a.motion, m.b.motion, m.duration, tolerance);
+  return time_of_contact(ShapePair(m.a.shape, m.b.shape), m.a.motion, m.b.motion, 0, m.duration, tolerance);
 }
 
 TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
@@ -175,7 +175,7 @@ TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
     properties::Stream stream = properties::stream_from(seed);
     Flight flight = random_flight(stream, {0, 0, 4}, stream.vector(), 3);
     flight.motion.acceleration = {0, 0, -9.81};
-    const TimeOfContact found = time_of_contact(flight.shape, flight.motion, floor_at_0, 3, tolerance);
+    const TimeOfContact found = time_of_contact(flight.shape, flight.motion, floor_at_0, 0, 3, tolerance);
     ASSERT_EQ(found.approach, Approach::touches) << seed;
     const auto height_at = [&](double time) {
       const Placement placement = placement_at(flight.motion, time);
@@ -197,7 +197,7 @@ TEST(TimeOfContact, TellsGrazingFromMissing) {
   for (const double miss : {1e-2, 1e-6, 1.001e-9, 0.999e-9, 1e-10, -1e-6}) {
     Motion ball = resting({1, 0, 0, 0}, Vector(1, 1, -4) + (0.5 + miss) * away);
     ball.velocity = {0, 0, 2};
-    const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 4, tolerance);
+    const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 0, 4, tolerance);
     EXPECT_EQ(found.approach, miss > tolerance ? Approach::misses : Approach::touches) << miss;
   }
 }
@@ -212,7 +212,7 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   for (const double miss : {1e-3, 1e-6, 1.1e-9, 0.9e-9, 1e-12}) {
     Motion above = resting(about_x, {0, -4, 4 * half + miss});
     above.velocity = {0, 2, 0};
-    const TimeOfContact found = time_of_contact(pair, above, resting(about_y, {0, 0, 0}), 4, tolerance);
+    const TimeOfContact found = time_of_contact(pair, above, resting(about_y, {0, 0, 0}), 0, 4, tolerance);
     EXPECT_EQ(found.approach, miss > tolerance ? Approach::misses : Approach::touches) << miss;
   }
 }
@@ -224,7 +224,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
     Motion motion = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * tolerance});
     motion.velocity = {0, 0, speed};
     motion.acceleration = {0, 0, -10};
-    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 2, tolerance);
+    const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, tolerance);
     ASSERT_EQ(found.approach, Approach::touches) << speed;
     // Up and down again; or, of a hop that stays within the tolerance, from its top on.
     EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
@@ -232,21 +232,21 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   }
   Motion falling = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * tolerance});
   falling.velocity = {0, 0, -1e-9};
-  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 2, tolerance).approach, Approach::touches);
-  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 2, tolerance).time, 0);
+  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, tolerance).approach, Approach::touches);
+  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, tolerance).time, 0);
 }
 
 TEST(TimeOfContact, SaysWhereItCannotTell) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 1, tolerance).approach,
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 0, 1, tolerance).approach,
             Approach::overlaps);
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 1, tolerance).approach,
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 0, 1, tolerance).approach,
             Approach::overlaps);  // touching exactly: not certain to be apart
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 1, tolerance).approach,
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 0, 1, tolerance).approach,
             Approach::misses);
   Motion falling = resting({1, 0, 0, 0}, {0, 0, 1});
   falling.velocity = {0, 0, -1};
-  const TimeOfContact finest = time_of_contact(cube, falling, floor_at_0, 1, 1e-18);
+  const TimeOfContact finest = time_of_contact(cube, falling, floor_at_0, 0, 1, 1e-18);
   EXPECT_EQ(finest.approach, Approach::undecided);
   EXPECT_LT(finest.time, 0.5);
 }

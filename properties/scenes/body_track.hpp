@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <carom/collision/vector.hpp>
+#include <carom/properties/scenes/wide.hpp>
+#include <carom/scene/motion.hpp>
+#include <carom/scene/polyhedra/rigid_body.hpp>
+
+namespace carom::properties {
+
+/// Where a body is at a time, world.
+struct Pose {
+  WideVector centre;
+  WideVector velocity;
+  Matrix3<long double> axes;
+  long double rate = 0;              // ‖ω‖ [rad/s]
+  std::vector<WideVector> vertices;  // from the centre
+};
+
+/// A body's shape and all that it has done. How it turns is integrated anew, by E. Fehlberg's Runge–Kutta method of
+/// order 8 in long double, in steps of 1/20 rad: that leaves less than 10⁻¹⁶ of an error a step. Refers to arcs and
+/// orientations, which stay.
+class BodyTrack {
+ public:
+  BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vector<scene::Arc>& arcs,
+            const std::vector<Quaternion<double>>& orientations);
+
+  [[nodiscard]] bool is_ball() const { return is_ball_; }
+  [[nodiscard]] long double margin() const { return margin_; }  // a ball's radius, else 0 [m]
+  [[nodiscard]] long double radius() const { return radius_; }  // at least the distance of any point [m]
+  [[nodiscard]] const std::vector<scene::Arc>& arcs() const { return *arcs_; }
+  [[nodiscard]] const Quaternion<double>& orientation(std::size_t arc) const { return (*orientations_)[arc]; }
+  // In body axes, of each pair of parallel ones the first.
+  [[nodiscard]] const std::vector<WideVector>& face_normals() const { return face_normals_; }
+  [[nodiscard]] const std::vector<WideVector>& edge_directions() const { return edge_directions_; }
+  [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& edges() const { return edges_; }
+  [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+
+  /// On an arc, at or after its start.
+  [[nodiscard]] Pose pose(std::size_t arc, long double time);
+
+ private:
+  /// Orientation (w, x, y, z) and body rate.
+  using TurningState = std::array<long double, 7>;
+
+  [[nodiscard]] TurningState beginning(std::size_t arc) const;
+  [[nodiscard]] TurningState stepped(TurningState state, long double step) const;
+  [[nodiscard]] TurningState turned(std::size_t arc, long double elapsed);
+
+  std::vector<WideVector> vertices_, face_normals_, edge_directions_;
+  std::vector<std::array<std::size_t, 2>> edges_;
+  WideVector inertia_;
+  long double margin_, radius_;
+  bool is_ball_;
+  const std::vector<scene::Arc>* arcs_;
+  const std::vector<Quaternion<double>>* orientations_;
+  std::size_t known_arc_ = 0;
+  std::vector<TurningState> known_;  // a step apart
+};
+
+}  // namespace carom::properties

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <carom/properties/scenes/body_track.hpp>
+#include <carom/properties/scenes/polyhedra_validity.hpp>
+#include <carom/properties/scenes/wide.hpp>
+#include <carom/scene/polyhedra/rigid_body.hpp>
+
+namespace carom::properties {
+namespace {
+
+using Real = long double;
+using Wide = WideVector;
+using scene::Arc;
+
+constexpr Real largest_turn = 0.25;  // between two looks [rad]
+constexpr int most_halvings = 40;
+constexpr Real allowed_unseen = 0x1p-30L;  // beside the lesser radius
+constexpr Real allowed_turn = 1e-12L;      // of an orientation where arcs meet [rad]
+/// Of a gap, beside the size of all that it is computed from: some hundred roundings of long double, and of the
+/// vertices of double.
+constexpr Real gap_error = 0x1p-46L;
+
+/// A direction of the separating axis theorem, by what it is made of.
+struct Axis {
+  enum class Of : std::uint8_t { face_of_a, face_of_b, edges, centres, vertex, edge };
+  Of of = Of::centres;
+  std::size_t first = 0;   // index of the face, of A's edge, or of the polyhedron's vertex or edge beside a ball
+  std::size_t second = 0;  // of B's edge
+  Real sign = 1;           // so that it points from B to A
+};
+
+/// Half-spaces: the distance of a plane's point from 0 along its normal.
+struct Ground {
+  Wide normal;
+  Real offset;
+};
+
+/// Two bodies, or a body and a plane, from one look to the next.
+class PolyhedraChecker {
+ public:
+  PolyhedraChecker(const scene::Scene& scene, const History& history) : scene_(scene), history_(history) {
+    for (std::size_t i = 0; i < body_count(scene); ++i) {
+      const bool is_ball = is_sphere(scene, i);
+      const auto body = [&]() -> scene::RigidBody {
+        if (is_ball) {
+          return rigid_body(scene.spheres[i]);
+        }
+        return std::get<scene::RigidBody>(rigid_body(polyhedron_of(scene, i)));
+      }();
+      tracks_.emplace_back(body, is_ball, history.arcs()[i], history.orientations()[i]);
+    }
+    for (const scene::Plane& plane : scene.planes) {
+      const Wide normal = wide(plane.normal).normalized();
+      grounds_.push_back({normal, normal.dot(wide(plane.point))});
+    }
+  }
+
+  [[nodiscard]] Validity check() {
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      check_joints(i);
+      for (std::size_t k = 0; k < i; ++k) {
+        check_pair(k, i);
+      }
+      for (std::size_t plane = 0; plane < grounds_.size(); ++plane) {
+        check_plane(i, plane);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  struct Look {
+    Real time;
+    Pose a, b;
+    Axis axis;
+    Real gap;
+  };
+
+  void report(std::size_t body, std::string other, Real begin, Real end, std::string what) {
+    ++found_.count;
+    if (found_.invalid.size() < most_shown) {
+      found_.invalid.push_back(
+          {body, std::move(other), static_cast<double>(begin), static_cast<double>(end), std::move(what)});
+    }
+  }
+
+  /// Where an arc ends: where the next one starts.
+  [[nodiscard]] double end_of(std::size_t body, std::size_t arc) const {
+    const std::vector<Arc>& arcs = tracks_[body].arcs();
+    return arc + 1 < arcs.size() ? arcs[arc + 1].path.start : history_.end();
+  }
+
+  void check_joints(std::size_t body) {
+    BodyTrack& track = tracks_[body];
+    for (std::size_t k = 1; k < track.arcs().size(); ++k) {
+      ++found_.joints;
+      const scene::Path& path = track.arcs()[k].path;
+      const scene::Path& before = track.arcs()[k - 1].path;
+      const Pose pose = track.pose(k - 1, path.start);
+      const auto jump = static_cast<double>((wide(path.position) - pose.centre).cwiseAbs().maxCoeff());
+      found_.largest_jump = std::max(found_.largest_jump, jump);
+      const double size = std::max(path.position.cwiseAbs().maxCoeff(), before.position.cwiseAbs().maxCoeff());
+      if (path.start < before.start || jump > 8 * std::numeric_limits<double>::epsilon() * size) {
+        report(body, "itself", before.start, path.start, fmt::format("its path jumps by {} m", jump));
+      }
+      if (!track.is_ball()) {
+        const Real turn = (wide_rotation(track.orientation(k)) - pose.axes).norm() / std::sqrt(Real(2));
+        if (!(turn <= allowed_turn)) {
+          report(body, "itself", before.start, path.start,
+                 fmt::format("its orientation jumps by {} rad", static_cast<double>(turn)));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Wide direction(std::size_t i, std::size_t k, const Axis& axis, const Pose& a, const Pose& b) const {
+    switch (axis.of) {
+      case Axis::Of::face_of_a:
+        return axis.sign * (a.axes * tracks_[i].face_normals()[axis.first]);
+      case Axis::Of::face_of_b:
+        return axis.sign * (b.axes * tracks_[k].face_normals()[axis.first]);
+      case Axis::Of::edges: {
+        const Wide across = (a.axes * tracks_[i].edge_directions()[axis.first])
+                                .cross(b.axes * tracks_[k].edge_directions()[axis.second]);
+        const Real length = across.norm();
+        return length > 0x1p-30L ? Wide(across * (axis.sign / length)) : Wide(Wide::Zero());
+      }
+      case Axis::Of::centres:
+        return (a.centre - b.centre).normalized();
+      case Axis::Of::vertex:
+      case Axis::Of::edge:
+        break;
+    }
+    // From a point of the polyhedron to the ball's centre, or the other way round where A is the polyhedron.
+    const bool is_a_ball = tracks_[i].is_ball();
+    const Pose& polyhedron = is_a_ball ? b : a;
+    const Wide ball = is_a_ball ? a.centre - b.centre : b.centre - a.centre;
+    Wide from = polyhedron.vertices[axis.first];
+    if (axis.of == Axis::Of::edge) {
+      const auto& edge = tracks_[is_a_ball ? k : i].edges()[axis.first];
+      const Wide& begin = polyhedron.vertices[edge[0]];
+      const Wide along = polyhedron.vertices[edge[1]] - begin;
+      from = begin + along * ((ball - begin).dot(along) / along.squaredNorm());
+    }
+    return (is_a_ball ? Wide(ball - from) : Wide(from - ball)).normalized();
+  }
+
+  [[nodiscard]] Real gap_along(std::size_t i, std::size_t k, const Wide& n, const Pose& a, const Pose& b) const {
+    Real low = std::numeric_limits<Real>::infinity();
+    for (const Wide& vertex : a.vertices) {
+      low = std::min(low, n.dot(vertex));
+    }
+    Real high = -std::numeric_limits<Real>::infinity();
+    for (const Wide& vertex : b.vertices) {
+      high = std::max(high, n.dot(vertex));
+    }
+    return n.dot(a.centre - b.centre) + low - high - tracks_[i].margin() - tracks_[k].margin();
+  }
+
+  [[nodiscard]] Look look(std::size_t i, std::size_t arc_i, std::size_t k, std::size_t arc_k, Real time) {
+    ++found_.pairs;
+    Look best{
+        time, tracks_[i].pose(arc_i, time), tracks_[k].pose(arc_k, time), {}, -std::numeric_limits<Real>::infinity()};
+    const auto consider = [&](Axis axis) {
+      Wide n = direction(i, k, axis, best.a, best.b);
+      if (n.isZero(0)) {
+        return;
+      }
+      if (n.dot(best.a.centre - best.b.centre) < 0 && axis.of <= Axis::Of::edges) {
+        axis.sign = -1;
+        n = -n;
+      }
+      const Real gap = gap_along(i, k, n, best.a, best.b);
+      if (gap > best.gap) {
+        best.gap = gap;
+        best.axis = axis;
+      }
+    };
+    const BodyTrack& a = tracks_[i];
+    const BodyTrack& b = tracks_[k];
+    if (a.is_ball() && b.is_ball()) {
+      consider({});
+      return best;
+    }
+    for (std::size_t f = 0; f < a.face_normals().size(); ++f) {
+      consider({Axis::Of::face_of_a, f});
+    }
+    for (std::size_t f = 0; f < b.face_normals().size(); ++f) {
+      consider({Axis::Of::face_of_b, f});
+    }
+    if (a.is_ball() || b.is_ball()) {
+      const BodyTrack& polyhedron = a.is_ball() ? b : a;
+      for (std::size_t v = 0; v < polyhedron.vertex_count(); ++v) {
+        consider({Axis::Of::vertex, v});
+      }
+      for (std::size_t e = 0; e < polyhedron.edges().size(); ++e) {
+        consider({Axis::Of::edge, e});
+      }
+      return best;
+    }
+    for (std::size_t e = 0; e < a.edge_directions().size(); ++e) {
+      for (std::size_t f = 0; f < b.edge_directions().size(); ++f) {
+        consider({Axis::Of::edges, e, f});
+      }
+    }
+    return best;
+  }
+
+  /// At least the gap at every time between two looks, along a direction that turns from n₁ to n₂ at a constant rate Ω.
+  /// In axes that turn with it the second derivative of a vertex's place relative to another body's is at most 2 r ω²
+  /// of each (its centripetal acceleration, and ω' × r with ‖ω'‖ ≤ ‖ω‖²), the difference of the centres', 2 Ω ‖ẋ‖ and
+  /// Ω² ‖x‖. Precondition: neither body turns by more than a quarter between them: then ω grows by less than 4/3.
+  [[nodiscard]] Real least_gap(std::size_t i, std::size_t k, const Axis& axis, const Look& first, const Look& second,
+                               const Wide& acceleration) const {
+    const Wide n1 = direction(i, k, axis, first.a, first.b);
+    const Wide n2 = direction(i, k, axis, second.a, second.b);
+    const Real cosine = n1.dot(n2);
+    if (!(cosine > 0.9L)) {
+      return -std::numeric_limits<Real>::infinity();
+    }
+    const Real span = second.time - first.time;
+    const Real turning = std::asin(std::min(Real(1), n1.cross(n2).norm())) / span;
+    const Real rate_a = first.a.rate * 4 / 3;
+    const Real rate_b = first.b.rate * 4 / 3;
+    const Real radius_a = tracks_[i].radius();
+    const Real radius_b = tracks_[k].radius();
+    const Real centre_speed = (first.a.velocity - first.b.velocity).norm() + span * acceleration.norm();
+    const Real speed = centre_speed + radius_a * rate_a + radius_b * rate_b;
+    const Real arm = (first.a.centre - first.b.centre).norm() + span * centre_speed + radius_a + radius_b;
+    const Real curvature = 2 * (radius_a * rate_a * rate_a + radius_b * rate_b * rate_b) + acceleration.norm() +
+                           2 * turning * speed + turning * turning * arm;
+    return std::min(gap_along(i, k, n1, first.a, first.b), gap_along(i, k, n2, second.a, second.b)) -
+           curvature * span * span / 8;
+  }
+
+  void check_between(std::size_t i, std::size_t arc_i, std::size_t k, std::size_t arc_k, const Look& first,
+                     const Look& second, int halvings) {
+    const Real size = (first.a.centre - first.b.centre).norm() + tracks_[i].radius() + tracks_[k].radius() +
+                      first.a.centre.norm() + first.b.centre.norm();
+    const Real error = gap_error * size;
+    for (const Look* one : {&first, &second}) {
+      if (one->gap < -error) {
+        report(i, kind_and_number(scene_, k), one->time, one->time,
+               fmt::format("they overlap by {:.3g} m", static_cast<double>(-one->gap)));
+        return;
+      }
+    }
+    const Real span = second.time - first.time;
+    Real lowest = -std::numeric_limits<Real>::infinity();
+    if (span * std::max(first.a.rate, first.b.rate) <= largest_turn) {
+      const Wide acceleration =
+          wide(tracks_[i].arcs()[arc_i].path.acceleration) - wide(tracks_[k].arcs()[arc_k].path.acceleration);
+      lowest = std::max(least_gap(i, k, first.axis, first, second, acceleration),
+                        least_gap(i, k, second.axis, first, second, acceleration));
+    }
+    settle(lowest, std::min(tracks_[i].radius(), tracks_[k].radius()), halvings, [&] {
+      const Look middle = look(i, arc_i, k, arc_k, first.time + span / 2);
+      check_between(i, arc_i, k, arc_k, first, middle, halvings + 1);
+      check_between(i, arc_i, k, arc_k, middle, second, halvings + 1);
+    });
+  }
+
+  template <class Halve>
+  void settle(Real lowest, Real radius, int halvings, const Halve& halve) {
+    if (lowest >= 0) {
+      return;
+    }
+    if (lowest >= -allowed_unseen * radius || halvings == most_halvings) {
+      found_.unseen = std::max(found_.unseen, static_cast<double>(-lowest));
+      return;
+    }
+    halve();
+  }
+
+  void check_pair(std::size_t i, std::size_t k) {
+    const std::vector<Arc>& of_i = tracks_[i].arcs();
+    const std::vector<Arc>& of_k = tracks_[k].arcs();
+    std::size_t arc_i = 0;
+    std::size_t arc_k = 0;
+    for (double begin = history_.begin();;) {
+      const double end = std::min(end_of(i, arc_i), end_of(k, arc_k));
+      if (begin < end && may_meet(of_i[arc_i].path, of_k[arc_k].path, begin, end)) {
+        const Look first = look(i, arc_i, k, arc_k, begin);
+        const Look second = look(i, arc_i, k, arc_k, end);
+        check_between(i, arc_i, k, arc_k, first, second, 0);
+      }
+      begin = std::max(begin, end);
+      if (arc_i + 1 < of_i.size() && of_i[arc_i + 1].path.start <= end) {
+        ++arc_i;
+      } else if (arc_k + 1 < of_k.size() && of_k[arc_k + 1].path.start <= end) {
+        ++arc_k;
+      } else {
+        return;
+      }
+    }
+  }
+
+  /// Whether the balls about two bodies may overlap. They are given as A from B, on a parabola.
+  [[nodiscard]] static bool may_meet(const scene::Path& a, const scene::Path& b, double begin, double end) {
+    const auto at = [](const scene::Path& path, double time) -> Wide {
+      const Real s = static_cast<Real>(time) - path.start;
+      return wide(path.position) + s * (wide(path.velocity) + s / 2 * wide(path.acceleration));
+    };
+    const Wide first = at(a, begin) - at(b, begin);
+    const Wide way = (at(a, end) - at(b, end)) - first;
+    const Real span = static_cast<Real>(end) - begin;
+    const Real bulge = (wide(a.acceleration) - wide(b.acceleration)).norm() * span * span / 8;
+    const Real share = way.isZero(0) ? Real(0) : std::clamp(-first.dot(way) / way.squaredNorm(), Real(0), Real(1));
+    const Real radii = (static_cast<Real>(a.radius) + b.radius) * (1 + gap_error);
+    return (first + share * way).norm() <= radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm());
+  }
+
+  [[nodiscard]] Real height(std::size_t body, const Ground& ground, const Pose& pose) const {
+    Real low = std::numeric_limits<Real>::infinity();
+    for (const Wide& vertex : pose.vertices) {
+      low = std::min(low, ground.normal.dot(vertex));
+    }
+    return ground.normal.dot(pose.centre) + low - tracks_[body].margin() - ground.offset;
+  }
+
+  void check_plane(std::size_t body, std::size_t plane) {
+    const Ground& ground = grounds_[plane];
+    const std::vector<Arc>& arcs = tracks_[body].arcs();
+    for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+      const double begin = std::max(history_.begin(), arcs[arc].path.start);
+      const double end = end_of(body, arc);
+      if (begin < end) {
+        const Pose first = tracks_[body].pose(arc, begin);
+        const Pose second = tracks_[body].pose(arc, end);
+        const Real lowest = std::min(ground.normal.dot(first.centre), ground.normal.dot(second.centre)) - ground.offset;
+        const Real span = static_cast<Real>(end) - begin;
+        // A parabola that bends away from the plane may come lower between its ends.
+        const Real bulge = std::max(Real(0), ground.normal.dot(wide(arcs[arc].path.acceleration))) * span * span / 8;
+        if (lowest - bulge <= tracks_[body].radius() * (1 + gap_error)) {
+          check_plane_between(body, arc, plane, begin, first, end, second, 0);
+        }
+      }
+    }
+  }
+
+  void check_plane_between(std::size_t body, std::size_t arc, std::size_t plane, Real begin, const Pose& first,
+                           Real end, const Pose& second, int halvings) {
+    ++found_.planes;
+    const Ground& ground = grounds_[plane];
+    const Real radius = tracks_[body].radius();
+    const Real error = gap_error * (radius + first.centre.norm() + std::abs(ground.offset));
+    const Real lower = std::min(height(body, ground, first), height(body, ground, second));
+    if (lower < -error) {
+      report(body, fmt::format("plane {}", plane), begin, end,
+             fmt::format("it is {:.3g} m behind it", static_cast<double>(-lower)));
+      return;
+    }
+    const Real span = end - begin;
+    Real lowest = -std::numeric_limits<Real>::infinity();
+    if (span * first.rate <= largest_turn) {
+      const Real rate = first.rate * 4 / 3;
+      const Real against = std::abs(ground.normal.dot(wide(tracks_[body].arcs()[arc].path.acceleration)));
+      lowest = lower - (2 * radius * rate * rate + against) * span * span / 8;
+    }
+    settle(lowest, radius, halvings, [&] {
+      const Real middle = begin + span / 2;
+      const Pose between = tracks_[body].pose(arc, middle);
+      check_plane_between(body, arc, plane, begin, first, middle, between, halvings + 1);
+      check_plane_between(body, arc, plane, middle, between, end, second, halvings + 1);
+    });
+  }
+
+  static constexpr std::size_t most_shown = 100;
+
+  const scene::Scene& scene_;
+  const History& history_;
+  std::vector<BodyTrack> tracks_;
+  std::vector<Ground> grounds_;
+  Validity found_;
+};
+
+}  // namespace
+
+Validity check_polyhedra(const scene::Scene& scene, const History& history) {
+  return PolyhedraChecker(scene, history).check();
+}
+
+}  // namespace carom::properties

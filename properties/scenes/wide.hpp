@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <carom/collision/vector.hpp>
+
+/// Vectors in long double: what checks a scene in double rounds by 2⁻¹¹ of what it checks.
+namespace carom::properties {
+
+using WideVector = Vector3<long double>;
+
+[[nodiscard]] inline WideVector wide(const Vector3<double>& v) { return v.cast<long double>(); }
+
+/// Body axes to world axes. Precondition: the quaternion is not zero.
+template <class S>
+[[nodiscard]] Matrix3<long double> wide_rotation(const Quaternion<S>& q) {
+  return Eigen::Quaternion<long double>(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/collision/collision.hpp>
+#include <carom/collision/model.hpp>
+#include <carom/collision/outcome.hpp>
+#include <carom/collision/precision.hpp>
+
+namespace carom::scene {
+
+/// The outcome of a law, in a precision, for bodies of any shape. Precondition: the collision is valid, the law is not
+/// `any`.
+[[nodiscard]] Outcome<double> struck_bodies(Model law, Precision precision, const Collision& collision);
+
+/// What an impulse along the normal leaves that makes N·V/‖N‖ the speed [m/s], where it is less: else the velocities as
+/// they are. Precondition: the collision is valid.
+[[nodiscard]] Outcome<double> sent_apart(const Collision& collision, double speed);
+
+/// N·V/‖N‖, the speed at which the contact points part [m/s].
+[[nodiscard]] double parting_speed(const Collision& collision);
+
+}  // namespace carom::scene

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <carom/scene/polyhedra/distance.hpp>
+#include <carom/scene/polyhedra/rigid_body.hpp>
+#include <carom/scene/polyhedra/valid_polyhedra.hpp>
+
+namespace carom::scene {
+namespace {
+
+using Of = SceneDefect::Of;
+using Found = std::optional<SceneDefect>;
+
+/// In radii from the origin: up to there a place is known a hundred times as well as a contact is found
+/// (tumbling.hpp, `contact_tolerance`; motion.hpp: 2⁻⁴⁹ of all terms).
+constexpr double farthest = 0x1p12;
+
+Found number_defect(const Scene& scene, std::size_t i) {
+  const Polyhedron& polyhedron = scene.polyhedra[i];
+  const auto defect = [&](const char* field, std::string what) {
+    return SceneDefect{Of::polyhedron, i, 0, field, std::move(what)};
+  };
+  if (!(polyhedron.density > 0 && std::isfinite(polyhedron.density))) {
+    return defect("density", "expected a number greater than 0");
+  }
+  if (polyhedron.material >= scene.materials.size()) {
+    return defect("material", "expected an index of a material");
+  }
+  for (const auto& [field, value] :
+       {std::pair("position", &polyhedron.position), std::pair("velocity", &polyhedron.velocity),
+        std::pair("angular_velocity", &polyhedron.angular_velocity)}) {
+    if (!value->allFinite()) {
+      return defect(field, "expected finite numbers");
+    }
+  }
+  if (!polyhedron.orientation.allFinite() || polyhedron.orientation.isZero(0)) {
+    return defect("orientation", "expected four finite numbers, w, x, y and z, not all 0");
+  }
+  return std::nullopt;
+}
+
+/// Into `bodies`, where it is one.
+Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bodies) {
+  auto body = rigid_body(scene.polyhedra[i]);
+  if (const auto* defect = std::get_if<ShapeDefect>(&body)) {
+    return SceneDefect{Of::polyhedron, i, 0, "vertices", defect->text};
+  }
+  bodies.push_back(std::get<RigidBody>(std::move(body)));
+  const RigidBody& made = bodies.back();
+  const bool is_single = scene.precision == Precision::binary32;
+  const double least = is_single ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min();
+  const double greatest = is_single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  for (const double value :
+       {made.mass, made.principal_inertia[0], made.principal_inertia[1], made.principal_inertia[2]}) {
+    if (!(value >= least && value <= greatest)) {
+      std::ostringstream text;
+      text << "expected vertices and density that give mass and moments of inertia from " << least << " to " << greatest
+           << ", not " << value;
+      return SceneDefect{Of::polyhedron, i, 0, "", text.str()};
+    }
+  }
+  if (!(made.position.norm() <= farthest * made.radius())) {
+    return SceneDefect{Of::polyhedron, i, 0, "position", "expected to be within 4096 of its radii of 0"};
+  }
+  return std::nullopt;
+}
+
+Placement placement_of(const RigidBody& body) {
+  return {body.orientation, body.position, 4 * unit_roundoff(Precision::binary64), 0};
+}
+
+Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
+  const auto defect = [&](const std::string& other, const Separation& separation) {
+    std::ostringstream text;
+    text << kind_and_number(scene, i) << " (" << scene.polyhedra[i - scene.spheres.size()].name
+         << ") is not certain to be apart from " << other << ": " << separation.gap
+         << " m lie between them, and rounding leaves " << separation.gap - separation.certified << " m open";
+    return SceneDefect{Of::polyhedron, i - scene.spheres.size(), 0, "", text.str()};
+  };
+  const Placement placement = placement_of(bodies[i]);
+  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
+    const Plane& plane = scene.planes[k];
+    const double length = plane.normal.norm();
+    const Separation apart = separation(bodies[i].shape, placement,
+                                        HalfSpace{plane.normal / length, plane.normal.dot(plane.point) / length});
+    if (!(apart.certified > 0)) {
+      return defect("plane " + std::to_string(k) + " (" + plane.name + ")", apart);
+    }
+  }
+  for (std::size_t k = 0; k < i; ++k) {
+    const double radii = bodies[i].radius() + bodies[k].radius();
+    if ((bodies[i].position - bodies[k].position).norm() > radii * (1 + 0x1p-40)) {
+      continue;
+    }
+    const ShapePair pair(bodies[i].shape, bodies[k].shape);
+    const Separation apart = pair.separation(placement, placement_of(bodies[k]));
+    if (!(apart.certified > 0)) {
+      return defect(description_of(scene, k), apart);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SceneDefect> first_polyhedron_defect(const Scene& scene) {
+  if (scene.polyhedra.empty()) {
+    return std::nullopt;
+  }
+  std::vector<RigidBody> bodies;
+  for (const Sphere& sphere : scene.spheres) {
+    bodies.push_back(rigid_body(sphere));
+  }
+  for (std::size_t i = 0; i < scene.polyhedra.size(); ++i) {
+    if (Found found = number_defect(scene, i)) {
+      return found;
+    }
+    if (Found found = body_defect(scene, i, bodies)) {
+      return found;
+    }
+  }
+  for (std::size_t i = scene.spheres.size(); i < bodies.size(); ++i) {
+    if (Found found = contact_defect(scene, bodies, i)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom::scene
