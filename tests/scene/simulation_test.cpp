@@ -191,11 +191,11 @@ TEST(Simulation, CountsExactTies) {
   const Event* event = simulation.advance();
   ASSERT_NE(event, nullptr);
   const double first = event->time;
-  EXPECT_EQ(event->a.sphere, 0U);
+  EXPECT_EQ(event->a.body, 0U);
   event = simulation.advance();
   ASSERT_NE(event, nullptr);
   EXPECT_EQ(event->time, first);
-  EXPECT_EQ(event->a.sphere, 2U);
+  EXPECT_EQ(event->a.body, 2U);
   EXPECT_GE(simulation.counts().exact.ties, 1U);
 }
 
@@ -331,7 +331,7 @@ TEST(Simulation, LosesNoEvent) {
       const Next expected = next_of_all(simulation);
       const Event* const event = simulation.advance();
       ASSERT_NE(event, nullptr);
-      ASSERT_EQ(event->a.sphere, expected.sphere) << "seed " << seed << ", event " << k << ": " << text_of(*event);
+      ASSERT_EQ(event->a.body, expected.body) << "seed " << seed << ", event " << k << ": " << text_of(*event);
       ASSERT_EQ(event->b.has_value(), expected.partner.has_value());
       if (event->b) {
         ASSERT_EQ(event->b->body, *expected.partner);

@@ -11,6 +11,7 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
+#include <carom/scene/polyhedra/scene_loop.hpp>
 
 #include "scene/scenes.hpp"
 
@@ -30,8 +31,9 @@ using Alter = std::function<bool(scene::Event&)>;
 struct WatchedRun {
   WatchedRun(scene::Scene of, std::size_t most_events, const Alter& alter)
       : simulation(std::move(of)),
-        history(simulation),
-        ledger(simulation),
+        first(simulation.state()),
+        history(first),
+        ledger(first),
         judge(simulation.scene().law, simulation.scene().precision, 1, yardstick_of(simulation.scene().precision)) {
     for (std::size_t k = 0; k < most_events; ++k) {
       const scene::Event* const next = simulation.advance();
@@ -53,7 +55,7 @@ struct WatchedRun {
       judge.record(event);
     }
     history.end_at(simulation.time());
-    ledger.close(simulation);
+    ledger.close(simulation.state());
   }
   WatchedRun(scene::Scene of, std::size_t most_events)
       : WatchedRun(std::move(of), most_events, [](scene::Event&) { return true; }) {}
@@ -66,7 +68,8 @@ struct WatchedRun {
 
   /// Of the impacts of spheres, beside the sum of their radii.
   double widest_gap = 0;
-  scene::Simulation simulation;
+  scene::SceneLoop simulation;
+  scene::SceneState first;
   properties::History history;
   properties::Ledger ledger;
   properties::ImpulseJudge judge;

@@ -195,7 +195,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        [](json& s) {
          s["spheres"][0]["position"] = {0.0, 0.0, 1e200};
        }},
-      {"/polyhedra: not supported yet", [](json& s) { s["polyhedra"] = json::array(); }},
+      {"/polyhedra: expected an array", [](json& s) { s["polyhedra"] = 1; }},
   };
   ASSERT_EQ(error_of(small_scene()), "") << "else everything is refused";
   for (const auto& [expected, change] : changes) {
