@@ -331,7 +331,7 @@ TEST(Simulation, LosesNoEvent) {
       const Next expected = next_of_all(simulation);
       const Event* const event = simulation.advance();
       ASSERT_NE(event, nullptr);
-      ASSERT_EQ(event->a.body, expected.body) << "seed " << seed << ", event " << k << ": " << text_of(*event);
+      ASSERT_EQ(event->a.body, expected.sphere) << "seed " << seed << ", event " << k << ": " << text_of(*event);
       ASSERT_EQ(event->b.has_value(), expected.partner.has_value());
       if (event->b) {
         ASSERT_EQ(event->b->body, *expected.partner);
