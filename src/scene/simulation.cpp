@@ -24,7 +24,9 @@ constexpr unsigned long long crossings_between_looks = 4096;
 /// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
 
-/// An elastic rebound is worth following further down: it keeps its energy.
+/// Of the capture height, for ε = 1, where rebounds never get lower by themselves: capturing one, or sending it off at
+/// the least speed, changes the energy by up to m g h R, which elastic scenes are not to lose or gain. With the default
+/// h that is 10⁻¹² m g R, no more than the ledger lets rounding take.
 constexpr double elastic_capture_share = 1e-6;
 
 bool has_friction(Model law) { return law != Model::frictionless && law != Model::reflection; }
