@@ -5,6 +5,7 @@
 #   build     packages, then the program at build/carom; this where no COMMAND is given
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
+#   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
 #   quick     build the tests of single parts that take least, and run them: the first answer to an edit
 #   test      build, then all tests (`ctest ARG…`)
 #   bench     build, then print what solvers, batches, judge and gate take
@@ -121,6 +122,19 @@ fuzz_one() {
   fi
 }
 
+# run_scene FILE [ARG…]: into build/scenes/NAME, and its verdict in a line. A million impulses of the gas are judged in part.
+run_scene() {
+  local file=$1 name options=()
+  shift
+  name=$(basename "$file" .json)
+  [ "$name" = gas ] && options=(--judge-every 100)
+  mkdir -p build/scenes
+  local status=0
+  build/carom scene "$file" --out "build/scenes/$name" "${options[@]}" "$@" >"build/scenes/$name.txt" || status=1
+  echo "$name: $(tail -n 1 "build/scenes/$name.txt")"
+  return "$status"
+}
+
 command=${1:-build}
 [ $# -gt 0 ] && shift
 case "$command" in
@@ -135,6 +149,14 @@ engines)
   (cd src/subjects/engines/npm && npm ci --no-audit --no-fund >&2)
   build carom_programs
   exec build/carom gate --engines "$@"
+  ;;
+scenes)
+  build carom_programs
+  status=0
+  for file in docs/examples/scenes/*.json; do
+    run_scene "$file" "$@" || status=1
+  done
+  exit "$status"
   ;;
 quick)
   build carom_unit_tests

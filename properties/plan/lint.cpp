@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -93,6 +94,30 @@ class Linter {
     }
   }
 
+  /// The plane at P across N supports a convex body: all of it, and so its centre of mass, lies on its own side.
+  void centre_of_mass() {
+    for (const auto& [body, name] : bodies()) {
+      if (body->immovable) {
+        continue;
+      }
+      const Vector3<Rational>& normal = exact_.normal;
+      const Rational height = Rational(name == "a" ? -1 : 1) * oracles::lever_arm(*body, exact_.point).dot(normal);
+      if (height >= 0) {
+        continue;
+      }
+      // Of each product in r·N at most (|P_i| + |X_i|) |N_i| is rounded.
+      Rational terms(0);
+      for (int i = 0; i < 3; ++i) {
+        terms += (abs(exact_.point[i]) + abs(body->position[i])) * abs(normal[i]);
+      }
+      const bool is_rounding = -height <= Rational(centre_of_mass_warned) * terms;
+      add(Lint::centre_of_mass, is_rounding ? Severity::note : Severity::warning, name + ".position",
+          fmt::format("the centre of mass lies {}beyond the plane through the contact point across N, on the side of "
+                      "the other body: outside of a convex body, or the normal points the wrong way",
+                      is_rounding ? "by rounding " : ""));
+    }
+  }
+
   void mass_ratio() {
     if (exact_.a.immovable || exact_.b.immovable) {
       return;
@@ -158,6 +183,7 @@ std::vector<LintFinding> findings_of(const ClassedCollision& contact) {
   linter.coefficients();
   linter.lengths();
   linter.moments();
+  linter.centre_of_mass();
   if (validate(contact.collision).empty()) {
     linter.condition();
   }

@@ -14,7 +14,7 @@ enum class Lint {
   condition,          // K exceeds 16 λ
   lever_arm,          // of one body: [r]ᵀ J⁻¹ [r] exceeds 15/m
   moments,            // a principal moment exceeds the sum of the others
-  centre_of_mass,     // outside of the shape; of scenes, which know shapes: a collision does not
+  centre_of_mass,     // of one body: beyond the plane at P across N, so outside of a convex body
   normal_length,      // far from 1
   quaternion_length,  // far from 1
   coefficient,        // ε, μ or e_t out of range, or beyond what is measured

@@ -25,6 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a replay: as many as a browser draws several times a second.
+constexpr std::size_t most_bodies_replayed = 20'000;
+
 /// A file that is written line by line while a scene runs.
 class LineFile {
  public:
@@ -78,7 +81,7 @@ Written run_one(const scene::Scene& scene, const SceneArguments& arguments, cons
   options.check = arguments.check;
   options.most_events = arguments.events;
   options.stop = stop;
-  const bool replays = out && has_replay() && body_count(scene) <= 2000;
+  const bool replays = out && has_replay() && body_count(scene) <= most_bodies_replayed;
   options.most_replayed = replays ? options.most_replayed : 0;
   const auto progress = progress_line("ms of " + scene.title);
   if (progress) {

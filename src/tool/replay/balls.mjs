@@ -35,7 +35,7 @@ export class Balls {
   /** @param bodies [{ body, index }] */
   constructor(bodies) {
     this.bodies = bodies;
-    const fine = bodies.length > 300 ? 20 : 40;
+    const fine = bodies.length > 3000 ? 12 : bodies.length > 300 ? 20 : 40;
     this.mesh = new InstancedMesh(new SphereGeometry(1, fine, fine / 2), painted(), bodies.length);
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.castShadow = true;

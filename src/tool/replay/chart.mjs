@@ -15,6 +15,8 @@ export class Chart {
     const { t, kinetic, potential, lost, spin } = replay.series;
     this.t = t;
     this.series = { total: t.map((_, i) => kinetic[i] + potential[i] + lost[i]), spin, potential, lost, kinetic };
+    // What is stored is rounded by some 10⁻¹⁵ of the energy: less than this is none.
+    this.rounding = 1e-12 * Object.values(this.series).flat().reduce((most, y) => Math.max(most, Math.abs(y)), 0);
     this.rows = Object.keys(names).map((name) => {
       const row = table.tBodies[0].insertRow();
       row.className = name;
@@ -88,7 +90,8 @@ export class Chart {
       return;
     }
     for (const { name, cell } of this.rows) {
-      cell.textContent = quantity(value_at(this.t, this.series[name], time), "J");
+      const value = value_at(this.t, this.series[name], time);
+      cell.textContent = quantity(Math.abs(value) < this.rounding ? 0 : value, "J");
     }
     if (this.cursor) {
       const x = this.x_of(time);

@@ -21,7 +21,10 @@ export class Panel {
     add_row(table, "Bodies", kinds.join(", ") || "none");
     add_row(table, "Planes", String(replay.planes.length));
     this.impacts = add_row(table, "Impacts");
-    add_row(table, "Duration", quantity(replay.duration, "s"));
+    add_row(table, "Duration", quantity(replay.of_duration, "s"));
+    if (replay.of_duration > replay.duration) {
+      add_row(table, "Shown", `the first ${quantity(replay.duration, "s")}`);
+    }
     add_row(table, "Gravity", quantity(Math.hypot(...replay.gravity), "m/s²", 3));
 
     this.counts = phases.map((phase) => {

@@ -48,6 +48,8 @@ function start() {
     by_id("law").lastElementChild.textContent = replay.law;
   }
 
+  // Of so many they hide the bodies.
+  by_id("rings").checked = replay.bodies.length <= 2000;
   let is_due = false;
   const draw = (now) => {
     is_due = false;

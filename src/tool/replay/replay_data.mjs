@@ -14,6 +14,7 @@ export function read(text) {
     title: raw.title ?? "",
     law: raw.law ?? "",
     duration,
+    of_duration: raw.of_duration ?? duration,
     gravity: raw.gravity ?? [0, 0, 0],
     bodies,
     planes,

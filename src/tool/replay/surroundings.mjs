@@ -44,8 +44,12 @@ export class Surroundings {
       if (!real || corners.length < 3) {
         return;
       }
-      corners.forEach(({ point, behind }, i) => {
-        if (behind >= 0 && spaces[behind].real) {
+      const meets = ({ behind }) => behind >= 0 && spaces[behind].real;
+      // A wall that stands alone is seen from behind by its outline.
+      const is_alone = Math.abs(dot(normal, up)) < 0.3 && !corners.some(meets);
+      corners.forEach((corner, i) => {
+        const { point } = corner;
+        if (is_alone || meets(corner)) {
           edges.push(point, corners[(i + 1) % corners.length].point);
         }
       });

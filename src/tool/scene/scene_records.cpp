@@ -103,7 +103,7 @@ json replayed_arcs(const SceneRun& run) {
     }
   }
   for (std::size_t body = 0; body < present.size(); ++body) {
-    add(body, run.simulation().time());
+    add(body, run.replayed_until());
   }
   return arcs;
 }
@@ -283,6 +283,10 @@ std::string scene_text(const SceneRun& run) {
   if (const auto& bad = run.judge().first_bad()) {
     text += fmt::format("          first at t = {} s: {}\n", bad->time, bad->invariant);
   }
+  if (run.is_replay_cut()) {
+    text +=
+        fmt::format("replay    of the first {} events, up to {:.4g} s\n", run.replayed()->size(), run.replayed_until());
+  }
   text += fmt::format("spin      changed of {} of {} bodies\n", run.spins_changed(), run.simulation().size());
   const properties::Energies final = ledger.present();
   text += fmt::format("energy    {:.9g} J at first, {:.9g} J at last\n", static_cast<double>(ledger.initial().total()),
@@ -300,7 +304,10 @@ json replay_record(const SceneRun& run) {
   json record;
   record["title"] = scene.title;
   record["law"] = name_of(scene.law);
-  record["duration"] = run.simulation().time();
+  record["duration"] = run.replayed_until();
+  if (run.is_replay_cut()) {
+    record["of_duration"] = run.simulation().time();
+  }
   record["gravity"] = vector_to_json(scene.gravity);
   record["bodies"] = replayed_bodies(scene);
   record["arcs"] = replayed_arcs(run);
@@ -327,6 +334,9 @@ json replay_record(const SceneRun& run) {
               {"lost", json::array()},
               {"spin", json::array()}};
   for (const Sample& sample : run.samples()) {
+    if (sample.time > run.replayed_until()) {
+      break;
+    }
     series["t"].push_back(sample.time);
     series["kinetic"].push_back(sample.translation + sample.rotation);
     series["potential"].push_back(sample.potential);

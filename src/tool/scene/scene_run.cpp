@@ -76,10 +76,11 @@ void SceneRun::record(const scene::Event& event) {
       check();
     }
   }
-  if (replayed_) {
-    replayed_->push_back(event);
-    if (replayed_->size() > options_.most_replayed) {
-      replayed_.reset();
+  if (replayed_ && !cut_) {
+    if (replayed_->size() < options_.most_replayed) {
+      replayed_->push_back(event);
+    } else {
+      cut_ = event.time;
     }
   }
   if (options_.on_event) {

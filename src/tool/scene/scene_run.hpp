@@ -22,7 +22,7 @@ struct SceneOptions {
   std::uint64_t judge_every = 1;  // every so many impulses; 0: none
   bool check = true;              // that nothing overlaps
   std::optional<std::uint64_t> most_events;
-  std::uint64_t most_replayed = 200'000;  // events that a replay holds
+  std::uint64_t most_replayed = 100'000;  // events that a replay holds, which ends there; 0: no replay
   std::stop_token stop;
   std::function<void(const scene::Event&)> on_event;  // empty for none
   std::function<void(double)> on_progress;            // of the time that is simulated; empty for none
@@ -51,8 +51,11 @@ class SceneRun {
   [[nodiscard]] const std::vector<Sample>& samples() const { return series_.samples(); }
   /// Where it began.
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
-  /// The events of a replay; none where there were too many.
+  /// The events of a replay; none where there is to be none.
   [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
+  /// Up to when these are all that happened: the present, or where they had become too many.
+  [[nodiscard]] double replayed_until() const { return cut_ ? *cut_ : simulation_.time(); }
+  [[nodiscard]] bool is_replay_cut() const { return cut_.has_value(); }
   /// Bodies that an event has ever given another w, by a bit, or a changing one.
   [[nodiscard]] std::size_t spins_changed() const;
   [[nodiscard]] double seconds() const { return seconds_; }  // of wall time, with all that was judged
@@ -82,6 +85,7 @@ class SceneRun {
   std::optional<properties::Validity> validity_;
   Series series_;
   std::optional<std::vector<scene::Event>> replayed_;
+  std::optional<double> cut_;
   std::vector<bool> has_turned_;
   double seconds_ = 0;
   std::string ended_early_;

@@ -34,6 +34,20 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
+/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s: by bounds some 0.04 s earlier or later. Exactly, another pair is
+/// first, at 1 − 2⁻¹⁰ s; and before that, in which time it leaves several cells, a fast sphere strikes one that is at
+/// rest.
+TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
+  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
+  unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {1 + 0x1p-44, 8, 0}, {-0x1p-44, 0, 0});
+  unit::add_sphere(scene, 0.5, {0, 4, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {2 - 0x1p-10, 4, 0}, {-1, 0, 0});
+  unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {-1 - 1024 * (1 - 0x1p-6), 0, 0}, {1024, 0, 0});
+  expect_valid(scene, 2);
+}
+
 /// The gap is 0 for an instant within two arcs, and nowhere below.
 TEST(StructuredScenes, SpheresGrazeExactly) {
   Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 5);

@@ -2,6 +2,7 @@
 // `carom scene` on the scenes that ship, and on what it has to refuse.
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/replay_html.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/scene_records.hpp"
+#include "scene/scene_run.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -80,6 +84,36 @@ TEST(SceneCommand, WritesWhatItPromises) {
             1 + record["events"]["all"].get<std::size_t>());
   EXPECT_EQ(fs::exists(out / "replay.html"), tool::has_replay());
   EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
+}
+
+/// Where more happens than a replay holds it ends just before, and says so.
+TEST(SceneRun, ReplaysWhatFitsIn) {
+  const auto replayed = [](std::uint64_t most) {
+    tool::SceneOptions options;
+    options.most_replayed = most;
+    const auto run = std::make_unique<tool::SceneRun>(
+        tool::scene_of(content_of(shipped("spinning_floor")), "spinning_floor"), options);
+    run->run();
+    EXPECT_EQ(run->is_replay_cut(), most < 56);
+    EXPECT_EQ(tool::scene_text(*run).find("replay    of the first 20 events") != std::string::npos, most == 20);
+    return tool::replay_record(*run);
+  };
+  const json whole = replayed(56);
+  EXPECT_EQ(whole["duration"], 12);
+  EXPECT_FALSE(whole.contains("of_duration"));
+  const json cut = replayed(20);
+  EXPECT_EQ(cut["of_duration"], 12);
+  EXPECT_LT(cut["duration"], 12);
+  std::size_t arcs = 0;
+  double latest = 0;
+  for (const json& of_body : cut["arcs"]) {
+    arcs += of_body.size();
+    latest = std::max(latest, of_body.back()[0].get<double>());
+  }
+  EXPECT_EQ(arcs, 9U + 20U);
+  EXPECT_LE(latest, cut["duration"]);
+  EXPECT_LE(cut["series"]["t"].back(), cut["duration"]);
+  EXPECT_GT(cut["series"]["t"].size(), 1U);
 }
 
 TEST(SceneCommand, IsTheSameTwice) {
