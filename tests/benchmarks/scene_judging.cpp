@@ -22,7 +22,7 @@ namespace {
 using carom::Model;
 using carom::scene::Event;
 using carom::scene::Scene;
-using carom::scene::Simulation;
+using carom::scene::SceneLoop;
 
 double seconds_of(const auto& work) {
   const std::clock_t begin = std::clock();
@@ -30,7 +30,7 @@ double seconds_of(const auto& work) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-std::vector<Event> events_of(Simulation& simulation) {
+std::vector<Event> events_of(SceneLoop& simulation) {
   std::vector<Event> events;
   while (const Event* event = simulation.advance()) {
     events.push_back(*event);
@@ -48,20 +48,20 @@ void print_row(const Scene& scene, int rounds) {
   std::size_t impulses = 0;
   std::size_t count = 0;
   for (int round = 0; round < rounds; ++round) {
-    const Simulation at_first(scene);
+    const SceneLoop at_first(scene);
     std::vector<Event> events;
     loop.push_back(seconds_of([&] {
-      Simulation simulation(scene);
+      SceneLoop simulation(scene);
       events = events_of(simulation);
     }));
     count = events.size();
     carom::properties::ImpulseJudge judged(scene.law, scene.precision, 1, {});
     judge.push_back(seconds_of([&] { std::ranges::for_each(events, [&](const Event& e) { judged.record(e); }); }));
     impulses = judged.judged();
-    carom::properties::Ledger booked(at_first);
+    carom::properties::Ledger booked(at_first.state());
     ledger.push_back(seconds_of([&] { std::ranges::for_each(events, [&](const Event& e) { booked.record(e); }); }));
     check.push_back(seconds_of([&] {
-      carom::properties::History history(at_first);
+      carom::properties::History history(at_first.state());
       std::ranges::for_each(events, [&](const Event& e) { history.record(e); });
       if (check_validity(scene, history).count > 0) {
         fmt::print("overlaps!\n");
