@@ -16,6 +16,7 @@
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
 #include <carom/scene/json/scene_json.hpp>
+#include <carom/scene/polyhedra/scene_loop.hpp>
 
 namespace {
 
