@@ -32,14 +32,6 @@ export function up_of({ gravity }) {
   return strength > 0 ? gravity.map((x) => -x / strength || 0) : [0, 0, 1];
 }
 
-/** By how much one looks down, as the tangent: into a room from aside, onto what is flat from further above. */
-export function steepness([least, greatest], up) {
-  const sides = [0, 1, 2].map((axis) => greatest[axis] - least[axis]);
-  const high = sides.reduce((sum, side, axis) => sum + side * Math.abs(up.getComponent(axis)), 0);
-  const flatness = 1 - Math.min(1, high / Math.max(...sides, Number.MIN_VALUE));
-  return 0.5 + 2 * Math.max(0, flatness - 0.6);
-}
-
 /**
  * Puts the camera where all of the corners are seen and fill the picture, from this direction. The target is moved with
  * it, for what is nearer takes more of the picture than what is behind the box's middle.

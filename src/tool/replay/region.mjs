@@ -107,3 +107,11 @@ export function grid_on(corners, normal, step, up) {
   });
   return pairs;
 }
+
+/** By how much one looks down, as the tangent: into a room from aside, onto what is flat from further above. */
+export function steepness([least, greatest], up) {
+  const sides = least.map((low, axis) => greatest[axis] - low);
+  const height = dot(sides, up.map(Math.abs));
+  const flatness = 1 - Math.min(1, height / Math.max(...sides, Number.MIN_VALUE));
+  return 0.5 + 2 * Math.max(0, flatness - 0.6);
+}

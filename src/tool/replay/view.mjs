@@ -6,8 +6,9 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 
 import { Arrows } from "./arrows.mjs";
 import { Balls } from "./balls.mjs";
-import { box_of, corners_of, frame, steepness, up_of } from "./framing.mjs";
+import { box_of, corners_of, frame, up_of } from "./framing.mjs";
 import { Polyhedra } from "./polyhedra.mjs";
+import { steepness } from "./region.mjs";
 import { typical_radius } from "./replay_data.mjs";
 import { Rings } from "./rings.mjs";
 import { Surroundings } from "./surroundings.mjs";
@@ -23,8 +24,8 @@ export class View {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene = new Scene();
     const box = box_of(replay);
-    this.box = box;
     const up = up_of(replay);
+    this.steepness = steepness(box, up);
     this.corners = corners_of(box);
     this.size = this.corners[0].distanceTo(this.corners[7]);
     this.camera = new PerspectiveCamera(32, 1, this.size / 200, this.size * 40);
@@ -77,7 +78,7 @@ export class View {
 
   look_from_the_start() {
     this.is_own_view = false;
-    const direction = this.aside(this.camera.up.toArray()).addScaledVector(this.camera.up, steepness(this.box, this.camera.up));
+    const direction = this.aside(this.camera.up.toArray()).addScaledVector(this.camera.up, this.steepness);
     frame(this.camera, this.controls.target.copy(this.centre), this.corners, direction);
     this.controls.update();
   }

@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { path_of, ticks, value_at } from "../../../src/tool/replay/chart_parts.mjs";
 import { dot } from "../../../src/tool/replay/quaternion.mjs";
-import { face_of, grid_on, grid_step, half_spaces } from "../../../src/tool/replay/region.mjs";
+import { face_of, grid_on, grid_step, half_spaces, steepness } from "../../../src/tool/replay/region.mjs";
 import { count_up_to, radius_of, read } from "../../../src/tool/replay/replay_data.mjs";
 import { quantity } from "../../../src/tool/replay/units.mjs";
 
@@ -48,6 +48,17 @@ test("the lines of a grid lie on the face, a step apart", () => {
   assert.ok(lines.flat().every(([x, y, z]) => Math.abs(x) < 1.0001 && Math.abs(y) < 2.0001 && Math.abs(z) < 1e-6));
   assert.equal(grid_step(24, 24), 1);
   assert.equal(grid_step(3, 24).toPrecision(3), "0.200");
+});
+
+test("one looks onto a table from further above than into a room", () => {
+  assert.equal(steepness(box, up), 0.5);
+  assert.equal(steepness([[0, 0, 0], [10, 5, 1]], up), 0.5 + 2 * (0.9 - 0.6));
+  assert.equal(steepness([[0, 0, 0], [10, 5, 1]], [-1, 0, 0]), 0.5);
+});
+
+test("a replay that ends before its scene knows of how much it is a part", () => {
+  assert.equal(read('{"duration": 3}').of_duration, 3);
+  assert.equal(read('{"duration": 3, "of_duration": 35}').of_duration, 35);
 });
 
 test("ticks are round and within", () => {
