@@ -56,41 +56,26 @@ std::string_view name_of(EventKind kind) {
   return "phase";
 }
 
-Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
+Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
   const std::size_t count = scene_.spheres.size();
-  paths_.resize(count);
-  turnings_.resize(count);
-  versions_.assign(count, 0);
-  planned_.resize(count);
-  leavings_.resize(count);
+  agenda_.resize(count);
   for (const Plane& plane : scene_.planes) {
     levels_.push_back(level_of(plane, scene_.gravity));
   }
-  std::map<double, std::vector<Reach>> reaches_of_radius;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Sphere& sphere = scene_.spheres[i];
-    Path& path = paths_[i];
-    path.position = sphere.position;
-    path.velocity = sphere.velocity;
-    path.acceleration = scene_.gravity;
-    path.radius = sphere.radius;
-    measure(path);
-    turnings_[i].angular_velocity = sphere.angular_velocity;
-    const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
-    masses_.push_back(mass);
-    moments_.push_back(0.4 * mass * sphere.radius * sphere.radius);
-    std::vector<Reach>& reaches = reaches_of_radius[sphere.radius];
-    if (reaches.empty()) {
-      for (const Plane& plane : scene_.planes) {
-        reaches.push_back({plane.normal, reach_of(plane.normal, plane.point, sphere.radius)});
-      }
+  for (const Make& make : spheres_.makes()) {
+    for (const Plane& plane : scene_.planes) {
+      reaches_.push_back({plane.normal, reach_of(plane.normal, plane.point, make.radius)});
     }
-    reaches_.insert(reaches_.end(), reaches.begin(), reaches.end());
   }
-  grid_ = grid_around(paths_);
+  std::vector<Path> paths;
+  for (std::size_t i = 0; i < count; ++i) {
+    paths.push_back(spheres_.path(i));
+  }
+  grid_ = grid_around(paths);
   queue_ = EventQueue(count);
   for (Index i = 0; i < count; ++i) {
-    grid_.put(i, paths_[i].position);
+    grid_.put(i, paths[i].position);
+    find_planes_in_reach(i);
   }
   for (Index i = 0; i < count; ++i) {
     if (!is_clear(i)) {
@@ -104,18 +89,52 @@ Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
 }
 
 std::size_t Simulation::bytes_per_sphere() const {
-  return sizeof(Path) + sizeof(Turning) + sizeof(Index) + sizeof(Planned) + sizeof(CellGrid::Leaving) +
-         2 * sizeof(double) + scene_.planes.size() * sizeof(Reach) + grid_.bytes_per_sphere() + sizeof(double) +
-         2 * sizeof(Index);
+  const std::size_t count = std::max<std::size_t>(size(), 1);
+  return spheres_.bytes_per_sphere() + sizeof(Agenda) + (grid_.bytes() + queue_.bytes()) / count;
 }
 
-bool Simulation::is_stale(const Planned& planned) const {
-  return planned.kind == Kind::sphere && versions_[planned.partner] != planned.partner_version;
+bool Simulation::is_stale(const Agenda& agenda) const {
+  return agenda.kind == Kind::sphere && agenda_[agenda.partner].version != agenda.partner_version;
 }
 
 void Simulation::keep(Index sphere, const Planned& planned) {
-  planned_[sphere] = planned;
+  Agenda& agenda = agenda_[sphere];
+  agenda.when = planned.when;
+  agenda.kind = planned.kind;
+  agenda.partner = planned.partner;
+  agenda.partner_version = planned.kind == Kind::sphere ? agenda_[planned.partner].version : 0;
   queue_.set(sphere, planned.when.earliest);
+}
+
+const Reach& Simulation::reach(Index sphere, std::size_t plane) const {
+  return reaches_[spheres_.make_index(sphere) * scene_.planes.size() + plane];
+}
+
+void Simulation::find_planes_in_reach(Index sphere) {
+  // While it is in the cell the centre is within a millionth of its width: more is taken.
+  const double margin = 0x1p-10 * grid_.width();
+  const Vector3<double> centre = grid_.centre_of_cell(sphere);
+  const double half = 0.5 * grid_.width() + margin;
+  std::uint8_t in_reach = 0;
+  for (std::size_t plane = 0; plane < scene_.planes.size(); ++plane) {
+    const Reach& its = reach(sphere, plane);
+    const double size = its.normal.cwiseAbs().sum();
+    if (!(its.normal.dot(centre) - its.reach > half * size)) {
+      in_reach |= static_cast<std::uint8_t>(1U << std::min<std::size_t>(plane, 7));
+    }
+  }
+  agenda_[sphere].planes_in_reach = in_reach;
+}
+
+template <class Use>
+void Simulation::for_planes_in_reach(Index sphere, const Use& use) const {
+  const unsigned in_reach = agenda_[sphere].planes_in_reach;
+  const auto planes = static_cast<Index>(scene_.planes.size());
+  for (Index plane = 0; plane < planes && in_reach >> std::min<Index>(plane, 7) != 0; ++plane) {
+    if ((in_reach >> std::min<Index>(plane, 7) & 1U) != 0) {
+      use(plane);
+    }
+  }
 }
 
 void Simulation::plan(Index sphere) { static_cast<void>(plan_or_doubt(sphere)); }
@@ -131,12 +150,19 @@ void Simulation::place_and_plan(Index sphere) {
 }
 
 bool Simulation::plan_or_doubt(Index sphere) {
-  const Path& path = paths_[sphere];
+  const Path path = spheres_.path(sphere);
+  neighbours_.clear();
+  grid_.for_neighbours(sphere, [&](Index other) {
+    spheres_.prefetch(other);
+    neighbours_.push_back(other);
+  });
+  queue_.prefetch(sphere);
   const CellGrid::Leaving leaving = grid_.leaving(sphere, path, now_);
-  leavings_[sphere] = leaving;
-  paths_[sphere].planned_until = leaving.time;
+  agenda_[sphere].leaving_axis = static_cast<std::int8_t>(leaving.axis);
+  agenda_[sphere].leaving_step = static_cast<std::int8_t>(leaving.step);
+  spheres_.set_until(sphere, std::min(path.end, leaving.time));
   const double own_horizon = std::min({path.end, leaving.time, scene_.duration});
-  Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0, 0};
+  Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0};
   bool is_clear = true;
   const auto consider = [&](const Planned& planned) {
     if (planned.when.earliest > best.when.latest) {
@@ -161,39 +187,44 @@ bool Simulation::plan_or_doubt(Index sphere) {
     throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
                      scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
   }
-  grid_.for_neighbours(sphere, [&](Index other) {
-    const Path& its = paths_[other];
+  const bool flies = spheres_.is_flying(sphere);
+  for (const Index other : neighbours_) {
+    const Track& its = spheres_.track(other);
     // What comes later than the first that was found is not asked for.
-    const double horizon = std::min({own_horizon, its.end, its.planned_until, best.when.latest});
-    const Beside pair(here, placed(its, now_), path.radius + its.radius);
+    const double horizon = std::min({own_horizon, its.until, best.when.latest});
+    const Vector3<double>& acceleration = spheres_.acceleration(other);
+    const double acceleration_size = acceleration.cwiseAbs().sum();
+    const Beside pair(here,
+                      placed(now_ - its.start, its.position, its.velocity, acceleration, its.position.cwiseAbs().sum(),
+                             its.velocity.cwiseAbs().sum(), acceleration_size),
+                      path.radius + spheres_.make(other).radius);
     is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
-    if (stay_apart(path, its, pair, now_, horizon)) {
-      return;
-    }
-    const TimeBounds when = contact_between(path, its, pair, now_, horizon, counts_.exact);
-    if (when.earliest < never) {
-      consider({when, Kind::sphere, other, versions_[other]});
-    }
-  });
-  const std::size_t planes = scene_.planes.size();
-  const Turning& turning = turnings_[sphere];
-  for (Index plane = 0; plane < planes; ++plane) {
-    if (turning.phase != Phase::flying && turning.plane == plane) {
+    const bool bends = !(flies && spheres_.is_flying(other)) && path.acceleration != acceleration;
+    if (stay_apart(pair, bends, path.acceleration_size + acceleration_size, now_, horizon)) {
       continue;
     }
-    const Reach& reach = reaches_[sphere * planes + plane];
-    is_clear = is_clear && (path.start != now_ || !overlap(path, reach, now_, counts_.exact.gaps));
-    const TimeBounds when = contact_between(path, reach, now_, own_horizon, counts_.exact);
+    const TimeBounds when = contact_between(path, spheres_.path(other), pair, now_, horizon, counts_.exact);
     if (when.earliest < never) {
-      consider({when, Kind::plane, plane, 0});
+      consider({when, Kind::sphere, other});
     }
   }
+  for_planes_in_reach(sphere, [&](Index plane) {
+    if (!flies && spheres_.plane(sphere) == plane) {
+      return;
+    }
+    const Reach& its = reach(sphere, plane);
+    is_clear = is_clear && (path.start != now_ || !overlap(path, its, now_, counts_.exact.gaps));
+    const TimeBounds when = contact_between(path, its, now_, own_horizon, counts_.exact);
+    if (when.earliest < never) {
+      consider({when, Kind::plane, plane});
+    }
+  });
   if (leaving.time < best.when.earliest) {
-    best = {{leaving.time, leaving.time}, Kind::crossing, 0, 0};
+    best = {{leaving.time, leaving.time}, Kind::crossing, 0};
   }
   keep(sphere, best);
-  if (best.kind == Kind::sphere && best.when.earliest < planned_[best.partner].when.earliest) {
-    keep(best.partner, {best.when, Kind::sphere, sphere, versions_[sphere]});
+  if (best.kind == Kind::sphere && best.when.earliest < agenda_[best.partner].when.earliest) {
+    keep(best.partner, {best.when, Kind::sphere, sphere});
   }
   return is_clear;
 }
@@ -207,9 +238,9 @@ ExactTime Simulation::exact_time(Index sphere, const Planned& planned) const {
   };
   switch (planned.kind) {
     case Kind::sphere:
-      return found(exact_contact(paths_[sphere], paths_[planned.partner], now_));
+      return found(exact_contact(spheres_.path(sphere), spheres_.path(planned.partner), now_));
     case Kind::plane:
-      return found(exact_contact(paths_[sphere], reaches_[sphere * scene_.planes.size() + planned.partner], now_));
+      return found(exact_contact(spheres_.path(sphere), reach(sphere, planned.partner), now_));
     case Kind::phase:
     case Kind::crossing:
     case Kind::none:
@@ -220,8 +251,8 @@ ExactTime Simulation::exact_time(Index sphere, const Planned& planned) const {
 
 bool Simulation::comes_before(Index left, Index right) {
   ++counts_.exact.orders;
-  const Planned& of_left = planned_[left];
-  const Planned& of_right = planned_[right];
+  const Planned of_left = agenda_[left].planned();
+  const Planned of_right = agenda_[right].planned();
   const auto order = exact_time(left, of_left) <=> exact_time(right, of_right);
   if (order != std::strong_ordering::equal) {
     return order == std::strong_ordering::less;
@@ -236,8 +267,10 @@ bool Simulation::comes_before(Index left, Index right) {
 }
 
 void Simulation::leave_cell(Index sphere) {
-  now_ = std::max(now_, planned_[sphere].when.earliest);
-  grid_.move(sphere, leavings_[sphere]);
+  const Agenda& agenda = agenda_[sphere];
+  now_ = std::max(now_, agenda.when.earliest);
+  grid_.move(sphere, {now_, agenda.leaving_axis, agenda.leaving_step});
+  find_planes_in_reach(sphere);
   ++counts_.crossings;
   plan(sphere);
 }
@@ -245,10 +278,10 @@ void Simulation::leave_cell(Index sphere) {
 std::optional<Simulation::Index> Simulation::next_sphere() {
   for (;;) {
     const Index first = queue_.first();
-    if (paths_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
+    if (agenda_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
       return std::nullopt;
     }
-    const Planned planned = planned_[first];
+    const Agenda planned = agenda_[first];
     if (planned.kind == Kind::crossing) {
       leave_cell(first);
       if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
@@ -264,12 +297,12 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     std::optional<Index> unsettled;
     std::optional<Index> leaves;  // its cell, first of those within the bounds
     queue_.for_each_until(planned.when.latest, [&](Index other) {
-      const Planned& its = planned_[other];
+      const Agenda& its = agenda_[other];
       if (other == first || unsettled) {
         return;
       }
       if (its.kind == Kind::crossing) {
-        if (!leaves || its.when.earliest < planned_[*leaves].when.earliest) {
+        if (!leaves || its.when.earliest < agenda_[*leaves].when.earliest) {
           leaves = other;
         }
         return;
@@ -278,7 +311,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
         unsettled = other;
         return;
       }
-      const Planned& best = planned_[chosen];
+      const Agenda& best = agenda_[chosen];
       const bool is_same =
           its.kind == Kind::sphere && best.kind == Kind::sphere && its.partner == chosen && best.partner == other;
       if (!is_same && comes_before(other, chosen)) {
@@ -287,7 +320,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     });
     if (unsettled) {
       plan(*unsettled);
-    } else if (leaves && planned_[*leaves].when.earliest < planned_[chosen].when.earliest) {
+    } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
       // Before anything can happen: a fast sphere would be far out of its cell by then.
       leave_cell(*leaves);
     } else {
@@ -302,7 +335,7 @@ const Event* Simulation::advance() {
     now_ = stop_.stop_requested() ? now_ : scene_.duration;
     return nullptr;
   }
-  const Planned planned = planned_[*next];
+  const Planned planned = agenda_[*next].planned();
   const double time = std::max(now_, planned.when.earliest);
   at_this_instant_ = time == event_.time && counts_.events > 0 ? at_this_instant_ + 1 : 1;
   now_ = time;
@@ -344,8 +377,9 @@ double Simulation::slow_speed(double radius, double restitution) const {
 }
 
 StruckSphere Simulation::struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const {
-  return {masses_[sphere],
-          moments_[sphere],
+  const Make& make = spheres_.make(sphere);
+  return {make.mass,
+          make.moment,
           before.path.radius,
           position,
           velocity_at(before.path, now_),
@@ -358,9 +392,8 @@ void Simulation::begin_change(Change& change, Index sphere) const {
 }
 
 void Simulation::set_arc(Index sphere, const Arc& arc) {
-  paths_[sphere] = arc.path;
-  turnings_[sphere] = arc.turning;
-  ++versions_[sphere];
+  spheres_.set_arc(sphere, arc);
+  ++agenda_[sphere].version;
 }
 
 void Simulation::set_flying(Index sphere, const Arc& arc, const BodyVelocity<double>& velocity) {
@@ -383,28 +416,22 @@ Arc Simulation::moved_on(Index sphere, const Vector3<double>& away) const {
 }
 
 bool Simulation::is_clear(Index sphere) {
-  const Path& path = paths_[sphere];
-  const std::size_t planes = scene_.planes.size();
-  for (std::size_t plane = 0; plane < planes; ++plane) {
-    if (overlap(path, reaches_[sphere * planes + plane], now_, counts_.exact.gaps)) {
-      return false;
-    }
-  }
+  const Path path = spheres_.path(sphere);
   bool clear = true;
-  grid_.for_neighbours(sphere,
-                       [&](Index other) { clear = clear && !overlap(path, paths_[other], now_, counts_.exact.gaps); });
+  for_planes_in_reach(
+      sphere, [&](Index plane) { clear = clear && !overlap(path, reach(sphere, plane), now_, counts_.exact.gaps); });
+  grid_.for_neighbours(
+      sphere, [&](Index other) { clear = clear && !overlap(path, spheres_.path(other), now_, counts_.exact.gaps); });
   return clear;
 }
 
 void Simulation::move_clear(Index sphere) {
   ++counts_.moved_clear;
-  Path& path = paths_[sphere];
-  const Vector3<double> position = path.position;
+  const Vector3<double> position = spheres_.track(sphere).position;
   for (int k = 1; k < moves; ++k) {
-    path.position = moved_by_ulps(position, k);
+    spheres_.set_position(sphere, moved_by_ulps(position, k));
     if (is_clear(sphere)) {
-      measure(path);
-      ++versions_[sphere];  // what was planned from the former place holds no longer
+      ++agenda_[sphere].version;  // what was planned from the former place holds no longer
       return;
     }
   }
@@ -417,12 +444,12 @@ void Simulation::strike(Index a, Index b) {
   event_.b.emplace();
   begin_change(event_.a, a);
   begin_change(*event_.b, b);
-  const Vector3<double> away = position_at(paths_[a], now_) - position_at(paths_[b], now_);
+  const Vector3<double> away = position_at(event_.a.before.path, now_) - position_at(event_.b->before.path, now_);
   const Arc moved_a = moved_on(a, away);
   const Arc moved_b = moved_on(b, -away);
   const StruckSphere struck_a = struck_sphere(a, moved_a.path.position, event_.a.before);
   const StruckSphere struck_b = struck_sphere(b, moved_b.path.position, event_.b->before);
-  MaterialPair pair = scene_.pairs.of(scene_.spheres[a].material, scene_.spheres[b].material);
+  MaterialPair pair = scene_.pairs.of(spheres_.make(a).material, spheres_.make(b).material);
   const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
   const double slow = slow_speed(std::min(struck_a.radius, struck_b.radius), pair.restitution);
   event_.was_slow = -normal.dot(struck_a.velocity - struck_b.velocity) < slow;
@@ -436,9 +463,9 @@ void Simulation::strike(Index a, Index b) {
   if (event_.was_slow) {
     ++counts_.slow;
     const double missing = std::max(0.0, slow - normal.dot(stored.a.velocity - stored.b.velocity));
-    const double impulse = missing / (1 / masses_[a] + 1 / masses_[b]);
-    stored.a.velocity += (impulse / masses_[a]) * normal;
-    stored.b.velocity -= (impulse / masses_[b]) * normal;
+    const double impulse = missing / (1 / mass(a) + 1 / mass(b));
+    stored.a.velocity += (impulse / mass(a)) * normal;
+    stored.b.velocity -= (impulse / mass(b)) * normal;
   }
   keep_apart(struck_a.position, struck_b.position, stored.a.velocity, stored.b.velocity);
   if (!event_.was_slow) {
@@ -460,7 +487,7 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   const Vector3<double>& normal = scene_.planes[plane].normal;
   const Arc moved = moved_on(sphere, normal);
   const StruckSphere struck_one = struck_sphere(sphere, moved.path.position, event_.a.before);
-  MaterialPair pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
+  MaterialPair pair = scene_.pairs.of(spheres_.make(sphere).material, scene_.planes[plane].material);
   const double approach = -normal.dot(struck_one.velocity) / normal.norm();
   const double slow = slow_speed(struck_one.radius, pair.restitution);
   const std::optional<Level>& level = levels_[plane];
@@ -486,7 +513,7 @@ void Simulation::strike_plane(Index sphere, Index plane) {
   }
   if (stays) {
     ++counts_.captures;
-    const MaterialPair& own = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
+    const MaterialPair& own = scene_.pairs.of(spheres_.make(sphere).material, scene_.planes[plane].material);
     set_arc(sphere, level_arc(*level, plane, own, has_friction(scene_.law), struck_one.radius, now_,
                               moved.path.position, stored.velocity, stored.angular_velocity));
   } else {
@@ -504,9 +531,9 @@ void Simulation::strike_plane(Index sphere, Index plane) {
 void Simulation::end_phase(Index sphere) {
   event_.kind = EventKind::phase;
   begin_change(event_.a, sphere);
-  const std::uint32_t plane = turnings_[sphere].plane;
+  const std::uint32_t plane = spheres_.plane(sphere);
   event_.plane = plane;
-  const MaterialPair& pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
+  const MaterialPair& pair = scene_.pairs.of(spheres_.make(sphere).material, scene_.planes[plane].material);
   const Arc moved = moved_on(sphere, Vector3<double>::Zero());
   set_arc(sphere,
           after_end(*levels_[plane], pair, has_friction(scene_.law), event_.a.before, now_, moved.path.position));
