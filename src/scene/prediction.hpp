@@ -116,10 +116,10 @@ struct ExactCounts {
   // Some products and sums of positive numbers: a relative 16 u covers their rounding.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  if (pair.distance.dot(pair.distance) > reach * reach) {
-    return true;
-  }
-  return !bends && pair.receding() > pair.receding_error();
+  // Both are computed, and no branch is guessed: which of them holds is as good as random.
+  const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
+  const bool recedes = pair.receding() > pair.receding_error();
+  return is_far | (!bends & recedes);
 }
 
 [[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const Beside& pair, double now, double horizon) {

@@ -188,22 +188,34 @@ bool Simulation::plan_or_doubt(Index sphere) {
                      scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
   }
   const bool flies = spheres_.is_flying(sphere);
-  for (const Index other : neighbours_) {
+  const auto beside = [&](Index other, const Vector3<double>& acceleration, double acceleration_size) {
     const Track& its = spheres_.track(other);
-    // What comes later than the first that was found is not asked for.
-    const double horizon = std::min({own_horizon, its.until, best.when.latest});
+    return Beside(here,
+                  placed(now_ - its.start, its.position, its.velocity, acceleration, its.position.cwiseAbs().sum(),
+                         its.velocity.cwiseAbs().sum(), acceleration_size),
+                  path.radius + spheres_.make(other).radius);
+  };
+  std::size_t near = 0;
+  for (const Index other : neighbours_) {
     const Vector3<double>& acceleration = spheres_.acceleration(other);
     const double acceleration_size = acceleration.cwiseAbs().sum();
-    const Beside pair(here,
-                      placed(now_ - its.start, its.position, its.velocity, acceleration, its.position.cwiseAbs().sum(),
-                             its.velocity.cwiseAbs().sum(), acceleration_size),
-                      path.radius + spheres_.make(other).radius);
-    is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
+    const Beside pair = beside(other, acceleration, acceleration_size);
     const bool bends = !(flies && spheres_.is_flying(other)) && path.acceleration != acceleration;
-    if (stay_apart(pair, bends, path.acceleration_size + acceleration_size, now_, horizon)) {
+    const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
+    is_clear = is_clear & (pair.squared_gap() > pair.squared_gap_error());
+    neighbours_[near] = other;
+    near += stay_apart(pair, bends, path.acceleration_size + acceleration_size, now_, horizon) ? 0 : 1;
+  }
+  neighbours_.resize(near);
+  for (const Index other : neighbours_) {
+    const Path its = spheres_.path(other);
+    // What comes later than the first that was found is not asked for.
+    const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
+    const Beside pair(here, placed(its, now_), path.radius + its.radius);
+    if (stay_apart(path, its, pair, now_, horizon)) {
       continue;
     }
-    const TimeBounds when = contact_between(path, spheres_.path(other), pair, now_, horizon, counts_.exact);
+    const TimeBounds when = contact_between(path, its, pair, now_, horizon, counts_.exact);
     if (when.earliest < never) {
       consider({when, Kind::sphere, other});
     }
