@@ -10,6 +10,7 @@
 
 #include <carom/scene/grid_around.hpp>
 #include <carom/scene/placing.hpp>
+#include <carom/scene/quick_look.hpp>
 #include <carom/scene/simulation.hpp>
 
 namespace carom::scene {
@@ -59,6 +60,7 @@ std::string_view name_of(EventKind kind) {
 Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
   const std::size_t count = scene_.spheres.size();
   agenda_.resize(count);
+  neighbours_.resize(count);
   for (const Plane& plane : scene_.planes) {
     levels_.push_back(level_of(plane, scene_.gravity));
   }
@@ -151,10 +153,10 @@ void Simulation::place_and_plan(Index sphere) {
 
 bool Simulation::plan_or_doubt(Index sphere) {
   const Path path = spheres_.path(sphere);
-  neighbours_.clear();
+  std::size_t neighbours = 0;
   grid_.for_neighbours(sphere, [&](Index other) {
     spheres_.prefetch(other);
-    neighbours_.push_back(other);
+    neighbours_[neighbours++] = other;
   });
   queue_.prefetch(sphere);
   const CellGrid::Leaving leaving = grid_.leaving(sphere, path, now_);
@@ -188,30 +190,23 @@ bool Simulation::plan_or_doubt(Index sphere) {
                      scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
   }
   const bool flies = spheres_.is_flying(sphere);
-  const auto beside = [&](Index other, const Vector3<double>& acceleration, double acceleration_size) {
-    const Track& its = spheres_.track(other);
-    return Beside(here,
-                  placed(now_ - its.start, its.position, its.velocity, acceleration, its.position.cwiseAbs().sum(),
-                         its.velocity.cwiseAbs().sum(), acceleration_size),
-                  path.radius + spheres_.make(other).radius);
-  };
-  std::size_t near = 0;
-  for (const Index other : neighbours_) {
-    const Vector3<double>& acceleration = spheres_.acceleration(other);
-    const double acceleration_size = acceleration.cwiseAbs().sum();
-    const Beside pair = beside(other, acceleration, acceleration_size);
-    const bool bends = !(flies && spheres_.is_flying(other)) && path.acceleration != acceleration;
-    const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
-    is_clear = is_clear & (pair.squared_gap() > pair.squared_gap_error());
-    neighbours_[near] = other;
-    near += stay_apart(pair, bends, path.acceleration_size + acceleration_size, now_, horizon) ? 0 : 1;
+  const QuickLook look(here, path.radius, scene_.gravity, spheres_.extent(now_), now_,
+                       std::min(own_horizon, best.when.latest));
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < neighbours; ++k) {
+    const Index other = neighbours_[k];
+    const bool fly = flies & spheres_.is_flying(other);
+    const bool apart = look.stays_apart(spheres_.track(other), spheres_.make(other).radius);
+    neighbours_[left] = other;
+    left += (fly & apart) ? 0 : 1;
   }
-  neighbours_.resize(near);
-  for (const Index other : neighbours_) {
+  for (std::size_t k = 0; k < left; ++k) {
+    const Index other = neighbours_[k];
     const Path its = spheres_.path(other);
     // What comes later than the first that was found is not asked for.
     const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
     const Beside pair(here, placed(its, now_), path.radius + its.radius);
+    is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
     if (stay_apart(path, its, pair, now_, horizon)) {
       continue;
     }

@@ -21,12 +21,17 @@ struct Make {
 /// What is read of a sphere by all whose neighbour it is: one line of a cache. Its acceleration is gravity's, unless it
 /// is on a plane, and its radius that of its make.
 struct alignas(64) Track {
-  double start = 0;      // of the path [s]
-  double until = never;  // the path ends then, or what is further off is not looked for yet: the loop's own [s]
   Vector3<double> position{0, 0, 0};
+  double start = 0;  // of the path [s]
   Vector3<double> velocity{0, 0, 0};
+  double until = never;  // the path ends then, or what is further off is not looked for yet: the loop's own [s]
 };
 static_assert(sizeof(Track) == 64);
+
+/// Bounds of places [m] and velocities [m/s].
+struct Extent {
+  double position_size, velocity_size;
+};
 
 /// The motions of all spheres of a scene. Events are anywhere in space, so that each reads memory that no cache holds
 /// any more: what is read together lies together here, and what many spheres share is kept once.
@@ -62,10 +67,16 @@ class SphereStore {
     measure(path);
     return path;
   }
+  /// What the sizes of all places and velocities from the beginning up to `now` have been at most, in the 1-norm, but
+  /// for a few roundings. Accelerations of spheres on planes are left out.
+  [[nodiscard]] Extent extent(double now) const {
+    const double turn = gravity_size_ * now;
+    return {position_size_ + now * (velocity_size_ + turn), velocity_size_ + turn};
+  }
   [[nodiscard]] Arc arc(std::size_t sphere) const { return {path(sphere), turnings_[sphere].turning}; }
   /// Precondition: the radius is that of the sphere's make; where it flies, the acceleration is gravity, and no end.
   void set_arc(std::size_t sphere, const Arc& arc);
-  void set_position(std::size_t sphere, const Vector3<double>& position) { tracks_[sphere].position = position; }
+  void set_position(std::size_t sphere, const Vector3<double>& position);
   void set_until(std::size_t sphere, double until) { tracks_[sphere].until = until; }
 
   /// Asks for what `track` and the acceleration of a sphere that flies read, before they do.
@@ -79,6 +90,8 @@ class SphereStore {
   }
 
  private:
+  void widen(const Track& track);
+
   using Tag = std::uint32_t;  // twice the index of the make, and 1 where the sphere is not flying
   struct alignas(64) TurningAndEnd {
     Turning turning;
@@ -86,6 +99,8 @@ class SphereStore {
   };
 
   Vector3<double> gravity_{0, 0, 0};
+  double gravity_size_ = 0;
+  double position_size_ = 0, velocity_size_ = 0;  // of what has been set, at most
   std::vector<Make> makes_;
   std::vector<Track> tracks_;
   std::vector<Tag> tags_;
