@@ -31,7 +31,7 @@ class CellGrid {
   /// `width` [m] is more than a millionth wider than the largest diameter: that is what the time of leaving, which is
   /// rounded, may be off by. `extent` in cells along each axis: how far apart cells have lists of their own.
   CellGrid(double width, const Cell& extent, std::size_t spheres)
-      : width_(width), next_(spheres, nobody), previous_(spheres, nobody), cells_(spheres) {
+      : width_(width), next_(spheres, nobody), places_(spheres) {
     std::size_t lists = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::int64_t count = 4;  // neighbours on both sides have lists of their own
@@ -41,44 +41,43 @@ class CellGrid {
       mask_[axis] = count - 1;
       lists *= static_cast<std::size_t>(count);
     }
-    first_.assign(lists, nobody);
+    row_ = static_cast<std::size_t>(mask_[0] + 1) * 4;
+    layer_ = row_ * static_cast<std::size_t>(mask_[1] + 1) / 2;
+    blocks_.resize(lists / lists_in_a_block);
   }
 
   void put(Index sphere, const Vector3<double>& position) {
     for (int axis = 0; axis < 3; ++axis) {
-      cells_[sphere][static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(position[axis] / width_));
+      places_[sphere].cell[static_cast<std::size_t>(axis)] =
+          static_cast<std::int64_t>(std::floor(position[axis] / width_));
     }
     link(sphere);
   }
 
   void move(Index sphere, const Leaving& leaving) {
     unlink(sphere);
-    cells_[sphere][static_cast<std::size_t>(leaving.axis)] += leaving.step;
+    places_[sphere].cell[static_cast<std::size_t>(leaving.axis)] += leaving.step;
     link(sphere);
   }
 
   /// Calls use(j) for every other sphere in the cell or in one beside it.
   template <class Use>
   void for_neighbours(Index sphere, const Use& use) const {
-    const Cell& cell = cells_[sphere];
-    std::array<std::array<std::size_t, 3>, 3> places;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::int64_t step = -1; step <= 1; ++step) {
-        places[axis][static_cast<std::size_t>(step + 1)] = static_cast<std::size_t>((cell[axis] + step) & mask_[axis]);
-      }
-    }
-    const auto nx = static_cast<std::size_t>(mask_[0] + 1);
-    const auto ny = static_cast<std::size_t>(mask_[1] + 1);
-    for (const std::size_t z : places[2]) {
-      for (const std::size_t y : places[1]) {
-        for (const std::size_t x : places[0]) {
-          for (Index j = first_[x + nx * (y + ny * z)]; j != nobody; j = next_[j]) {
-            if (j != sphere) {
-              use(j);
-            }
-          }
+    // Where most cells are empty or have one sphere, a branch for each would be guessed wrongly every third time.
+    std::array<Index, 27> firsts;
+    std::size_t lists = 0;
+    for_lists_around(sphere, [&](std::size_t list) {
+      firsts[lists] = first(list);
+      lists += firsts[lists] != nobody ? 1 : 0;
+    });
+    for (std::size_t k = 0; k < lists; ++k) {
+      Index j = firsts[k];
+      do {
+        if (j != sphere) {
+          use(j);
         }
-      }
+        j = next_[j];
+      } while (j != nobody);
     }
   }
 
@@ -88,7 +87,7 @@ class CellGrid {
     const Vector3<double> position = position_at(path, now);
     const Vector3<double> velocity = velocity_at(path, now);
     for (int axis = 0; axis < 3; ++axis) {
-      const double low = static_cast<double>(cells_[sphere][static_cast<std::size_t>(axis)]) * width_;
+      const double low = static_cast<double>(places_[sphere].cell[static_cast<std::size_t>(axis)]) * width_;
       const double x = position[axis] - low;
       const double v = velocity[axis];
       const double a = path.acceleration[axis];
@@ -103,8 +102,17 @@ class CellGrid {
     return first;
   }
 
+  /// Of the cell that a sphere is in.
+  [[nodiscard]] Vector3<double> centre_of_cell(Index sphere) const {
+    const Cell& cell = places_[sphere].cell;
+    return {(static_cast<double>(cell[0]) + 0.5) * width_, (static_cast<double>(cell[1]) + 0.5) * width_,
+            (static_cast<double>(cell[2]) + 0.5) * width_};
+  }
+
   [[nodiscard]] double width() const { return width_; }
-  [[nodiscard]] std::size_t bytes_per_sphere() const { return 2 * sizeof(Index) + sizeof(Cell); }
+  [[nodiscard]] std::size_t bytes() const {
+    return blocks_.size() * sizeof(Block) + next_.size() * (sizeof(Index) + sizeof(Place));
+  }
 
  private:
   static constexpr Index nobody = 0xffffffff;
@@ -124,36 +132,84 @@ class CellGrid {
     return std::max(0.0, 2 * distance / (v + std::sqrt(square)));
   }
 
+  /// The first of each list of 4 × 2 × 2 cells, in one line of a cache: the 27 cells about one are in 6 lines on
+  /// average, and would be in more than 9 row by row.
+  static constexpr std::size_t lists_in_a_block = 16;
+  struct alignas(64) Block {
+    std::array<Index, lists_in_a_block> first;
+    Block() { first.fill(nobody); }
+  };
+  [[nodiscard]] Index& first(std::size_t list) {
+    return blocks_[list / lists_in_a_block].first[list % lists_in_a_block];
+  }
+  [[nodiscard]] Index first(std::size_t list) const {
+    return blocks_[list / lists_in_a_block].first[list % lists_in_a_block];
+  }
+  template <class Use>
+  void for_lists_around(Index sphere, const Use& use) const {
+    const Cell& cell = places_[sphere].cell;
+    std::array<std::array<std::size_t, 3>, 3> parts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::int64_t step = -1; step <= 1; ++step) {
+        parts[axis][static_cast<std::size_t>(step + 1)] = part(axis, cell[axis] + step);
+      }
+    }
+    for (const std::size_t z : parts[2]) {
+      for (const std::size_t y : parts[1]) {
+        for (const std::size_t x : parts[0]) {
+          use(x + y + z);
+        }
+      }
+    }
+  }
+  /// What a coordinate of a cell adds to the number of its list.
+  [[nodiscard]] std::size_t part(std::size_t axis, std::int64_t coordinate) const {
+    const auto k = static_cast<std::size_t>(coordinate & mask_[axis]);
+    switch (axis) {
+      case 0:
+        return k % 4 + k / 4 * 16;
+      case 1:
+        return k % 2 * 4 + k / 2 * row_;
+      default:
+        return k % 2 * 8 + k / 2 * layer_;
+    }
+  }
   [[nodiscard]] std::size_t list_of(Index sphere) const {
-    const Cell& cell = cells_[sphere];
-    const auto place = [&](std::size_t axis) { return static_cast<std::size_t>(cell[axis] & mask_[axis]); };
-    return place(0) +
-           static_cast<std::size_t>(mask_[0] + 1) * (place(1) + static_cast<std::size_t>(mask_[1] + 1) * place(2));
+    const Cell& cell = places_[sphere].cell;
+    return part(0, cell[0]) + part(1, cell[1]) + part(2, cell[2]);
   }
   void link(Index sphere) {
-    Index& first = first_[list_of(sphere)];
-    next_[sphere] = first;
-    previous_[sphere] = nobody;
-    if (first != nobody) {
-      previous_[first] = sphere;
+    Index& before = first(list_of(sphere));
+    next_[sphere] = before;
+    places_[sphere].previous = nobody;
+    if (before != nobody) {
+      places_[before].previous = sphere;
     }
-    first = sphere;
+    before = sphere;
   }
   void unlink(Index sphere) {
-    if (previous_[sphere] != nobody) {
-      next_[previous_[sphere]] = next_[sphere];
+    const Index previous = places_[sphere].previous;
+    if (previous != nobody) {
+      next_[previous] = next_[sphere];
     } else {
-      first_[list_of(sphere)] = next_[sphere];
+      first(list_of(sphere)) = next_[sphere];
     }
     if (next_[sphere] != nobody) {
-      previous_[next_[sphere]] = previous_[sphere];
+      places_[next_[sphere]].previous = previous;
     }
   }
 
+  struct Place {
+    Cell cell{};
+    Index previous = nobody;
+  };
+
   double width_ = 1;
   Cell mask_{};
-  std::vector<Index> first_, next_, previous_;
-  std::vector<Cell> cells_;
+  std::size_t row_ = 0, layer_ = 0;  // lists of two rows of cells, and of two layers
+  std::vector<Block> blocks_;
+  std::vector<Index> next_;  // searches read it of every neighbour: it lies apart
+  std::vector<Place> places_;
 };
 
 }  // namespace carom::scene

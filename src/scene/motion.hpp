@@ -36,11 +36,10 @@ enum class Phase : std::uint8_t {
 }
 
 /// The path of a sphere's centre from `start` on: x + v s + a s²/2, s = t − start, exactly, of the doubles that stand
-/// here. What is predicted from it is read often: radius and sizes stand beside it.
-struct alignas(64) Path {
+/// here. What predictions need beside it: radius and sizes.
+struct Path {
   double start = 0;                       // [s]
   double end = never;                     // where the phase changes by itself [s]
-  double planned_until = never;           // what is further off is not looked for yet: the loop's own [s]
   Vector3<double> position{0, 0, 0};      // x [m]
   Vector3<double> velocity{0, 0, 0};      // v [m/s]
   Vector3<double> acceleration{0, 0, 0};  // a [m/s²]

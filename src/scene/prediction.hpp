@@ -19,15 +19,22 @@ struct Placed {
   double position_error, velocity_error;  // in the 1-norm
 };
 
-[[nodiscard]] inline Placed placed(const Path& path, double now) {
-  const double s = now - path.start;
+/// As s = t − start has gone by; sizes in the 1-norm.
+[[nodiscard]] inline Placed placed(double s, const Vector3<double>& position, const Vector3<double>& velocity,
+                                   const Vector3<double>& acceleration, double position_size, double velocity_size,
+                                   double acceleration_size) {
   if (s == 0) {
-    return {path.position, path.velocity, 0, 0};
+    return {position, velocity, 0, 0};
   }
-  const double turn = path.acceleration_size * s;
-  return {path.position + s * (path.velocity + (0.5 * s) * path.acceleration), path.velocity + s * path.acceleration,
-          7 * roundoff * (path.position_size + s * (path.velocity_size + turn)),
-          path.acceleration_size == 0 ? 0 : 4 * roundoff * (path.velocity_size + turn)};
+  const double turn = acceleration_size * s;
+  return {position + s * (velocity + (0.5 * s) * acceleration), velocity + s * acceleration,
+          7 * roundoff * (position_size + s * (velocity_size + turn)),
+          acceleration_size == 0 ? 0 : 4 * roundoff * (velocity_size + turn)};
+}
+
+[[nodiscard]] inline Placed placed(const Path& path, double now) {
+  return placed(now - path.start, path.position, path.velocity, path.acceleration, path.position_size,
+                path.velocity_size, path.acceleration_size);
 }
 
 /// Two spheres beside each other. Sizes and errors in the 1-norm, which is at least the Euclidean one.
@@ -101,17 +108,22 @@ struct ExactCounts {
                                          ExactCounts& counts);
 
 /// Whether two spheres certainly do not touch up to the horizon: they are too far apart, or recede. Most neighbours do.
-[[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const Beside& pair, double now, double horizon) {
+/// `bends`: their accelerations differ; then the sum of the sizes of both is read.
+[[nodiscard]] inline bool stay_apart(const Beside& pair, bool bends, double acceleration_size, double now,
+                                     double horizon) {
   const double span = std::max(0.0, horizon - now);
-  const bool bends = a.acceleration != b.acceleration;
-  const double bend = bends ? 0.5 * (a.acceleration_size + b.acceleration_size) * span : 0;
+  const double bend = bends ? 0.5 * acceleration_size * span : 0;
   // Some products and sums of positive numbers: a relative 16 u covers their rounding.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  if (pair.distance.dot(pair.distance) > reach * reach) {
-    return true;
-  }
-  return !bends && pair.receding() > pair.receding_error();
+  // Both are computed, and no branch is guessed: which of them holds is as good as random.
+  const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
+  const bool recedes = pair.receding() > pair.receding_error();
+  return is_far | (!bends & recedes);
+}
+
+[[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const Beside& pair, double now, double horizon) {
+  return stay_apart(pair, a.acceleration != b.acceleration, a.acceleration_size + b.acceleration_size, now, horizon);
 }
 
 }  // namespace carom::scene

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include <carom/scene/grid_around.hpp>
-#include <carom/scene/least_speed.hpp>
-#include <carom/scene/placing.hpp>
 #include <carom/scene/simulation.hpp>
 
 namespace carom::scene {
@@ -21,11 +15,6 @@ constexpr unsigned long long most_at_one_instant = 100'000;
 
 /// How often it is looked whether to stop, where nothing happens but that spheres leave cells.
 constexpr unsigned long long crossings_between_looks = 4096;
-
-/// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
-constexpr double most_cells_away = 0x1p30;
-
-bool has_friction(Model law) { return law != Model::frictionless && law != Model::reflection; }
 
 std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -54,44 +43,30 @@ std::string_view name_of(EventKind kind) {
   return "phase";
 }
 
-Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
+Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
   if (!scene_.polyhedra.empty()) {
     throw std::logic_error("Simulation: a scene with polyhedra is for Tumbling");
   }
   const std::size_t count = scene_.spheres.size();
-  paths_.resize(count);
-  turnings_.resize(count);
-  versions_.assign(count, 0);
-  planned_.resize(count);
-  leavings_.resize(count);
+  agenda_.resize(count);
+  neighbours_.resize(count);
   for (const Plane& plane : scene_.planes) {
     levels_.push_back(level_of(plane, scene_.gravity));
   }
-  std::map<double, std::vector<Reach>> reaches_of_radius;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Sphere& sphere = scene_.spheres[i];
-    Path& path = paths_[i];
-    path.position = sphere.position;
-    path.velocity = sphere.velocity;
-    path.acceleration = scene_.gravity;
-    path.radius = sphere.radius;
-    measure(path);
-    turnings_[i].angular_velocity = sphere.angular_velocity;
-    const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
-    masses_.push_back(mass);
-    moments_.push_back(0.4 * mass * sphere.radius * sphere.radius);
-    std::vector<Reach>& reaches = reaches_of_radius[sphere.radius];
-    if (reaches.empty()) {
-      for (const Plane& plane : scene_.planes) {
-        reaches.push_back({plane.normal, reach_of(plane.normal, plane.point, sphere.radius)});
-      }
+  for (const Make& make : spheres_.makes()) {
+    for (const Plane& plane : scene_.planes) {
+      reaches_.push_back({plane.normal, reach_of(plane.normal, plane.point, make.radius)});
     }
-    reaches_.insert(reaches_.end(), reaches.begin(), reaches.end());
   }
-  grid_ = grid_around(paths_);
+  std::vector<Path> paths;
+  for (std::size_t i = 0; i < count; ++i) {
+    paths.push_back(spheres_.path(i));
+  }
+  grid_ = grid_around(paths);
   queue_ = EventQueue(count);
   for (Index i = 0; i < count; ++i) {
-    grid_.put(i, paths_[i].position);
+    grid_.put(i, paths[i].position);
+    find_planes_in_reach(i);
   }
   for (Index i = 0; i < count; ++i) {
     if (!is_clear(i)) {
@@ -105,9 +80,8 @@ Simulation::Simulation(Scene scene) : scene_(std::move(scene)) {
 }
 
 std::size_t Simulation::bytes_per_sphere() const {
-  return sizeof(Path) + sizeof(Turning) + sizeof(Index) + sizeof(Planned) + sizeof(CellGrid::Leaving) +
-         2 * sizeof(double) + scene_.planes.size() * sizeof(Reach) + grid_.bytes_per_sphere() + sizeof(double) +
-         2 * sizeof(Index);
+  const std::size_t count = std::max<std::size_t>(size(), 1);
+  return spheres_.bytes_per_sphere() + sizeof(Agenda) + (grid_.bytes() + queue_.bytes()) / count;
 }
 
 SceneState Simulation::state() const {
@@ -115,8 +89,8 @@ SceneState Simulation::state() const {
   state.bodies.reserve(size());
   for (std::size_t sphere = 0; sphere < size(); ++sphere) {
     BodyState body;
-    body.mass = masses_[sphere];
-    body.principal_inertia = Vector3<double>::Constant(moments_[sphere]);
+    body.mass = mass(sphere);
+    body.principal_inertia = Vector3<double>::Constant(moment(sphere));
     body.arc = arc(sphere);
     body.angular_velocity = angular_velocity_at(body.arc, now_);
     state.bodies.push_back(body);
@@ -124,135 +98,15 @@ SceneState Simulation::state() const {
   return state;
 }
 
-bool Simulation::is_stale(const Planned& planned) const {
-  return planned.kind == Kind::sphere && versions_[planned.partner] != planned.partner_version;
-}
-
-void Simulation::keep(Index sphere, const Planned& planned) {
-  planned_[sphere] = planned;
-  queue_.set(sphere, planned.when.earliest);
-}
-
-void Simulation::plan(Index sphere) { static_cast<void>(plan_or_doubt(sphere)); }
-
-void Simulation::place_and_plan(Index sphere) {
-  if (plan_or_doubt(sphere)) {
-    return;
-  }
-  if (!is_clear(sphere)) {
-    move_clear(sphere);
-    plan(sphere);
-  }
-}
-
-bool Simulation::plan_or_doubt(Index sphere) {
-  const Path& path = paths_[sphere];
-  const CellGrid::Leaving leaving = grid_.leaving(sphere, path, now_);
-  leavings_[sphere] = leaving;
-  paths_[sphere].planned_until = leaving.time;
-  const double own_horizon = std::min({path.end, leaving.time, scene_.duration});
-  Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0, 0};
-  bool is_clear = true;
-  const auto consider = [&](const Planned& planned) {
-    if (planned.when.earliest > best.when.latest) {
-      return;
-    }
-    if (planned.when.latest < best.when.earliest) {
-      best = planned;
-      return;
-    }
-    // Which of this sphere's own events is first cannot wait: only one of them is kept.
-    ++counts_.exact.orders;
-    const auto order = exact_time(sphere, planned) <=> exact_time(sphere, best);
-    counts_.exact.ties += order == std::strong_ordering::equal ? 1 : 0;
-    if (order == std::strong_ordering::less ||
-        (order == std::strong_ordering::equal &&
-         std::tuple(planned.kind, planned.partner) < std::tuple(best.kind, best.partner))) {
-      best = planned;
-    }
-  };
-  const Placed here = placed(path, now_);
-  if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width())) {
-    throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
-                     scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
-  }
-  grid_.for_neighbours(sphere, [&](Index other) {
-    const Path& its = paths_[other];
-    // What comes later than the first that was found is not asked for.
-    const double horizon = std::min({own_horizon, its.end, its.planned_until, best.when.latest});
-    const Beside pair(here, placed(its, now_), path.radius + its.radius);
-    is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
-    if (stay_apart(path, its, pair, now_, horizon)) {
-      return;
-    }
-    const TimeBounds when = contact_between(path, its, pair, now_, horizon, counts_.exact);
-    if (when.earliest < never) {
-      consider({when, Kind::sphere, other, versions_[other]});
-    }
-  });
-  const std::size_t planes = scene_.planes.size();
-  const Turning& turning = turnings_[sphere];
-  for (Index plane = 0; plane < planes; ++plane) {
-    if (turning.phase != Phase::flying && turning.plane == plane) {
-      continue;
-    }
-    const Reach& reach = reaches_[sphere * planes + plane];
-    is_clear = is_clear && (path.start != now_ || !overlap(path, reach, now_, counts_.exact.gaps));
-    const TimeBounds when = contact_between(path, reach, now_, own_horizon, counts_.exact);
-    if (when.earliest < never) {
-      consider({when, Kind::plane, plane, 0});
-    }
-  }
-  if (leaving.time < best.when.earliest) {
-    best = {{leaving.time, leaving.time}, Kind::crossing, 0, 0};
-  }
-  keep(sphere, best);
-  if (best.kind == Kind::sphere && best.when.earliest < planned_[best.partner].when.earliest) {
-    keep(best.partner, {best.when, Kind::sphere, sphere, versions_[sphere]});
-  }
-  return is_clear;
-}
-
-ExactTime Simulation::exact_time(Index sphere, const Planned& planned) const {
-  const auto found = [](std::optional<ExactTime> time) {
-    if (!time) {
-      throw std::logic_error("Simulation: an event within its bounds does not exist");
-    }
-    return *std::move(time);
-  };
-  switch (planned.kind) {
-    case Kind::sphere:
-      return found(exact_contact(paths_[sphere], paths_[planned.partner], now_));
-    case Kind::plane:
-      return found(exact_contact(paths_[sphere], reaches_[sphere * scene_.planes.size() + planned.partner], now_));
-    case Kind::phase:
-    case Kind::crossing:
-    case Kind::none:
-      break;
-  }
-  return ExactTime::at(planned.when.earliest);
-}
-
-bool Simulation::comes_before(Index left, Index right) {
-  ++counts_.exact.orders;
-  const Planned& of_left = planned_[left];
-  const Planned& of_right = planned_[right];
-  const auto order = exact_time(left, of_left) <=> exact_time(right, of_right);
-  if (order != std::strong_ordering::equal) {
-    return order == std::strong_ordering::less;
-  }
-  ++counts_.exact.ties;
-  const auto rank = [](Index sphere, const Planned& planned) {
-    const bool is_pair = planned.kind == Kind::sphere;
-    return std::tuple(planned.kind, is_pair ? std::min(sphere, planned.partner) : sphere,
-                      is_pair ? std::max(sphere, planned.partner) : planned.partner);
-  };
-  return rank(left, of_left) < rank(right, of_right);
+bool Simulation::is_stale(const Agenda& agenda) const {
+  return agenda.kind == Kind::sphere && agenda_[agenda.partner].version != agenda.partner_version;
 }
 
 void Simulation::leave_cell(Index sphere) {
-  now_ = std::max(now_, planned_[sphere].when.earliest);
-  grid_.move(sphere, leavings_[sphere]);
+  const Agenda& agenda = agenda_[sphere];
+  now_ = std::max(now_, agenda.when.earliest);
+  grid_.move(sphere, {now_, agenda.leaving_axis, agenda.leaving_step});
+  find_planes_in_reach(sphere);
   ++counts_.crossings;
   plan(sphere);
 }
@@ -260,10 +114,10 @@ void Simulation::leave_cell(Index sphere) {
 std::optional<Simulation::Index> Simulation::next_sphere() {
   for (;;) {
     const Index first = queue_.first();
-    if (paths_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
+    if (agenda_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
       return std::nullopt;
     }
-    const Planned planned = planned_[first];
+    const Agenda planned = agenda_[first];
     if (planned.kind == Kind::crossing) {
       leave_cell(first);
       if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
@@ -279,12 +133,12 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     std::optional<Index> unsettled;
     std::optional<Index> leaves;  // its cell, first of those within the bounds
     queue_.for_each_until(planned.when.latest, [&](Index other) {
-      const Planned& its = planned_[other];
+      const Agenda& its = agenda_[other];
       if (other == first || unsettled) {
         return;
       }
       if (its.kind == Kind::crossing) {
-        if (!leaves || its.when.earliest < planned_[*leaves].when.earliest) {
+        if (!leaves || its.when.earliest < agenda_[*leaves].when.earliest) {
           leaves = other;
         }
         return;
@@ -293,7 +147,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
         unsettled = other;
         return;
       }
-      const Planned& best = planned_[chosen];
+      const Agenda& best = agenda_[chosen];
       const bool is_same =
           its.kind == Kind::sphere && best.kind == Kind::sphere && its.partner == chosen && best.partner == other;
       if (!is_same && comes_before(other, chosen)) {
@@ -302,7 +156,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     });
     if (unsettled) {
       plan(*unsettled);
-    } else if (leaves && planned_[*leaves].when.earliest < planned_[chosen].when.earliest) {
+    } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
       // Before anything can happen: a fast sphere would be far out of its cell by then.
       leave_cell(*leaves);
     } else {
@@ -317,7 +171,7 @@ const Event* Simulation::advance() {
     now_ = stop_.stop_requested() ? now_ : scene_.duration;
     return nullptr;
   }
-  const Planned planned = planned_[*next];
+  const Planned planned = agenda_[*next].planned();
   const double time = std::max(now_, planned.when.earliest);
   at_this_instant_ = time == event_.time && counts_.events > 0 ? at_this_instant_ + 1 : 1;
   now_ = time;
@@ -351,177 +205,6 @@ void Simulation::count_instant(const char* what, Index sphere) {
                      " impacts at the instant t = " + std::to_string(now_) + ", the last of sphere " +
                      std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ") with " + what);
   }
-}
-
-StruckSphere Simulation::struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const {
-  return {masses_[sphere],
-          moments_[sphere],
-          before.path.radius,
-          position,
-          velocity_at(before.path, now_),
-          angular_velocity_at(before, now_)};
-}
-
-void Simulation::begin_change(Change& change, Index sphere) const {
-  change.body = sphere;
-  change.before = arc(sphere);
-}
-
-void Simulation::set_arc(Index sphere, const Arc& arc) {
-  paths_[sphere] = arc.path;
-  turnings_[sphere] = arc.turning;
-  ++versions_[sphere];
-}
-
-void Simulation::set_flying(Index sphere, const Arc& arc, const BodyVelocity<double>& velocity) {
-  Arc flying;
-  flying.path.start = now_;
-  flying.path.position = arc.path.position;
-  flying.path.velocity = velocity.velocity;
-  flying.path.acceleration = scene_.gravity;
-  flying.path.radius = arc.path.radius;
-  measure(flying.path);
-  flying.turning.angular_velocity = velocity.angular_velocity;
-  set_arc(sphere, flying);
-}
-
-Arc Simulation::moved_on(Index sphere, const Vector3<double>& away) const {
-  Arc moved = arc(sphere);
-  moved.path.position = rounded_away(moved.path, now_, away);
-  moved.path.start = now_;
-  return moved;
-}
-
-bool Simulation::is_clear(Index sphere) {
-  const Path& path = paths_[sphere];
-  const std::size_t planes = scene_.planes.size();
-  for (std::size_t plane = 0; plane < planes; ++plane) {
-    if (overlap(path, reaches_[sphere * planes + plane], now_, counts_.exact.gaps)) {
-      return false;
-    }
-  }
-  bool clear = true;
-  grid_.for_neighbours(sphere,
-                       [&](Index other) { clear = clear && !overlap(path, paths_[other], now_, counts_.exact.gaps); });
-  return clear;
-}
-
-void Simulation::move_clear(Index sphere) {
-  ++counts_.moved_clear;
-  Path& path = paths_[sphere];
-  const Vector3<double> position = path.position;
-  for (int k = 1; k < moves; ++k) {
-    path.position = moved_by_ulps(position, k);
-    if (is_clear(sphere)) {
-      measure(path);
-      ++versions_[sphere];  // what was planned from the former place holds no longer
-      return;
-    }
-  }
-  throw SceneError("at t = " + std::to_string(now_) + " there is no place within 3 ulps for sphere " +
-                   std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ") that overlaps nothing");
-}
-
-void Simulation::strike(Index a, Index b) {
-  event_.kind = EventKind::impact;
-  event_.b.emplace();
-  begin_change(event_.a, a);
-  begin_change(*event_.b, b);
-  const Vector3<double> away = position_at(paths_[a], now_) - position_at(paths_[b], now_);
-  const Arc moved_a = moved_on(a, away);
-  const Arc moved_b = moved_on(b, -away);
-  const StruckSphere struck_a = struck_sphere(a, moved_a.path.position, event_.a.before);
-  const StruckSphere struck_b = struck_sphere(b, moved_b.path.position, event_.b->before);
-  MaterialPair pair = scene_.pairs.of(scene_.spheres[a].material, scene_.spheres[b].material);
-  const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
-  const double slow =
-      least_speed(scene_, scene_.gravity.norm(), std::min(struck_a.radius, struck_b.radius), pair.restitution);
-  event_.was_slow = -normal.dot(struck_a.velocity - struck_b.velocity) < slow;
-  if (event_.was_slow) {
-    pair.restitution = 1;
-  }
-  event_.collision = collision_of(struck_a, struck_b, pair);
-  event_.outcome = struck(scene_.law, scene_.precision, event_.collision);
-  event_.has_impulse = true;
-  Outcome<double> stored = event_.outcome;
-  if (event_.was_slow) {
-    ++counts_.slow;
-    const double missing = std::max(0.0, slow - normal.dot(stored.a.velocity - stored.b.velocity));
-    const double impulse = missing / (1 / masses_[a] + 1 / masses_[b]);
-    stored.a.velocity += (impulse / masses_[a]) * normal;
-    stored.b.velocity -= (impulse / masses_[b]) * normal;
-  }
-  keep_apart(struck_a.position, struck_b.position, stored.a.velocity, stored.b.velocity);
-  if (!event_.was_slow) {
-    event_.outcome = stored;
-  }
-  set_flying(a, moved_a, stored.a);
-  set_flying(b, moved_b, stored.b);
-  place_and_plan(a);
-  place_and_plan(b);
-  event_.a.after = arc(a);
-  event_.b->after = arc(b);
-  ++counts_.impacts;
-}
-
-void Simulation::strike_plane(Index sphere, Index plane) {
-  event_.kind = EventKind::plane_impact;
-  event_.plane = plane;
-  begin_change(event_.a, sphere);
-  const Vector3<double>& normal = scene_.planes[plane].normal;
-  const Arc moved = moved_on(sphere, normal);
-  const StruckSphere struck_one = struck_sphere(sphere, moved.path.position, event_.a.before);
-  MaterialPair pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
-  const double approach = -normal.dot(struck_one.velocity) / normal.norm();
-  const double slow = least_speed(scene_, scene_.gravity.norm(), struck_one.radius, pair.restitution);
-  const std::optional<Level>& level = levels_[plane];
-  const bool stays = level && pair.restitution * approach <= slow;
-  event_.was_slow = !level && approach < slow;
-  if (stays) {
-    pair.restitution = 0;
-    event_.kind = EventKind::capture;
-  } else if (event_.was_slow) {
-    pair.restitution = 1;
-  }
-  event_.collision = collision_with_plane(struck_one, normal, pair);
-  event_.has_impulse = approach > 0;
-  event_.outcome =
-      event_.has_impulse ? struck(scene_.law, scene_.precision, event_.collision) : unchanged(event_.collision);
-  BodyVelocity<double> stored = event_.outcome.a;
-  if (event_.was_slow) {
-    ++counts_.slow;
-    const double missing = std::max(0.0, slow - normal.dot(stored.velocity) / normal.norm());
-    stored.velocity += normal * (missing / normal.norm());
-  }
-  if (stays) {
-    ++counts_.captures;
-    const MaterialPair& own = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
-    set_arc(sphere, level_arc(*level, plane, own, has_friction(scene_.law), struck_one.radius, now_,
-                              moved.path.position, stored.velocity, stored.angular_velocity));
-  } else {
-    ++counts_.plane_impacts;
-    keep_apart(normal, stored.velocity);
-    if (!event_.was_slow) {
-      event_.outcome.a = stored;
-    }
-    set_flying(sphere, moved, stored);
-  }
-  place_and_plan(sphere);
-  event_.a.after = arc(sphere);
-}
-
-void Simulation::end_phase(Index sphere) {
-  event_.kind = EventKind::phase;
-  begin_change(event_.a, sphere);
-  const std::uint32_t plane = turnings_[sphere].plane;
-  event_.plane = plane;
-  const MaterialPair& pair = scene_.pairs.of(scene_.spheres[sphere].material, scene_.planes[plane].material);
-  const Arc moved = moved_on(sphere, Vector3<double>::Zero());
-  set_arc(sphere,
-          after_end(*levels_[plane], pair, has_friction(scene_.law), event_.a.before, now_, moved.path.position));
-  place_and_plan(sphere);
-  event_.a.after = arc(sphere);
-  ++counts_.phases;
 }
 
 }  // namespace carom::scene

@@ -19,6 +19,7 @@
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
 #include <carom/scene/scene_state.hpp>
+#include <carom/scene/sphere_store.hpp>
 
 namespace carom::scene {
 
@@ -53,8 +54,8 @@ struct Event {
   std::uint32_t plane = 0;   // of the other kinds
   bool has_impulse = false;  // of impacts always; of a capture where the sphere came down
   Collision collision;       // of every contact: its origin is the contact point
-  Outcome<double> outcome;   // where there is an impulse, as the law gave it; `after` has what was stored
-  /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `slow_speed`.
+  Outcome<double> outcome;   // as the law gave it; `after` has what was stored
+  /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `least_speed`.
   bool was_slow = false;
 };
 
@@ -95,10 +96,10 @@ class Simulation {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] double time() const { return now_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
-  [[nodiscard]] std::size_t size() const { return paths_.size(); }
-  [[nodiscard]] Arc arc(std::size_t sphere) const { return {paths_[sphere], turnings_[sphere]}; }
-  [[nodiscard]] double mass(std::size_t sphere) const { return masses_[sphere]; }
-  [[nodiscard]] double moment(std::size_t sphere) const { return moments_[sphere]; }
+  [[nodiscard]] std::size_t size() const { return spheres_.size(); }
+  [[nodiscard]] Arc arc(std::size_t sphere) const { return spheres_.arc(sphere); }
+  [[nodiscard]] double mass(std::size_t sphere) const { return spheres_.make(sphere).mass; }
+  [[nodiscard]] double moment(std::size_t sphere) const { return spheres_.make(sphere).moment; }
   /// Which plane spheres can rest on, and how.
   [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
   [[nodiscard]] std::size_t bytes_per_sphere() const;
@@ -111,8 +112,20 @@ class Simulation {
     TimeBounds when;
     Kind kind = Kind::none;
     Index partner = 0;
-    Index partner_version = 0;
   };
+  /// What the loop keeps of a sphere: half a line of a cache.
+  struct alignas(32) Agenda {
+    TimeBounds when;  // of the next event
+    Index partner = 0;
+    Index partner_version = 0;
+    Index version = 0;  // of the sphere's path
+    Kind kind = Kind::none;
+    std::int8_t leaving_axis = 0, leaving_step = 0;
+    std::uint8_t planes_in_reach = 0;  // from within the cell: bit k is of plane k, bit 7 of all from 7 on
+
+    [[nodiscard]] Planned planned() const { return {when, kind, partner}; }
+  };
+  static_assert(sizeof(Agenda) == 32);
 
   /// Finds and keeps the sphere's next event. False where it may overlap another body.
   [[nodiscard]] bool plan_or_doubt(Index sphere);
@@ -121,10 +134,16 @@ class Simulation {
   /// The same of one that has been stored anew; what overlaps is moved clear first.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
-  [[nodiscard]] bool is_stale(const Planned& planned) const;
+  [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);
   void leave_cell(Index sphere);
+  /// Which planes the sphere can touch before it leaves its cell.
+  void find_planes_in_reach(Index sphere);
+  /// Calls use(k) for each of them.
+  template <class Use>
+  void for_planes_in_reach(Index sphere, const Use& use) const;
+  [[nodiscard]] const Reach& reach(Index sphere, std::size_t plane) const;
   [[nodiscard]] std::optional<Index> next_sphere();
 
   void strike(Index a, Index b);
@@ -143,13 +162,10 @@ class Simulation {
   Scene scene_;
   std::stop_token stop_;
   double now_ = 0;
-  std::vector<Path> paths_;
-  std::vector<Turning> turnings_;
-  std::vector<Index> versions_;
-  std::vector<Planned> planned_;
-  std::vector<CellGrid::Leaving> leavings_;
-  std::vector<double> masses_, moments_;
-  std::vector<Reach> reaches_;  // of sphere i and plane k at i · planes + k
+  SphereStore spheres_;
+  std::vector<Agenda> agenda_;
+  std::vector<Reach> reaches_;     // of make i and plane k at i · planes + k
+  std::vector<Index> neighbours_;  // of the sphere that is planned
   std::vector<std::optional<Level>> levels_;
   CellGrid grid_;
   EventQueue queue_;

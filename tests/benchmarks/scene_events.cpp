@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Events a second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION]].
+// Events a second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION [CSV]]].
+// EVENTS are of each round; the file CSV is what tests/figures/scene_events_chart draws.
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -16,6 +22,8 @@ namespace {
 using carom::scene::Scene;
 
 constexpr double radius = 0.5;  // [m]
+constexpr std::array edges{5, 8, 10, 15, 22, 32, 47};
+constexpr std::size_t rounds = 7;
 
 Scene gas(int edge, double volume_fraction) {
   Scene scene;
@@ -55,22 +63,56 @@ double seconds_of(carom::scene::Simulation& simulation, long events) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+struct Measured {
+  std::unique_ptr<carom::scene::Simulation> simulation;
+  std::vector<double> rates;  // events a second of each round, the least first once they are sorted
+  double cells_left = 0;      // for each event
+};
+
+/// The rounds of all sizes in turn: what else the machine does meanwhile is in all of them.
+std::vector<Measured> measure(long events, double volume_fraction) {
+  std::vector<Measured> all;
+  for (const int edge : edges) {
+    all.push_back({std::make_unique<carom::scene::Simulation>(gas(edge, volume_fraction)), {}});
+    // Out of the lattice: some events of each sphere.
+    seconds_of(*all.back().simulation, std::max(events, 2 * static_cast<long>(all.back().simulation->size())));
+  }
+  for (std::size_t round = 0; round < rounds; ++round) {
+    for (Measured& one : all) {
+      const auto crossings = one.simulation->counts().crossings;
+      one.rates.push_back(static_cast<double>(events) / seconds_of(*one.simulation, events));
+      one.cells_left =
+          static_cast<double>(one.simulation->counts().crossings - crossings) / static_cast<double>(events);
+    }
+  }
+  for (Measured& one : all) {
+    std::sort(one.rates.begin(), one.rates.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const long events = argc > 1 ? std::atol(argv[1]) : 300'000;
+  const long events = argc > 1 ? std::atol(argv[1]) : 100'000;
   const double volume_fraction = argc > 2 ? std::atof(argv[2]) : 0.2;
-  fmt::print("volume fraction {}, {} events after as many to begin with, one core\n", volume_fraction, events);
-  fmt::print("{:>8}  {:>12}  {:>10}  {:>15}  {:>16}\n", "spheres", "events a s", "ns each", "cells left each",
+  const std::vector<Measured> all = measure(events, volume_fraction);
+  fmt::print("volume fraction {}, {} rounds of {} events, one core; events a second\n", volume_fraction, rounds,
+             events);
+  fmt::print("{:>8}  {:>9}  {:>9}  {:>9}  {:>15}  {:>16}\n", "spheres", "median", "least", "most", "cells left each",
              "bytes a sphere");
-  for (const int edge : {5, 10, 22, 47}) {
-    carom::scene::Simulation simulation(gas(edge, volume_fraction));
-    seconds_of(simulation, events);
-    const auto crossings = simulation.counts().crossings;
-    const double seconds = seconds_of(simulation, events);
-    fmt::print("{:>8}  {:>12.0f}  {:>10.0f}  {:>15.2f}  {:>16}\n", simulation.size(),
-               static_cast<double>(events) / seconds, 1e9 * seconds / static_cast<double>(events),
-               static_cast<double>(simulation.counts().crossings - crossings) / static_cast<double>(events),
-               simulation.bytes_per_sphere());
+  for (const Measured& one : all) {
+    fmt::print("{:>8}  {:>9.0f}  {:>9.0f}  {:>9.0f}  {:>15.2f}  {:>16}\n", one.simulation->size(),
+               one.rates[rounds / 2], one.rates.front(), one.rates.back(), one.cells_left,
+               one.simulation->bytes_per_sphere());
+  }
+  if (argc > 3) {
+    std::ofstream csv(argv[3]);
+    csv << "spheres,median,least,most\n";
+    for (const Measured& one : all) {
+      csv << fmt::format("{},{:.0f},{:.0f},{:.0f}\n", one.simulation->size(), one.rates[rounds / 2], one.rates.front(),
+                         one.rates.back());
+    }
+    return csv.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   }
 }

@@ -41,6 +41,30 @@ TEST(Simulation, OfNothingHasNoEvents) {
   EXPECT_TRUE(unit::events_of(unit::empty_scene(Model::frictionless, elastic, 5), 10).empty());
 }
 
+/// Planes that are out of a cell's reach are not asked, and those from the eighth on together: a box behind ten planes
+/// that nothing touches has the events of the box alone.
+TEST(Simulation, PlanesFarAwayChangeNothing) {
+  const Scene box = unit::box_of_spheres(Model::frictionless, elastic, 4, 5, 11);
+  Scene more = box;
+  more.planes.clear();
+  for (int k = 0; k < 10; ++k) {
+    unit::add_plane(more, {1, 0.1 * k, -0.3}, {-50 - 10.0 * k, 0, 0});
+  }
+  more.planes.insert(more.planes.end(), box.planes.begin(), box.planes.end());
+  const std::vector<Event> expected = unit::events_of(box, 2000);
+  const std::vector<Event> found = unit::events_of(more, 2000);
+  ASSERT_GT(expected.size(), 500U);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    ASSERT_EQ(found[k].time, expected[k].time) << k;
+    ASSERT_EQ(found[k].a.body, expected[k].a.body) << k;
+    ASSERT_EQ(found[k].a.after.path.velocity, expected[k].a.after.path.velocity) << k;
+    if (expected[k].kind == EventKind::plane_impact) {
+      ASSERT_EQ(found[k].plane, expected[k].plane + 10) << k;
+    }
+  }
+}
+
 TEST(Simulation, BouncesAtTheTimesOfTheClosedForm) {
   const double g = 9.81;
   const double height = 1;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include <carom/scene/prediction.hpp>
+#include <carom/scene/sphere_store.hpp>
+
+namespace carom::scene {
+
+/// A first look at the neighbours of a sphere that flies, for those that fly as well: whether they certainly neither
+/// overlap it now nor touch it before the horizon. It takes fewer operations than `stay_apart`, since its bounds of
+/// rounding are the same for all, and so wider, and no branch.
+///
+/// Let u be `roundoff`, P and W the bounds of `Extent`, R the sum of the radii, d the distance and v the relative
+/// velocity, so that their 1-norms are at most 2 P and 2 W. Computed, here and in `Beside`, d is off by at most
+/// 2 · 7 u P + 2 u · 2 P = 18 u P, v by 2 · 4 u W + 2 u · 2 W = 12 u W, and d·v by
+/// 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W; of second order there is less than a millionth of these.
+/// - Receding: d·v > 128 u P W as computed is positive.
+/// - Far: |d| > R + m + (|v| + 16 u W) s as computed, m = 256 u (P + R). Both sides are at most 2 P there, and have
+/// less
+///   than 8 roundings relative to that: 16 u P, and the 18 u P of d, are less than m.
+/// - No overlap: where |d| > R + m, |d|² − R² > (|d| + R) m. The error of the squared gap in `Beside` is at most
+///   (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
+class QuickLook {
+ public:
+  /// Of a sphere of this radius that is `here` at `now`. Nothing beyond `horizon` is asked for.
+  QuickLook(const Placed& here, double radius, const Vector3<double>& gravity, const Extent& extent, double now,
+            double horizon)
+      : here_(here),
+        gravity_(gravity),
+        now_(now),
+        horizon_(horizon),
+        radius_(radius),
+        margin_(256 * roundoff * extent.position_size),
+        velocity_margin_(16 * roundoff * extent.velocity_size),
+        receding_margin_(128 * roundoff * extent.position_size * extent.velocity_size) {}
+
+  [[nodiscard]] bool stays_apart(const Track& other, double its_radius) const {
+    const double s = now_ - other.start;
+    const Vector3<double> position = other.position + s * (other.velocity + (0.5 * s) * gravity_);
+    const Vector3<double> distance = here_.position - position;
+    const Vector3<double> velocity = here_.velocity - (other.velocity + s * gravity_);
+    const double span = std::max(0.0, std::min(horizon_, other.until) - now_);
+    const double touching = (radius_ + its_radius) * (1 + 256 * roundoff) + margin_;
+    const double reach = touching + (velocity.cwiseAbs().sum() + velocity_margin_) * span;
+    const double square = distance.dot(distance);
+    const bool is_far = square > reach * reach;
+    const bool recedes = distance.dot(velocity) > receding_margin_;
+    return is_far | (recedes & (square > touching * touching));
+  }
+
+ private:
+  Placed here_;
+  Vector3<double> gravity_;
+  double now_, horizon_, radius_, margin_, velocity_margin_, receding_margin_;
+};
+
+}  // namespace carom::scene

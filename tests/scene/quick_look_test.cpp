@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/quick_look.hpp>
+
+#include "paths.hpp"
+
+namespace carom::scene {
+namespace {
+
+using unit::Vector;
+
+/// Two spheres that fly, each from a time of its own, and pass each other after `now` at about the sum of their radii,
+/// where `closeness` is small.
+struct Flight {
+  SphereStore store;
+  Vector gravity{0, 0, 0};
+  double now = 1;
+
+  explicit Flight(properties::Stream& stream) {
+    const double size = stream.power_of_ten(-2, 4);
+    gravity = stream.chance(3) ? Vector(0, 0, 0) : Vector(0, 0, -10 * stream.unit());
+    now = 1 + stream.unit() * stream.power_of_ten(0, 3);
+    const double radius = stream.between(0.05, 0.5);
+    const double other_radius = stream.chance(2) ? radius : stream.between(0.05, 0.5);
+    const double closeness = stream.power_of_ten(-16, 0);
+    const double ahead = stream.between(0.01, 1);
+    const Vector velocity = stream.vector() * stream.power_of_ten(-2, 1);
+    const Vector place = stream.vector() * size;
+    const Vector normal = Vector(stream.vector()).normalized();
+    const double distance = (radius + other_radius) * (1 + closeness * stream.between(-1, 1));
+    Scene scene;
+    scene.gravity = gravity;
+    scene.spheres.resize(2);
+    scene.spheres[0].radius = radius;
+    scene.spheres[1].radius = other_radius;
+    store = SphereStore(scene);
+    set(0, now - stream.unit(), place, stream.vector(), ahead);
+    set(1, now - stream.unit(), place + distance * normal, velocity, ahead);
+  }
+
+  /// At `target` some time after `now`, with that velocity then.
+  void set(std::size_t sphere, double start, const Vector& target, const Vector& velocity, double ahead) {
+    const double s = now + ahead - start;
+    Arc arc;
+    arc.path = unit::path_of(target - s * velocity + 0.5 * s * s * gravity, velocity - s * gravity, gravity,
+                             store.make(sphere).radius, start);
+    store.set_arc(sphere, arc);
+  }
+};
+
+TEST(QuickLook, RejectsNothingThatTouches) {
+  int rejected = 0;
+  int touching = 0;
+  properties::check(4000, [&] {
+    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+    Flight flight(stream);
+    const Path a = flight.store.path(0);
+    const Path b = flight.store.path(1);
+    const double now = flight.now;
+    const int sign = sign_of_gap(a, b, now);
+    const std::optional<ExactTime> contact = sign < 0 ? std::nullopt : exact_contact(a, b, now);
+    const double horizon = contact ? contact->bounds().latest : now + stream.between(0, 4);
+    const auto look_until = [&](double own, double its) {
+      flight.store.set_until(1, its);
+      return QuickLook(placed(a, now), a.radius, flight.gravity, flight.store.extent(now), now, own)
+          .stays_apart(flight.store.track(1), b.radius);
+    };
+    if (sign < 0 || contact) {
+      ++touching;
+      RC_ASSERT(!look_until(horizon, never));
+      RC_ASSERT(!look_until(never, horizon));
+    }
+    // Up to some time before, as near as it may be: what is rejected the closer look rejects too, whose bounds are of
+    // these two spheres.
+    const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
+    if (look_until(before, never)) {
+      ++rejected;
+      const Beside pair(placed(a, now), placed(b, now), a.radius + b.radius);
+      RC_ASSERT(pair.squared_gap() > pair.squared_gap_error());
+      RC_ASSERT(stay_apart(a, b, pair, now, before));
+      RC_ASSERT(sign >= 0);
+      if (contact) {
+        const bool is_before = ExactTime::at(before) < *contact;
+        RC_ASSERT(is_before);
+      }
+    }
+  });
+  EXPECT_GT(touching, 500);
+  EXPECT_GT(rejected, 100);
+}
+
+}  // namespace
+}  // namespace carom::scene
