@@ -109,6 +109,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
   const bool flies = spheres_.is_flying(sphere);
   const QuickLook look(here, path.radius, scene_.gravity, spheres_.extent(now_), now_,
                        std::min(own_horizon, best.when.latest));
+  // Most neighbours are left out here; those that stay keep their order.
   std::size_t left = 0;
   for (std::size_t k = 0; k < neighbours; ++k) {
     const Index other = neighbours_[k];

@@ -51,7 +51,7 @@ tool::chart::Picture picture_of(const Rows& rows) {
   }
   const chart::Panel panel{{80, 160'000, true, 90, 870}, {0, 1.1 * most / 1000, false, 70, 460}};
   picture.begin(panel, "A gas of elastic spheres at volume fraction 0.2", "spheres",
-                "thousand events a second and core");
+                "thousand events a second of a core");
   picture.add(chart::power_tics(panel.x, 'x') + "\nset ytics 100");
   picture.write("median of the rounds, their least and most", panel.place_of(1000, 1.03 * most / 1000), chart::blue);
   Rows medians;
