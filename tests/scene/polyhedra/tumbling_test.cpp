@@ -540,6 +540,21 @@ TEST(Tumbling, TellsEventsInOrderOfTime) {
   }
 }
 
+/// Equal bodies at equal heights: equal numbers give equal times.
+TEST(Tumbling, TakesOfEqualTimesTheLowerBodiesFirst) {
+  Scene scene = over_a_floor(unit_cube, {0, 0, 2}, 1);
+  for (const double x : {3.0, -3.0, 6.0}) {
+    add_polyhedron(scene, unit_cube, {x, 0, 2});
+  }
+  const std::vector<Event> events = events_of(scene, 8);
+  ASSERT_EQ(events.size(), 8U);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    EXPECT_EQ(events[k].time, events[k - k % 4].time);
+    EXPECT_EQ(events[k].a.body, k % 4);
+  }
+  EXPECT_GT(events[4].time, events[3].time);
+}
+
 /// A needle and a sheet, a thousand times as long as thin, tumble in a room: no corner leaves it, and energy stays.
 TEST(Tumbling, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
   for (const double size : {1e-3, 1.0, 1e3}) {
