@@ -38,6 +38,37 @@ inline void add_plane(scene::Scene& scene, const Vector3<double>& normal, const 
   scene.planes.push_back({"plane " + std::to_string(scene.planes.size()), 0, normal, point});
 }
 
+/// By its corners, its own frame's origin at the position.
+inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double>>& vertices,
+                           const Vector3<double>& position, const Vector3<double>& velocity = {0, 0, 0},
+                           const Vector3<double>& angular_velocity = {0, 0, 0}) {
+  scene::Polyhedron polyhedron;
+  polyhedron.name = "body " + std::to_string(scene.polyhedra.size());
+  polyhedron.vertices = vertices;
+  polyhedron.position = position;
+  polyhedron.velocity = velocity;
+  polyhedron.angular_velocity = angular_velocity;
+  scene.polyhedra.push_back(polyhedron);
+}
+
+/// A box about 0, by its edges.
+[[nodiscard]] inline std::vector<Vector3<double>> centred_box(const Vector3<double>& edges) {
+  std::vector<Vector3<double>> corners;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) {
+        corners.push_back(edges.cwiseProduct(Vector3<double>(x, y, z)));
+      }
+    }
+  }
+  return corners;
+}
+
+/// Corners of the cube from −size to size, four of the eight.
+[[nodiscard]] inline std::vector<Vector3<double>> centred_tetrahedron(double size) {
+  return {{size, size, size}, {size, -size, -size}, {-size, size, -size}, {-size, -size, size}};
+}
+
 /// Six planes around [0, size]³.
 inline void add_box(scene::Scene& scene, double size) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,9 +100,40 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
+/// side³ boxes, tetrahedra and, where they are asked for, balls, in a cube of that many cells of edge 1: each turned
+/// any way within its own cell.
+[[nodiscard]] inline scene::Scene box_of_bodies(Model law, const scene::MaterialPair& pair, int side, double duration,
+                                                std::uint64_t seed, bool has_balls) {
+  properties::Stream stream = properties::stream_from(seed);
+  scene::Scene scene = empty_scene(law, pair, duration);
+  add_box(scene, side);
+  for (int cell = 0; cell < side * side * side; ++cell) {
+    // Bodies reach at most 0.4 from their centres, which are within 0.09 of the cells'.
+    const Vector3<double> aside = 0.09 * stream.vector();
+    const Vector3<double> centre =
+        Vector3<double>(cell % side + 0.5, cell / side % side + 0.5, cell / (side * side) + 0.5) + aside;
+    const Vector3<double> velocity = 2 * stream.vector();
+    const Vector3<double> angular_velocity = 3 * stream.vector();
+    const double density = stream.between(0.5, 2);
+    if (has_balls && cell % 3 == 2) {
+      add_sphere(scene, stream.between(0.2, 0.4), centre, velocity);
+      scene.spheres.back().angular_velocity = angular_velocity;
+      scene.spheres.back().density = density;
+      continue;
+    }
+    const Vector3<double> edges(stream.between(0.1, 0.45), stream.between(0.1, 0.45), stream.between(0.1, 0.45));
+    add_polyhedron(scene, cell % 2 == 0 ? centred_box(edges) : centred_tetrahedron(edges.maxCoeff() / 2), centre,
+                   velocity, angular_velocity);
+    scene.polyhedra.back().orientation = stream.quaternion();
+    scene.polyhedra.back().density = density;
+  }
+  return scene;
+}
+
 /// Up to so many events of a scene, as they are.
+template <class Loop = scene::Simulation>
 [[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
-  scene::Simulation simulation(std::move(scene));
+  Loop simulation(std::move(scene));
   std::vector<scene::Event> events;
   while (events.size() < most) {
     const scene::Event* event = simulation.advance();

@@ -118,10 +118,15 @@ SceneState Tumbling::state() const {
     }
     const RotationState now = rotation_at(motion, now_).state;
     body.orientation = now.orientation;
-    body.angular_velocity = now_ == motion.start ? moving.angular_velocity : world_rate(now);
+    body.angular_velocity = angular_velocity_of(i, now);
     state.bodies.push_back(body);
   }
   return state;
+}
+
+Vector3<double> Tumbling::angular_velocity_of(std::size_t body, const RotationState& now) const {
+  const Moving& moving = bodies_[body];
+  return is_sphere(scene_, body) || now_ == moving.motion.start ? moving.angular_velocity : world_rate(now);
 }
 
 void Tumbling::set_motion(std::size_t index, const Vector3<double>& position, const Quaternion<double>& orientation,
@@ -317,8 +322,7 @@ Body Tumbling::struck_body(std::size_t index, const Placement& placement, const 
   body.orientation = placement.orientation;
   body.position = placement.position - point;
   body.velocity = velocity_at(moving.path, now_);
-  body.angular_velocity =
-      now_ == moving.motion.start ? moving.angular_velocity : world_rate(rotation_at(moving.motion, now_).state);
+  body.angular_velocity = angular_velocity_of(index, rotation_at(moving.motion, now_).state);
   return body;
 }
 
@@ -408,7 +412,21 @@ void Tumbling::begin_change(Change& change, std::size_t body) const {
   change.before = arc(body);
   const RotationState turned = rotation_at(moving.motion, now_).state;
   change.orientation = turned.orientation;
-  change.angular_velocity_before = now_ == moving.motion.start ? moving.angular_velocity : world_rate(turned);
+  change.angular_velocity_before = angular_velocity_of(body, turned);
+}
+
+bool Tumbling::is_along_normal(const Where& where) const {
+  return scene_.law == Model::frictionless || (scene_.law == Model::reflection && is_sphere(scene_, where.first) &&
+                                               (where.is_plane || is_sphere(scene_, where.second)));
+}
+
+void Tumbling::keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const {
+  if (is_sphere(scene_, where.first)) {
+    outcome.a.angular_velocity = before.a.angular_velocity;
+  }
+  if (!where.is_plane && is_sphere(scene_, where.second)) {
+    outcome.b.angular_velocity = before.b.angular_velocity;
+  }
 }
 
 void Tumbling::strike(const Where& where) {
@@ -430,10 +448,14 @@ void Tumbling::strike(const Where& where) {
   }
   event_.has_impulse = parting < 0;
   event_.outcome = event_.has_impulse ? struck_bodies(scene_.law, scene_.precision, collision) : unchanged(collision);
+  if (is_along_normal(where)) {
+    keep_spins_of_balls(where, collision, event_.outcome);
+  }
   Outcome<double> stored = event_.outcome;
   if (event_.was_slow) {
     ++counts_.slow;
     stored = sent_apart(with_velocities(collision, event_.outcome), least);
+    keep_spins_of_balls(where, with_velocities(collision, event_.outcome), stored);
   }
   const auto set = [&](Change& change, const BodyVelocity<double>& velocity) {
     const Placement placement = placement_at(bodies_[change.body].motion, now_);

@@ -71,6 +71,8 @@ class Tumbling {
   void set_motion(std::size_t body, const Vector3<double>& position, const Quaternion<double>& orientation,
                   const BodyVelocity<double>& velocity);
   void know_until(std::size_t body, double time);
+  /// Now, as the rotation says; a ball's stays as it is [rad/s].
+  [[nodiscard]] Vector3<double> angular_velocity_of(std::size_t body, const RotationState& now) const;
   void look_around(std::size_t body);
   [[nodiscard]] Outlook outlook(std::size_t a, std::size_t b);
   [[nodiscard]] Outlook outlook_of_plane(std::size_t body, std::size_t plane);
@@ -87,6 +89,9 @@ class Tumbling {
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
   [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
+  /// Whether the law's impulse is along the normal, exactly: then so is a ball's lever arm, and only rounding turns it.
+  [[nodiscard]] bool is_along_normal(const Where& where) const;
+  void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
   [[nodiscard]] Arc arc(std::size_t body) const;
   [[nodiscard]] double tolerance_of(const Where& where) const;

@@ -78,10 +78,11 @@ Placement placement_of(const RigidBody& body) {
 Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
   const auto defect = [&](const std::string& other, const Separation& separation) {
     std::ostringstream text;
-    text << kind_and_number(scene, i) << " (" << scene.polyhedra[i - scene.spheres.size()].name
-         << ") is not certain to be apart from " << other << ": " << separation.gap
+    text << description_of(scene, i) << " is not certain to be apart from " << other << ": " << separation.gap
          << " m lie between them, and rounding leaves " << separation.gap - separation.certified << " m open";
-    return SceneDefect{Of::polyhedron, i - scene.spheres.size(), 0, "", text.str()};
+    const bool is_ball = is_sphere(scene, i);
+    return SceneDefect{is_ball ? Of::sphere : Of::polyhedron, is_ball ? i : i - scene.spheres.size(), 0, "",
+                       text.str()};
   };
   const Placement placement = placement_of(bodies[i]);
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
@@ -125,7 +126,7 @@ std::optional<SceneDefect> first_polyhedron_defect(const Scene& scene) {
       return found;
     }
   }
-  for (std::size_t i = scene.spheres.size(); i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (Found found = contact_defect(scene, bodies, i)) {
       return found;
     }

@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::json;
 using tests::small_scene;
+using tests::small_scene_with_polyhedra;
 
 /// What the reader says of it; empty where it reads it.
 std::string error_of(const json& file) {
@@ -60,6 +61,28 @@ TEST(SceneJson, ReadsEveryField) {
   EXPECT_LT(sum.norm(), 1e-15);
 }
 
+TEST(SceneJson, ReadsEveryFieldOfAPolyhedron) {
+  const Scene scene = scene_from_json(small_scene_with_polyhedra());
+  EXPECT_EQ(scene.spheres.size(), 4);
+  ASSERT_EQ(scene.polyhedra.size(), 2);
+  const Polyhedron& box = scene.polyhedra[0];
+  EXPECT_EQ(box.name, "box");
+  ASSERT_EQ(box.vertices.size(), 8);
+  EXPECT_EQ(box.vertices[6], Vector3<double>(0, 1, 1));
+  EXPECT_EQ(box.density, 700);
+  EXPECT_EQ(box.material, 1);
+  EXPECT_EQ(box.position, Vector3<double>(2, -2.5, 2));
+  EXPECT_EQ(box.orientation, Quaternion<double>(0.1, -2, 0.3, 0.4));
+  EXPECT_EQ(box.velocity, Vector3<double>(1, 2, 3));
+  EXPECT_EQ(box.angular_velocity, Vector3<double>(4, 5, 6));
+  const Polyhedron& other = scene.polyhedra[1];
+  EXPECT_EQ(other.name, "polyhedron 1");
+  EXPECT_EQ(other.material, 0);
+  EXPECT_EQ(other.orientation, Quaternion<double>(1, 0, 0, 0));
+  EXPECT_TRUE(other.velocity.isZero(0));
+  EXPECT_TRUE(other.angular_velocity.isZero(0));
+}
+
 TEST(SceneJson, HasDefaults) {
   const Scene scene = scene_from_json(json::parse(
       R"({"duration": 0, "planes": [{"normal": [0, 0, 2], "point": [0, 0, 0]}],
@@ -75,15 +98,16 @@ TEST(SceneJson, HasDefaults) {
 }
 
 TEST(SceneJson, RoundTrips) {
-  std::vector<json> files{small_scene()};
+  std::vector<json> files{small_scene(), small_scene_with_polyhedra()};
   for (const auto& path : tests::shipped_scenes()) {
     files.push_back(tests::json_of(path));
   }
-  EXPECT_EQ(files.size(), 6);
+  EXPECT_EQ(files.size(), 9);
   for (const json& file : files) {
     const json written = scene_to_json(scene_from_json(file));
     EXPECT_EQ(scene_to_json(scene_from_json(parse_json(written.dump()))).dump(), written.dump()) << file.at("title");
     EXPECT_EQ(written.at("title"), file.at("title"));
+    EXPECT_EQ(written.contains("polyhedra"), file.contains("polyhedra"));
   }
 }
 
@@ -195,7 +219,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        [](json& s) {
          s["spheres"][0]["position"] = {0.0, 0.0, 1e200};
        }},
-      {"/polyhedra: expected an array", [](json& s) { s["polyhedra"] = 1; }},
+      {"/polyhedra: expected an array, found 1", [](json& s) { s["polyhedra"] = 1; }},
   };
   ASSERT_EQ(error_of(small_scene()), "") << "else everything is refused";
   for (const auto& [expected, change] : changes) {
@@ -204,6 +228,120 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(error_of(file), expected);
   }
   EXPECT_EQ(error_of(json::array()), "/: expected an object, found []");
+}
+
+TEST(SceneJson, WritesPolyhedraAsTheyWereGiven) {
+  json given = small_scene_with_polyhedra()["polyhedra"];
+  given[1]["name"] = "polyhedron 1";
+  given[1]["orientation"] = {1, 0, 0, 0};
+  given[1]["velocity"] = given[1]["angular_velocity"] = {0, 0, 0};
+  EXPECT_EQ(scene_to_json(scene_from_json(small_scene_with_polyhedra())).at("polyhedra"), given);
+}
+
+TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
+  using Change = std::function<void(json & first)>;
+  const std::vector<std::pair<std::string, Change>> changes{
+      {"/polyhedra/0: expected an object, found 1", [](json& p) { p = 1; }},
+      {"/polyhedra/0/vertices: expected from 4 to 1000 points, found 0", [](json& p) { p.erase("vertices"); }},
+      {"/polyhedra/0/vertices: expected an array, found 7", [](json& p) { p["vertices"] = 7; }},
+      {"/polyhedra/0/vertices: expected from 4 to 1000 points, found 3",
+       [](json& p) { p["vertices"].erase(p["vertices"].begin() + 3, p["vertices"].end()); }},
+      {"/polyhedra/0/vertices: expected from 4 to 1000 points, found 1001",
+       [](json& p) {
+         p["vertices"] = std::vector<json>(1001, {0, 0, 0});
+       }},
+      {"/polyhedra/0/vertices/2: expected an array of 3 numbers, found [0,1]",
+       [](json& p) {
+         p["vertices"][2] = {0, 1};
+       }},
+      {"/polyhedra/0/vertices/2/1: expected a finite number, found \"nan\"",
+       [](json& p) { p["vertices"][2][1] = "nan"; }},
+      {"/polyhedra/0/density: is missing", [](json& p) { p.erase("density"); }},
+      {"/polyhedra/0/density: expected a number greater than 0, found 0", [](json& p) { p["density"] = 0; }},
+      {"/polyhedra/0/density: expected a number greater than 0, found -1", [](json& p) { p["density"] = -1; }},
+      {"/polyhedra/0/position: is missing", [](json& p) { p.erase("position"); }},
+      {"/polyhedra/0/position: expected an array of 3 numbers, found [1,2]",
+       [](json& p) {
+         p["position"] = {1, 2};
+       }},
+      {"/polyhedra/0/orientation: expected an array of 4 numbers, found [1,0,0]",
+       [](json& p) {
+         p["orientation"] = {1, 0, 0};
+       }},
+      {"/polyhedra/0/orientation: expected four finite numbers, w, x, y and z, not all 0, found [0,0,0,0]",
+       [](json& p) {
+         p["orientation"] = {0, 0, 0, 0};
+       }},
+      {"/polyhedra/0/orientation/3: expected a finite number, found null",
+       [](json& p) { p["orientation"][3] = nullptr; }},
+      {"/polyhedra/0/velocity/0: expected a finite number, found \"inf\"", [](json& p) { p["velocity"][0] = "inf"; }},
+      {"/polyhedra/0/angular_velocity: expected an array of 3 numbers, found 4",
+       [](json& p) { p["angular_velocity"] = 4; }},
+      {"/polyhedra/0/material: expected one of the materials \"steel\", \"wood\", found \"stone\"",
+       [](json& p) { p["material"] = "stone"; }},
+      {"/polyhedra/0/radius: unknown field; expected one of name, vertices, density, material, position, orientation, "
+       "velocity, angular_velocity",
+       [](json& p) { p["radius"] = 1; }},
+      {"/polyhedra/0/name: expected a string, found 3", [](json& p) { p["name"] = 3; }},
+  };
+  ASSERT_EQ(error_of(small_scene_with_polyhedra()), "") << "else everything is refused";
+  for (const auto& [expected, change] : changes) {
+    json file = small_scene_with_polyhedra();
+    change(file["polyhedra"][0]);
+    EXPECT_EQ(error_of(file), expected);
+  }
+}
+
+/// What the whole scene decides: the text begins so, numbers of rounding are left open.
+TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
+  using Change = std::function<void(json & scene)>;
+  const std::vector<std::pair<std::string, Change>> changes{
+      {"/polyhedra/0/vertices: all vertices lie in one plane",
+       [](json& s) {
+         s["polyhedra"][0]["vertices"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+       }},
+      {"/polyhedra/0/vertices: vertex 8 is no corner: it lies inside the hull of the others, or on a face or an edge "
+       "of it",
+       [](json& s) {
+         s["polyhedra"][0]["vertices"].push_back({0.5, 0.5, 0.5});
+       }},
+      {"/polyhedra/0/vertices: vertex 8 is vertex 1 again",
+       [](json& s) {
+         s["polyhedra"][0]["vertices"].push_back({1, 0, 0});
+       }},
+      {"/polyhedra/1/position: expected to be within 4096 of its radii of 0, found [-1,-2,60000]",
+       [](json& s) {
+         s["room"]["greatest"][2] = 1e6;
+         s["polyhedra"][1]["position"][2] = 60000;
+       }},
+      {"/polyhedra/0: expected vertices and density that give mass and moments of inertia from 1.17549e-38 to "
+       "3.40282e+38, not 1e+39",
+       [](json& s) {
+         s["precision"] = "binary32";
+         s["polyhedra"][0]["density"] = 1e39;
+       }},
+      {"/polyhedra/0: polyhedron 0 (box) is not certain to be apart from plane 4 (room -z): ",
+       [](json& s) {
+         s["polyhedra"][0]["orientation"] = {1, 0, 0, 0};
+         s["polyhedra"][0]["position"][2] = 0;
+       }},
+      {"/polyhedra/1: polyhedron 1 (polyhedron 1) is not certain to be apart from polyhedron 0 (box): -",
+       [](json& s) { s["polyhedra"][1]["position"] = s["polyhedra"][0]["position"]; }},
+      {"/polyhedra/1: polyhedron 1 (polyhedron 1) is not certain to be apart from sphere 0 (sphere 0): -",
+       [](json& s) { s["polyhedra"][1]["position"] = s["spheres"][0]["position"]; }},
+      {"/lattices/0: sphere 2 (row 1) is not certain to be apart from sphere 1 (row 0): 0 m lie between them",
+       [](json& s) { s["lattices"][0]["spacing"][0] = 1; }},
+      {"/polyhedra: expected at most 2000 bodies in a scene with polyhedra, found 2001",
+       [](json& s) { s["polyhedra"] = std::vector<json>(1997, s["polyhedra"][0]); }},
+      {"/contacts: expected an entry for the materials \"wood\" and \"wood\", of polyhedron 0 (box) and plane 0 (room "
+       "-x)",
+       [](json& s) { s["contacts"].erase(2); }},
+  };
+  for (const auto& [expected, change] : changes) {
+    json file = small_scene_with_polyhedra();
+    change(file);
+    EXPECT_TRUE(error_of(file).starts_with(expected)) << error_of(file) << "\nexpected " << expected;
+  }
 }
 
 TEST(SceneJson, AsksForContactsOnlyOfWhatCanMeet) {

@@ -67,5 +67,47 @@ TEST(SceneSchema, RejectsWhatTheReaderDoes) {
   }
 }
 
+TEST(SceneSchema, AcceptsAndRejectsPolyhedraAsTheReaderDoes) {
+  const TemporaryDirectory directory;
+  const json scene = small_scene_with_polyhedra();
+  ASSERT_EQ(validate(directory.write("scene.json", scene.dump())).exit_status, 0) << "else all is rejected";
+  const json written = scene::scene_to_json(scene::scene_from_json(scene));
+  EXPECT_EQ(validate(directory.write("scene.json", written.dump())).exit_status, 0);
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes{
+      {"no vertices", [](json& p) { p.erase("vertices"); }},
+      {"three vertices",
+       [](json& p) {
+         p["vertices"] = std::vector<json>(3, {0, 0, 0});
+       }},
+      {"1001 vertices",
+       [](json& p) {
+         p["vertices"] = std::vector<json>(1001, {0, 0, 0});
+       }},
+      {"a vertex of two numbers",
+       [](json& p) {
+         p["vertices"][0] = {1, 2};
+       }},
+      {"a density of 0", [](json& p) { p["density"] = 0; }},
+      {"no position", [](json& p) { p.erase("position"); }},
+      {"an orientation of three numbers",
+       [](json& p) {
+         p["orientation"] = {1, 0, 0};
+       }},
+      {"an orientation of zeros",
+       [](json& p) {
+         p["orientation"] = {0, 0, 0, 0};
+       }},
+      {"a velocity as text", [](json& p) { p["velocity"][0] = "inf"; }},
+      {"a radius", [](json& p) { p["radius"] = 1; }},
+      {"a number for a name", [](json& p) { p["name"] = 1; }},
+  };
+  for (const auto& [name, change] : changes) {
+    json changed = scene;
+    change(changed["polyhedra"][0]);
+    EXPECT_EQ(validate(directory.write("scene.json", changed.dump())).exit_status, 1) << name;
+    EXPECT_THROW((void)scene::scene_from_json(changed), FormatError) << name;
+  }
+}
+
 }  // namespace
 }  // namespace carom::tests

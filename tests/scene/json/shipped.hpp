@@ -51,4 +51,19 @@ namespace carom::tests {
   })");
 }
 
+/// The same with a box and a tetrahedron.
+[[nodiscard]] inline nlohmann::json small_scene_with_polyhedra() {
+  nlohmann::json scene = small_scene();
+  scene["polyhedra"] = parse_json(R"([
+    {"name": "box", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]],
+     "density": 700, "material": "wood", "position": [2, -2.5, 2], "orientation": [0.1, -2, 0.3, 0.4],
+     "velocity": [1, 2, 3], "angular_velocity": [4, 5, 6]},
+    {"vertices": [[0.25, 0.25, 0.25], [0.25, -0.25, -0.25], [-0.25, 0.25, -0.25], [-0.25, -0.25, 0.25]],
+     "density": 7800, "material": "steel", "position": [-1, -2, 6]}
+  ])");
+  scene["lattices"][0]["spacing"][0] = 1.25;  // where there are polyhedra, nothing may touch
+  scene["contacts"].push_back({{"materials", {"wood", "wood"}}, {"restitution", 0.25}});
+  return scene;
+}
+
 }  // namespace carom::tests

@@ -236,6 +236,123 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, tolerance).time, 0);
 }
 
+/// The same flight, told from another start: its places, velocities and rotation as they are then.
+Motion told_from(const Motion& motion, const Vector& inertia, double start, double duration) {
+  const RotationState state = rotation_at(motion, start).state;
+  return {motion.position + start * (motion.velocity + start / 2 * motion.acceleration),
+          motion.velocity + start * motion.acceleration, motion.acceleration,
+          RotationPath(inertia, rotation_state(state.orientation, world_rate(state)), duration - start), start};
+}
+
+TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
+  int touching = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    const Meeting m = random_meeting(stream);
+    const TimeOfContact expected = found_of(m);
+    const double start_of_a = stream.between(0, 0.25);
+    const double start_of_b = stream.between(0, 0.25);
+    const double begin = std::max(start_of_a, start_of_b) + stream.between(0, 0.125);
+    if (expected.approach == Approach::touches && expected.time <= begin) {
+      continue;
+    }
+    const Motion a = told_from(m.a.motion, m.a.body.properties.principal_inertia, start_of_a, m.duration);
+    const Motion b = told_from(m.b.motion, m.b.body.properties.principal_inertia, start_of_b, m.duration);
+    const ShapePair pair(m.a.shape, m.b.shape);
+    const TimeOfContact found = time_of_contact(pair, a, b, begin, std::min(a.end(), b.end()), tolerance);
+    ASSERT_EQ(found.approach, expected.approach) << "seed " << seed;
+    EXPECT_GE(found.time, begin);
+    if (found.approach == Approach::touches) {
+      ++touching;
+      EXPECT_GT(true_distance(m, found.time), 0) << "seed " << seed;
+      EXPECT_LE(true_distance(m, found.time), 1.01 * tolerance) << "seed " << seed;
+      // Both are within a tolerance, at 1/100 m/s and more but for grazing ones.
+      EXPECT_NEAR(found.time, expected.time, 100 * tolerance) << "seed " << seed;
+    }
+    // Begun later, but told from 0, it is the same too.
+    const TimeOfContact later = time_of_contact(pair, m.a.motion, m.b.motion, begin, m.duration, tolerance);
+    EXPECT_EQ(later.approach, expected.approach) << "seed " << seed;
+    if (later.approach == Approach::touches) {
+      EXPECT_NEAR(later.time, expected.time, 100 * tolerance) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(touching, 20);
+}
+
+TEST(TimeOfContact, OfAFloorDoesNotDependOnWhereTheMotionStarts) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    Flight flight = random_flight(stream, {0, 0, 4}, stream.vector(), 3);
+    flight.motion.acceleration = {0, 0, -9.81};
+    const TimeOfContact expected = time_of_contact(flight.shape, flight.motion, floor_at_0, 0, 3, tolerance);
+    const double start = stream.between(0, 0.3);
+    const Motion told = told_from(flight.motion, flight.body.properties.principal_inertia, start, 3);
+    const TimeOfContact found = time_of_contact(flight.shape, told, floor_at_0, start + 0.0625, told.end(), tolerance);
+    ASSERT_EQ(found.approach, Approach::touches) << "seed " << seed;
+    // At some 8 m/s, of two tolerances.
+    EXPECT_NEAR(found.time, expected.time, tolerance) << "seed " << seed;
+  }
+}
+
+/// A cube on another, its face along that one's, drawn away along the face and up by ever less: what touches opens.
+TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
+  const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
+  const Vector inertia = unit::body_of(unit::box_points({1, 1, 1})).properties.principal_inertia;
+  const ShapePair pair(cube, cube);
+  const double gap = 0.5 * tolerance;
+  const Motion below = resting({1, 0, 0, 0}, {0, 0, 0});
+  for (const Vector& slide : {Vector(1, 0, 0), Vector(0, -1, 0), Vector(1, 1, 0)}) {
+    for (const double rise : {1e-6, 1e-3, 0.5}) {
+      for (const double overlap : {0.0, 0.5, 0.999}) {
+        Motion above = resting({1, 0, 0, 0}, Vector(overlap, 0, 1 + gap));
+        above.velocity = slide + Vector(0, 0, rise);
+        const TimeOfContact found = time_of_contact(pair, above, below, 0, 3, tolerance);
+        EXPECT_EQ(found.approach, Approach::misses) << slide.transpose() << ", " << rise << ", " << overlap;
+      }
+    }
+  }
+  // Edge along edge: one lies on the other's edge by a tolerance, both turn apart about it, sliding along it.
+  for (const double turning : {0.125, 1.0, 4.0}) {
+    Motion above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
+    above.velocity = Vector(turning / 2, 1, turning / 2);
+    above.rotation = RotationPath(inertia, {{1, 0, 0, 0}, {0, turning, 0}}, 3);
+    const TimeOfContact found = time_of_contact(pair, above, below, 0, 0.25, tolerance);
+    EXPECT_TRUE(found.approach == Approach::misses || found.time > 0) << turning;
+    EXPECT_NE(found.approach, Approach::undecided) << turning;
+    EXPECT_NE(found.approach, Approach::overlaps) << turning;
+  }
+}
+
+/// Edges that touch in a part of themselves, after an impact between them: the bodies turn apart, though neither the
+/// faces' normals nor one that stays across both edges says so (found by tumbling bodies that touched for ever).
+TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
+  int struck = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
+    const Meeting m = random_meeting(stream);
+    const TimeOfContact first = found_of(m);
+    if (first.approach != Approach::touches) {
+      continue;
+    }
+    ++struck;
+    // As an impact would: both are sent apart along the normal, and the rotations stay.
+    const ShapePair pair(m.a.shape, m.b.shape);
+    for (const double away : {16.0, 64.0}) {
+      Motion a = told_from(m.a.motion, m.a.body.properties.principal_inertia, first.time, m.duration);
+      const Motion b = told_from(m.b.motion, m.b.body.properties.principal_inertia, first.time, m.duration);
+      a.velocity += away * first.separation.normal;
+      const TimeOfContact next = time_of_contact(pair, a, b, first.time, a.end(), tolerance);
+      // Corners move at up to 2 ω = 16 m/s and more: 64 m/s leave all of them behind.
+      if (away == 64) {
+        EXPECT_EQ(next.approach, Approach::misses) << "seed " << seed;
+      } else {
+        EXPECT_TRUE(next.approach == Approach::misses || next.time > first.time) << "seed " << seed;
+      }
+    }
+  }
+  EXPECT_GT(struck, 30);
+}
+
 TEST(TimeOfContact, SaysWhereItCannotTell) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 0, 1, tolerance).approach,

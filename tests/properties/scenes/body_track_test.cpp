@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <carom/properties/scenes/body_track.hpp>
+#include <carom/scene/polyhedra/free_rotation.hpp>
+
+#include "properties/scenes/runs.hpp"
+
+namespace carom::properties::tracks {
+namespace {
+
+using Real = long double;
+
+/// A body that turns without end from t = 3 s on, on a parabola.
+struct Turning {
+  explicit Turning(const Vector3<double>& edges, const Vector3<double>& angular_velocity,
+                   const Quaternion<double>& orientation = {1, 0, 0, 0}) {
+    scene::Polyhedron polyhedron;
+    polyhedron.vertices = unit::centred_box(edges);
+    polyhedron.orientation = orientation;
+    body = std::get<scene::RigidBody>(rigid_body(polyhedron));
+    scene::Arc arc;
+    arc.path.start = 3;
+    arc.path.position = {1, 2, 3};
+    arc.path.velocity = {0.5, -0.25, 8};
+    arc.path.acceleration = {0, 0, -2};
+    arc.turning.angular_velocity = angular_velocity;
+    arcs = {arc};
+    orientations = {body.orientation};
+  }
+
+  [[nodiscard]] BodyTrack track() const { return {body, false, arcs, orientations}; }
+
+  scene::RigidBody body;
+  std::vector<scene::Arc> arcs;
+  std::vector<Quaternion<double>> orientations;
+};
+
+const std::vector<std::pair<Vector3<double>, Vector3<double>>> bodies{
+    {{1, 1, 1}, {3, 0, 4}},
+    {{1, 2, 3}, {3, 0.001, 4}},
+    // About the middle axis: it turns over again and again.
+    {{1, 2, 3}, {0.001, 5, 0}},
+    {{0.01, 0.02, 1}, {3, 2, 3}},
+};
+
+TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
+  for (const auto& [edges, rate] : bodies) {
+    SCOPED_TRACE(testing::PrintToString(edges.transpose()));
+    const Turning turning(edges, rate, {0.5, -1, 0.25, 2});
+    BodyTrack track = turning.track();
+    const double duration = 100 / rate.norm();
+    const scene::RotationPath path(turning.body.principal_inertia,
+                                   scene::rotation_state(turning.body.orientation, rate), duration);
+    for (const double share : {0.0, 1e-6, 0.01, 0.3, 0.29, 0.77, 1.0}) {
+      const double elapsed = share * duration;
+      const scene::BoundedRotation expected = path.at(elapsed);
+      // 3 s and what has elapsed are not one double.
+      const Pose pose = track.pose(0, Real(3) + elapsed);
+      const Real apart = (pose.axes - wide_rotation(Quaternion<Real>(expected.state.orientation.cast<Real>()))).norm() /
+                         std::sqrt(2.0L);
+      // What the path says that it may be wrong by, and of the track 20 steps a radian, each wrong by 10⁻¹⁶ of one.
+      EXPECT_LE(apart, expected.angle_error + 2000 * 1e-16L * (1 + 100)) << share;
+      EXPECT_LE(apart, 1e-11L) << share;
+      EXPECT_NEAR(static_cast<double>(pose.rate), expected.state.body_rate.norm(), 1e-11) << share;
+    }
+  }
+}
+
+/// ω along the world's axes from axes alone: Ȧ Aᵀ by differences of fourth order, wrong by (ω h)⁴/30.
+WideVector rate_from(BodyTrack& track, Real time, Real h) {
+  const auto axes = [&](Real t) { return track.pose(0, t).axes; };
+  const Matrix3<Real> change =
+      (8 * (axes(time + h) - axes(time - h)) - (axes(time + 2 * h) - axes(time - 2 * h))) / (12 * h);
+  const Matrix3<Real> cross = change * axes(time).transpose();
+  return {cross(2, 1), cross(0, 2), cross(1, 0)};
+}
+
+TEST(BodyTrack, KeepsEnergyAndAngularMomentumFor100Radians) {
+  for (const auto& [edges, rate] : bodies) {
+    SCOPED_TRACE(testing::PrintToString(edges.transpose()));
+    const Turning turning(edges, rate);
+    BodyTrack track = turning.track();
+    const WideVector inertia = turning.body.principal_inertia.cast<Real>();
+    Real energy = 0;
+    WideVector momentum = WideVector::Zero();
+    for (int k = 0; k <= 20; ++k) {
+      const Real h = 1e-3L / 5;
+      const Real time = 3 + 3 * h + Real(k) * 5 / rate.norm();
+      const Matrix3<Real> axes = track.pose(0, time).axes;
+      EXPECT_LE((axes * axes.transpose() - Matrix3<Real>::Identity()).norm(), 1e-13L);
+      const WideVector omega = rate_from(track, time, h);
+      EXPECT_NEAR(static_cast<double>(omega.norm() / track.pose(0, time).rate), 1, 1e-11) << k;
+      const WideVector spin = axes * inertia.cwiseProduct(axes.transpose() * omega);
+      if (k == 0) {
+        energy = spin.dot(omega);
+        momentum = spin;
+      }
+      // (10⁻³)⁴/30 of ω, and of the slender body's 10⁴ times that along its thin axis.
+      EXPECT_NEAR(static_cast<double>(spin.dot(omega) / energy), 1, 1e-10) << k;
+      EXPECT_LE(static_cast<double>((spin - momentum).norm() / momentum.norm()), 1e-10) << k;
+    }
+  }
+}
+
+TEST(BodyTrack, HasItsPlacesInAnyOrderOfTimes) {
+  const Turning turning({1, 2, 3}, {3, 0.5, 4});
+  BodyTrack forward = turning.track();
+  BodyTrack backward = turning.track();
+  std::vector<Matrix3<Real>> axes;
+  for (int k = 0; k <= 10; ++k) {
+    axes.push_back(forward.pose(0, 3 + 0.5L * k).axes);
+  }
+  for (int k = 10; k >= 0; --k) {
+    const Pose pose = backward.pose(0, 3 + 0.5L * k);
+    EXPECT_EQ(pose.axes, axes[static_cast<std::size_t>(k)]);
+    const Real s = 0.5L * k;
+    EXPECT_LE((pose.centre - WideVector(1 + s / 2, 2 - s / 4, 3 + 8 * s - s * s)).norm(), 1e-17L);
+    EXPECT_LE((pose.velocity - WideVector(0.5L, -0.25L, 8 - 2 * s)).norm(), 1e-17L);
+    ASSERT_EQ(pose.vertices.size(), 8U);
+    EXPECT_NEAR(static_cast<double>(pose.vertices[0].norm()), std::sqrt(3.5), 1e-15);
+  }
+}
+
+/// One that does not turn, and a ball, are where they are put.
+TEST(BodyTrack, KeepsWhatDoesNotTurn) {
+  const Quaternion<double> orientation(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+  Turning turning({1, 1, 1}, {0, 0, 0}, orientation);
+  BodyTrack track = turning.track();
+  EXPECT_EQ(track.pose(0, 1e9L).axes, track.pose(0, 3).axes);
+  EXPECT_EQ(track.pose(0, 4).rate, 0);
+  EXPECT_EQ(track.face_normals().size(), 3U);
+  EXPECT_EQ(track.edge_directions().size(), 3U);
+  EXPECT_EQ(track.edges().size(), 12U);
+  scene::Sphere sphere;
+  sphere.radius = 0.5;
+  const scene::RigidBody ball = scene::rigid_body(sphere);
+  turning.arcs[0].turning.angular_velocity = {1, 2, 3};
+  BodyTrack of_ball(ball, true, turning.arcs, turning.orientations);
+  EXPECT_EQ(of_ball.margin(), 0.5L);
+  EXPECT_EQ(of_ball.radius(), 0.5L);
+  EXPECT_EQ(of_ball.pose(0, 5).vertices.size(), 1U);
+  EXPECT_EQ(of_ball.pose(0, 5).rate, 0);
+}
+
+}  // namespace
+}  // namespace carom::properties::tracks

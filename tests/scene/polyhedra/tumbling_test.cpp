@@ -1,0 +1,684 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/scene/polyhedra/tumbling.hpp>
+#include <carom/scene/polyhedra/valid_polyhedra.hpp>
+
+#include "bodies.hpp"
+#include "scene/scenes.hpp"
+
+namespace carom::scene {
+namespace {
+
+using carom::unit::add_plane;
+using carom::unit::add_polyhedron;
+using carom::unit::add_sphere;
+using carom::unit::box_of_bodies;
+using carom::unit::centred_box;
+using carom::unit::centred_tetrahedron;
+using carom::unit::empty_scene;
+using unit::Points;
+using unit::Vector;
+
+constexpr MaterialPair elastic{1, 0, 0, 0, 0};
+constexpr double g = 9.81;
+
+std::vector<Event> events_of(const Scene& scene, std::size_t most) {
+  return carom::unit::events_of<Tumbling>(scene, most);
+}
+
+MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0, 0}; }
+
+Quaternion<double> turn_about(const Vector& axis, double angle) {
+  const Vector v = std::sin(angle / 2) * axis.normalized();
+  return {std::cos(angle / 2), v.x(), v.y(), v.z()};
+}
+
+/// A body over a floor at z = 0, under gravity.
+Scene over_a_floor(const Points& corners, const Vector& position, double restitution) {
+  Scene scene = empty_scene(Model::frictionless, with_restitution(restitution), 3);
+  scene.gravity = {0, 0, -g};
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_polyhedron(scene, corners, position);
+  return scene;
+}
+
+const Points unit_cube = centred_box({1, 1, 1});
+const double cube_radius = std::sqrt(0.75);
+
+TEST(Tumbling, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFollowed) {
+  Scene scene = over_a_floor(unit_cube, {0, 0, 2.5}, 0.5);
+  const std::vector<Event> events = events_of(scene, 300);
+  ASSERT_EQ(events.size(), 300U);
+  const double nearness = 1.01 * contact_tolerance * cube_radius;
+  // From 2 m it falls to no more than the tolerance of a contact.
+  EXPECT_LE(events[0].time, std::sqrt(2 * 2 / g));
+  EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
+  double speed = g * events[0].time;
+  std::size_t bounce = 0;
+  // Until it rises no higher than 10⁻⁶ R: 0.25ⁿ · 2 m, n = 10.6.
+  for (; bounce < 10; ++bounce) {
+    const Event& event = events[bounce];
+    EXPECT_EQ(event.kind, EventKind::plane_impact);
+    EXPECT_FALSE(event.was_slow) << bounce;
+    // A fall's speed is g times its time; what it comes lower or higher by, from one tolerance to another, is √(v² ± 2
+    // g tolerance): ± g tolerance/v; and rounding of g t, t up to 2 s.
+    EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
+    speed = event.a.after.path.velocity.z();
+    // Struck at the middle of its face: what is left of a turn is rounding, of a lever arm of 2⁻⁵³.
+    EXPECT_LE(event.a.after.turning.angular_velocity.norm(), 0x1p-46) << bounce;
+    const double fall = events[bounce + 1].time - event.time;
+    EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
+  }
+  // Now it hops: each no higher than 10⁻⁶ of its radius, beside the tolerance that it starts from; the slow ones just
+  // so high. Rounding turns it by no more than 2⁻⁴⁶ rad/s a hop, so it stays flat.
+  const double greatest = default_capture_height * cube_radius;
+  int slow = 0;
+  for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
+    const double up = events[hop].a.after.path.velocity.z();
+    EXPECT_LE(up * up / (2 * g), greatest * (1 + 1e-9)) << hop;
+    EXPECT_GT(up, 0) << hop;
+    EXPECT_LE(events[hop].a.after.path.position.z(), 0.5 + nearness) << hop;
+    EXPECT_GT(events[hop].a.after.path.position.z(), 0.5) << hop;
+    if (events[hop].was_slow) {
+      ++slow;
+      EXPECT_NEAR(up * up / (2 * g), greatest, 1e-9 * greatest) << hop;
+    }
+  }
+  EXPECT_GT(slow, 100);
+}
+
+/// By hand: λ = 1/m + (r × n)·(r × n)/I of a cube, whose moments are all m/6; j = −(1 + ε) v/λ.
+TEST(Tumbling, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
+  for (const Quaternion<double>& orientation :
+       {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
+        turn_about({1, 2, 3}, 1), turn_about({-3, 1, 0.5}, 2)}) {
+    SCOPED_TRACE(testing::PrintToString(orientation.transpose()));
+    Scene scene = over_a_floor(unit_cube, {3, -2, 4}, 0.75);
+    scene.polyhedra[0].orientation = 7 * orientation;  // of any length
+    const std::vector<Event> events = events_of(scene, 1);
+    ASSERT_EQ(events.size(), 1U);
+    const Matrix3<double> turn = unit::matrix_of(orientation);
+    double lowest = 0;
+    for (const Vector& corner : unit_cube) {
+      lowest = std::min(lowest, (turn * corner).z());
+    }
+    Vector arm = Vector::Zero();
+    int count = 0;
+    for (const Vector& corner : unit_cube) {
+      if ((turn * corner).z() < lowest + 1e-12) {
+        arm += turn * corner;
+        ++count;
+      }
+    }
+    arm /= count;
+    const Event& event = events[0];
+    const double nearness = 1.01 * contact_tolerance * cube_radius;
+    EXPECT_LE(event.time, std::sqrt(2 * (4 + lowest) / g) + 0x1p-50);
+    EXPECT_GE(event.time, std::sqrt(2 * (4 + lowest - nearness) / g));
+    const double speed = -g * event.time;
+    const Vector torque = arm.cross(Vector(0, 0, 1));
+    const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
+    // The point lies midway between body and floor, so arms are off by half a tolerance; some speed of 8 m/s times 6
+    // for the moment.
+    EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
+    EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
+    EXPECT_EQ(event.a.after.path.velocity.x(), 0);
+    EXPECT_LE((event.a.orientation - orientation).norm(), 1e-15);
+  }
+}
+
+/// A rod that draws back from a slab and swings its end into it: the balls about them overlap and recede throughout.
+TEST(Tumbling, BodiesMeetWhoseBallsOverlapAndRecede) {
+  for (const bool is_rod_first : {true, false}) {
+    Scene scene = empty_scene(Model::frictionless, elastic, 3);
+    const auto add_rod = [&] {
+      add_polyhedron(scene, centred_box({0.125, 0.0625, 2}), {0, 0, 0}, {-0.0625, 0, 0}, {0, 1, 0});
+    };
+    const auto add_slab = [&] { add_polyhedron(scene, centred_box({0.125, 4, 4}), {0.5625, 0, 0}); };
+    if (is_rod_first) {
+      add_rod();
+      add_slab();
+    } else {
+      add_slab();
+      add_rod();
+    }
+    const std::vector<Event> events = events_of(scene, 1);
+    ASSERT_EQ(events.size(), 1U);
+    // The rod's corner (1/16, ·, 1) turns with y: x = cos/16 + sin − t/16 reaches the slab's face at 1/2.
+    const auto gap = [](double t) { return 0.5 - (std::cos(t) / 16 + std::sin(t) - t / 16); };
+    double low = 0;
+    double high = 1;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (gap(middle) > 0 ? low : high) = middle;
+    }
+    // A contact is up to the tolerance early, at a speed of cos t − 1/16 − sin/16 > 3/4.
+    EXPECT_LE(events[0].time, low + 1e-15);
+    EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
+    EXPECT_EQ(events[0].kind, EventKind::impact);
+  }
+}
+
+/// Balls in a scene with polyhedra move as those of a scene without: walls, balls, the same law.
+TEST(Tumbling, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
+  for (const Model law : {Model::frictionless, Model::rough, Model::coulomb, Model::sticking, Model::reflection}) {
+    SCOPED_TRACE(name_of(law));
+    Scene scene = empty_scene(law, {0.75, 0.25, 0.5, 0, 0}, 8);
+    add_plane(scene, {2, 0, 0}, {-3, 0, 0});
+    add_plane(scene, {-1, 0, 0}, {3, 0, 0});
+    add_plane(scene, {0, 1, 0}, {0, -0.75, 0});
+    add_plane(scene, {0, -1, 0}, {0, 0.75, 0});
+    add_sphere(scene, 0.5, {-1.5, 0, 0}, {1, 0.0625, 0});
+    add_sphere(scene, 0.25, {0.5, 0.125, 0}, {-1, 0, 0});
+    add_sphere(scene, 0.375, {2, -0.125, 0}, {-0.5, 0, 0});
+    scene.spheres[1].angular_velocity = {1, -2, 3};
+    const std::vector<Event> expected = carom::unit::events_of(scene, 8);
+    add_polyhedron(scene, centred_box({0.5, 0.5, 0.5}), {0, 0, 50}, {0, 0, 1}, {1, 2, 3});
+    const std::vector<Event> found = events_of(scene, 8);
+    ASSERT_EQ(expected.size(), 8U);
+    ASSERT_EQ(found.size(), 8U);
+    // A contact is up to 2⁻³⁰ radii early, at 1/2 m/s and more; each impact enlarges differences by 1 + 2 l/R, 8 at
+    // most for paths of 1 m: 8 impacts, of three bodies two or three each in a row, stay below 2⁻³⁰ 8⁴.
+    const double tolerance = 0x1p-18;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
+      EXPECT_EQ(found[k].kind, expected[k].kind) << k;
+      EXPECT_NEAR(found[k].time, expected[k].time, tolerance) << k;
+      const auto near = [&](const Change& one, const Change& other) {
+        EXPECT_LE((one.after.path.velocity - other.after.path.velocity).norm(), tolerance) << k;
+        EXPECT_LE((one.after.turning.angular_velocity - other.after.turning.angular_velocity).norm(), 8 * tolerance)
+            << k;
+        EXPECT_EQ(one.after.path.radius, other.after.path.radius);
+      };
+      near(found[k].a, expected[k].a);
+      ASSERT_EQ(found[k].b.has_value(), expected[k].b.has_value());
+      if (found[k].b) {
+        EXPECT_EQ(found[k].b->body, expected[k].b->body) << k;
+        near(*found[k].b, *expected[k].b);
+      }
+    }
+  }
+}
+
+TEST(Tumbling, ABallThatMeetsACubesFaceSharesItsSpeed) {
+  // Both orders of A and B; masses 8 of the cube and of the ball 8 as well.
+  Scene scene = empty_scene(Model::frictionless, elastic, 4);
+  add_sphere(scene, 0.5, {-3, 0, 0}, {2, 0, 0});
+  scene.spheres[0].density = 8 / (4.0 / 3 * std::numbers::pi * 0.125);
+  scene.spheres[0].angular_velocity = {0.1, 0.2, 0.3};
+  add_polyhedron(scene, centred_box({2, 2, 2}), {0, 0, 0});
+  const std::vector<Event> events = events_of(scene, 5);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_LE(events[0].time, 0.75);
+  EXPECT_GE(events[0].time, 0.75 - contact_tolerance * 0.5 / 2 * 1.01);
+  // The masses are right within some ulps, arms within half a tolerance.
+  EXPECT_NEAR(events[0].a.after.path.velocity.x(), 0, 1e-9);
+  EXPECT_NEAR(events[0].b->after.path.velocity.x(), 2, 1e-9);
+  EXPECT_EQ(events[0].a.after.turning.angular_velocity, Vector(0.1, 0.2, 0.3));
+}
+
+TEST(Tumbling, WithoutFrictionNoBallChangesItsSpin) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    SCOPED_TRACE(name_of(precision));
+    int of_balls = 0;
+    int with_polyhedra = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      Scene scene = box_of_bodies(Model::frictionless, {0.9, 0, 0, 0, 0}, 3, 5, seed, true);
+      scene.precision = precision;
+      scene.gravity = {0, 0, seed % 2 == 0 ? -g : 0};
+      for (const Event& event : events_of(scene, 150)) {
+        const auto check = [&](const Change& change) {
+          if (change.body < scene.spheres.size()) {
+            ASSERT_EQ(change.after.turning.angular_velocity, scene.spheres[change.body].angular_velocity)
+                << "seed " << seed << ", at " << event.time << ", body " << change.body << " and "
+                << (event.b ? "body " + std::to_string(event.b->body) : "a plane");
+          }
+        };
+        check(event.a);
+        if (event.b) {
+          check(*event.b);
+          of_balls += event.b->body < scene.spheres.size() ? 1 : 0;
+          with_polyhedra += event.a.body < scene.spheres.size() && event.b->body >= scene.spheres.size() ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(of_balls, 5);
+    EXPECT_GT(with_polyhedra, 50);
+  }
+}
+
+struct Totals {
+  double energy = 0;
+  Vector momentum{0, 0, 0};
+  Vector angular{0, 0, 0};
+  double angular_size = 0;
+};
+
+Totals totals_of(const SceneState& state) {
+  Totals totals;
+  for (const BodyState& body : state.bodies) {
+    const Vector x = position_at(body.arc.path, state.time);
+    const Vector v = velocity_at(body.arc.path, state.time);
+    const Matrix3<double> axes = unit::matrix_of(body.orientation);
+    const Vector spin = axes * body.principal_inertia.cwiseProduct(axes.transpose() * body.angular_velocity);
+    totals.energy +=
+        body.mass * v.squaredNorm() / 2 + spin.dot(body.angular_velocity) / 2 - body.mass * state.scene->gravity.dot(x);
+    totals.momentum += body.mass * v;
+    totals.angular += body.mass * x.cross(v) + spin;
+    totals.angular_size += body.mass * x.norm() * v.norm() + spin.norm();
+  }
+  return totals;
+}
+
+/// Bodies from all sides meet in the middle: no planes, no gravity.
+Scene implosion(std::uint64_t seed) {
+  properties::Stream stream = properties::stream_from(seed);
+  Scene scene = box_of_bodies(Model::frictionless, elastic, 3, 4, seed, seed % 2 == 0);
+  scene.planes.clear();
+  const auto aim = [&](Vector& position, Vector& velocity) {
+    position = 1.25 * (position - Vector::Constant(1.5));
+    velocity = -0.75 * position + 0.1 * stream.vector();
+  };
+  for (Sphere& sphere : scene.spheres) {
+    aim(sphere.position, sphere.velocity);
+  }
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    aim(polyhedron.position, polyhedron.velocity);
+  }
+  return scene;
+}
+
+TEST(Tumbling, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Tumbling tumbling(implosion(seed));
+    const Totals first = totals_of(tumbling.state());
+    int count = 0;
+    while (count < 150 && tumbling.advance() != nullptr) {
+      ++count;
+    }
+    EXPECT_GT(count, 30);
+    const Totals last = totals_of(tumbling.state());
+    // Each event rounds two bodies' states to some 16 u of their share, and both act at one point exactly: 150 times
+    // 16 u is 3·10⁻¹³, were all of one sign and of the whole; the motion between adds 10⁻¹⁵ a radian.
+    EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
+    EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
+    EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
+  }
+}
+
+TEST(Tumbling, IsTheSameTwiceBitByBit) {
+  for (const Model law : {Model::frictionless, Model::coulomb}) {
+    Scene scene = box_of_bodies(law, {0.5, 0.3, 0, 0, 0}, 2, 3, 11, true);
+    scene.gravity = {0, 0, -g};
+    const std::vector<Event> one = events_of(scene, 200);
+    const std::vector<Event> two = events_of(scene, 200);
+    ASSERT_EQ(one.size(), two.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      ASSERT_EQ(one[k].time, two[k].time) << k;
+      ASSERT_EQ(one[k].a.after.path.position, two[k].a.after.path.position) << k;
+      ASSERT_EQ(one[k].a.after.path.velocity, two[k].a.after.path.velocity) << k;
+      ASSERT_EQ(one[k].a.after.turning.angular_velocity, two[k].a.after.turning.angular_velocity) << k;
+      ASSERT_EQ(one[k].a.orientation, two[k].a.orientation) << k;
+    }
+  }
+}
+
+/// Who is struck, by the names of the bodies: those of the scenes that are compared.
+std::pair<std::string, std::string> who(const Scene& scene, const Event& event) {
+  const auto name = [&](std::size_t body) {
+    return is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
+  };
+  const std::string a = name(event.a.body);
+  const std::string b = event.b ? name(event.b->body) : scene.planes[event.plane].name;
+  return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
+}
+
+/// Of two runs that round differently: contacts are found within 2⁻³⁰ radii (1/2) of each other, at 1/16 m/s and more
+/// but for grazing ones: 2⁻²⁷ of a second, and speeds of 4 m/s are known as well. An impact enlarges a difference by
+/// the path to the next one over the arm, times the speed of a corner: 32 and more; so early events alone are compared,
+/// of which each body has two or three in a row.
+constexpr std::size_t early_events = 8;
+constexpr double early_tolerance = 0x1p-14;
+
+void expect_alike(const Scene& scene, const Scene& other, const std::function<Vector(const Vector&)>& moved) {
+  const std::vector<Event> events = events_of(scene, early_events);
+  const std::vector<Event> others = events_of(other, early_events);
+  ASSERT_EQ(events.size(), early_events);
+  ASSERT_EQ(others.size(), early_events);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    ASSERT_EQ(who(scene, events[k]), who(other, others[k])) << k;
+    EXPECT_NEAR(events[k].time, others[k].time, early_tolerance) << k;
+    const bool is_swapped = events[k].b && who(scene, events[k]).first != who(other, others[k]).first;
+    EXPECT_FALSE(is_swapped);
+    const auto velocity_of = [&](const Scene& of, const Event& event, const std::string& name) -> Vector {
+      const bool is_a = is_sphere(of, event.a.body) ? of.spheres[event.a.body].name == name
+                                                    : polyhedron_of(of, event.a.body).name == name;
+      return is_a ? event.a.after.path.velocity : event.b->after.path.velocity;
+    };
+    const std::string name = who(scene, events[k]).first;
+    EXPECT_LE((moved(velocity_of(scene, events[k], name)) - velocity_of(other, others[k], name)).norm(),
+              early_tolerance)
+        << k;
+  }
+}
+
+TEST(Tumbling, DoesNotDependOnTheOrderOfTheBodies) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene =
+        box_of_bodies(seed % 2 == 0 ? Model::frictionless : Model::sticking, with_restitution(0.5), 2, 5, seed, true);
+    Scene reversed = scene;
+    std::reverse(reversed.polyhedra.begin(), reversed.polyhedra.end());
+    std::reverse(reversed.spheres.begin(), reversed.spheres.end());
+    expect_alike(scene, reversed, [](const Vector& x) { return x; });
+  }
+}
+
+TEST(Tumbling, TurnsWithTheScene) {
+  const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
+  const double half = std::sqrt(0.5);
+  // (half, 0, 0, half) times q
+  const auto orientation_turned = [half](const Quaternion<double>& q) {
+    return Quaternion<double>(half * (q[0] - q[3]), half * (q[1] - q[2]), half * (q[2] + q[1]), half * (q[3] + q[0]));
+  };
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene =
+        box_of_bodies(seed % 2 == 0 ? Model::frictionless : Model::coulomb, {0.5, 0.25, 0, 0, 0}, 2, 5, seed, true);
+    scene.gravity = {0, 0, -1};
+    Scene other = scene;
+    for (Sphere& sphere : other.spheres) {
+      sphere.position = turned(sphere.position);
+      sphere.velocity = turned(sphere.velocity);
+      sphere.angular_velocity = turned(sphere.angular_velocity);
+    }
+    for (Polyhedron& polyhedron : other.polyhedra) {
+      polyhedron.position = turned(polyhedron.position);
+      polyhedron.velocity = turned(polyhedron.velocity);
+      polyhedron.angular_velocity = turned(polyhedron.angular_velocity);
+      polyhedron.orientation = orientation_turned(polyhedron.orientation);
+    }
+    for (Plane& plane : other.planes) {
+      plane.point = turned(plane.point);
+      plane.normal = turned(plane.normal);
+    }
+    expect_alike(scene, other, turned);
+  }
+}
+
+/// Lengths times a power of two, at the same times: every number of the run is scaled by one, and rounds the same.
+TEST(Tumbling, IsTheSameInEveryUnitOfLength) {
+  Scene scene = box_of_bodies(Model::frictionless, with_restitution(0.75), 2, 1, 3, false);
+  scene.gravity = {0, 0, -g};
+  const std::vector<Event> events = events_of(scene, 60);
+  ASSERT_GT(events.size(), 20U);
+  for (const double scale : {0x1p-10, 0x1p10}) {
+    SCOPED_TRACE(scale);
+    Scene other = scene;
+    other.gravity *= scale;
+    for (Polyhedron& polyhedron : other.polyhedra) {
+      polyhedron.position *= scale;
+      polyhedron.velocity *= scale;
+      for (Vector& vertex : polyhedron.vertices) {
+        vertex *= scale;
+      }
+    }
+    for (Plane& plane : other.planes) {
+      plane.point *= scale;
+    }
+    ASSERT_FALSE(first_polyhedron_defect(other)) << describe(*first_polyhedron_defect(other));
+    const std::vector<Event> others = events_of(other, 60);
+    ASSERT_EQ(others.size(), events.size());
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      ASSERT_EQ(events[k].time, others[k].time) << k;
+      ASSERT_EQ(scale * events[k].a.after.path.velocity, others[k].a.after.path.velocity) << k;
+    }
+  }
+}
+
+TEST(Tumbling, HearsAStop) {
+  Scene scene = box_of_bodies(Model::frictionless, elastic, 2, 5, 1, false);
+  Tumbling tumbling(scene);
+  ASSERT_NE(tumbling.advance(), nullptr);
+  const double time = tumbling.time();
+  std::stop_source source;
+  tumbling.stop_on(source.get_token());
+  ASSERT_NE(tumbling.advance(), nullptr);
+  source.request_stop();
+  EXPECT_EQ(tumbling.advance(), nullptr);
+  EXPECT_LT(tumbling.time(), 5);
+  EXPECT_GE(tumbling.time(), time);
+}
+
+std::string refusal_of(const Scene& scene, std::size_t most_events = 0) {
+  try {
+    Tumbling tumbling(scene);
+    for (std::size_t k = 0; k < most_events && tumbling.advance() != nullptr; ++k) {
+    }
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Tumbling, RefusesAnOverlapByBothNames) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 1);
+  add_polyhedron(scene, unit_cube, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {1.5, 0, 0});
+  EXPECT_EQ(refusal_of(scene), "none");
+  scene.polyhedra[1].position.x() = 0.75;
+  EXPECT_TRUE(
+      refusal_of(scene).starts_with("at t = 0.000000 polyhedron 0 (body 0) and polyhedron 1 (body 1) are not "
+                                    "certain to be apart: -0.25"))
+      << refusal_of(scene);
+  scene.polyhedra[1].position.x() = 1.5;
+  add_sphere(scene, 0.5, {0, 0.75, 0}, {0, 0, 0});
+  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0.000000 sphere 0 (ball 0) and polyhedron 0 (body 0) are not "))
+      << refusal_of(scene);
+  scene.spheres[0].position.y() = 3;
+  add_plane(scene, {0, 0, 2}, {0, 0, -0.25});
+  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0.000000 sphere 0 (ball 0) and plane 0 (plane 0) are not ") ||
+              refusal_of(scene).starts_with("at t = 0.000000 polyhedron 0 (body 0) and plane 0 (plane 0) are not "))
+      << refusal_of(scene);
+}
+
+/// A speck between two walls that come together: the n-th blow leaves it at 2 n V, and it takes √(M/m)/4 of them and
+/// more until they are slowed down, all within the tolerance of a contact.
+TEST(Tumbling, EndsWhereImpactsAtOneInstantDoNot) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 1);
+  const double nearly = 0.25 * contact_tolerance * 0x1p-4;
+  add_sphere(scene, 0x1p-4, {0, 0, 0}, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {-0.5 - 0x1p-4 - nearly, 0, 0}, {1, 0, 0});
+  add_polyhedron(scene, unit_cube, {0.5 + 0x1p-4 + nearly, 0, 0}, {-1, 0, 0});
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    polyhedron.density = 1e9;
+  }
+  ASSERT_FALSE(first_polyhedron_defect(scene)) << describe(*first_polyhedron_defect(scene));
+  const std::string refusal = refusal_of(scene, 1'000'000);
+  EXPECT_TRUE(
+      refusal.starts_with("more than 10000 impacts at the instant t = 0.000000, the last of sphere 0 (ball 0) "
+                          "and polyhedron "))
+      << refusal;
+  // With walls that weigh a hundred times as much it ends by itself.
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    polyhedron.density = 100;
+  }
+  EXPECT_EQ(refusal_of(scene, 1'000'000), "none");
+}
+
+TEST(Tumbling, TellsEventsInOrderOfTime) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Scene scene = box_of_bodies(Model::coulomb, {0.5, 0.3, 0, 0, 0}, 2, 1, seed, true);
+    scene.gravity = {0, 0, -g};
+    Tumbling tumbling(scene);
+    double last = 0;
+    unsigned long long count = 0;
+    for (const Event* event = tumbling.advance(); event != nullptr && count < 400; event = tumbling.advance()) {
+      ASSERT_GE(event->time, last) << "seed " << seed;
+      ASSERT_LE(event->time, scene.duration) << "seed " << seed;
+      EXPECT_EQ(event->time, tumbling.time());
+      EXPECT_EQ(event->a.after.path.start, event->time);
+      if (event->b) {
+        EXPECT_LT(event->a.body, event->b->body);
+      }
+      last = event->time;
+      ++count;
+      EXPECT_EQ(tumbling.counts().events, count);
+      EXPECT_EQ(tumbling.counts().impacts + tumbling.counts().plane_impacts, count);
+    }
+    EXPECT_GT(count, 20U);
+  }
+}
+
+/// Equal bodies at equal heights: equal numbers give equal times.
+TEST(Tumbling, TakesOfEqualTimesTheLowerBodiesFirst) {
+  Scene scene = over_a_floor(unit_cube, {0, 0, 2}, 1);
+  for (const double x : {3.0, -3.0, 6.0}) {
+    add_polyhedron(scene, unit_cube, {x, 0, 2});
+  }
+  const std::vector<Event> events = events_of(scene, 8);
+  ASSERT_EQ(events.size(), 8U);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    EXPECT_EQ(events[k].time, events[k - k % 4].time);
+    EXPECT_EQ(events[k].a.body, k % 4);
+  }
+  EXPECT_GT(events[4].time, events[3].time);
+}
+
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room: no corner leaves it, and energy stays.
+TEST(Tumbling, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    SCOPED_TRACE(size);
+    Scene scene = empty_scene(Model::frictionless, elastic, 5);
+    carom::unit::add_box(scene, 3 * size);
+    const Points needle = centred_box(Vector(1e-3, 1e-3, 1) * size);
+    const Points sheet = centred_box(Vector(1, 1, 1e-3) * size);
+    add_polyhedron(scene, needle, Vector(0.75, 0.75, 1) * size, Vector(0.5, 0.25, -0.75) * size, {1, 2, 0.5});
+    add_polyhedron(scene, sheet, Vector(2, 2, 2) * size, Vector(-0.25, 0.5, 0.25) * size, {0.25, -1, 2});
+    scene.polyhedra[1].orientation = {1, 0.5, 0.25, 0};
+    ASSERT_FALSE(first_polyhedron_defect(scene)) << describe(*first_polyhedron_defect(scene));
+    Tumbling tumbling(scene);
+    const double energy = totals_of(tumbling.state()).energy;
+    int count = 0;
+    while (count < 100 && tumbling.advance() != nullptr) {
+      ++count;
+      const SceneState state = tumbling.state();
+      for (std::size_t body = 0; body < 2; ++body) {
+        const Matrix3<double> axes = unit::matrix_of(state.bodies[body].orientation);
+        const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[body]));
+        for (const Vector& vertex : made.shape.core.vertices) {
+          const Vector corner = position_at(state.bodies[body].arc.path, state.time) + axes * vertex;
+          // What is computed here rounds as well: by 10⁻¹⁵ of the sizes.
+          EXPECT_GE(corner.minCoeff(), -1e-15 * size) << count;
+          EXPECT_LE(corner.maxCoeff(), (3 + 2e-15) * size) << count;
+        }
+      }
+    }
+    EXPECT_GT(count, 10);
+    // Lever arms of the needle are known to an ulp of its length, that of its axis to an ulp of its thickness: moments
+    // 10⁶ apart turn 2⁻⁵² into 10⁻¹⁰ at worst; 10⁻¹² is what is seen to hold.
+    EXPECT_NEAR(totals_of(tumbling.state()).energy, energy, 1e-12 * energy);
+  }
+}
+
+/// It turns for 320 rad between two impacts, and is looked at in windows of 4 rad, 8, 16, …: its ball overlaps the
+/// floor all the time.
+TEST(Tumbling, FollowsABodyThatTurnsForLong) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 60);
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  // About the axis of its greatest moment.
+  add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
+  const std::vector<Event> events = events_of(scene, 5);
+  ASSERT_EQ(events.size(), 1U);
+  // Half a metre at 1/64 m/s, less a tolerance, and less what the orientation may be wrong by after 320 rad, on an arm
+  // of 1 m: a bound of some 4·10⁻⁹ rad.
+  EXPECT_LE(events[0].time, 32);
+  EXPECT_GE(events[0].time, 32 - 64 * (1.1 * contact_tolerance + 1e-8));
+  EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
+  // 320 rad of turning are known to 10⁻¹⁵ of themselves.
+  const double angle = 10 * events[0].time;
+  const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
+  EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
+  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, angle));
+  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
+  EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
+}
+
+TEST(Tumbling, SaysThatABodyHasTurnedTooFar) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 10);
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {0, 0, 3}, {0, 0, -0.5}, {0, 0, 1e6});
+  const std::string refusal = refusal_of(scene, 10);
+  EXPECT_NE(refusal.find("polyhedron 0 (body 0) has turned by more than 100,000 rad"), std::string::npos) << refusal;
+  // Where nothing is near, nobody asks how it turns.
+  scene.planes.clear();
+  EXPECT_EQ(refusal_of(scene, 10), "none");
+}
+
+TEST(Tumbling, EndsAtItsDurationWhereNothingMeets) {
+  Scene scene = empty_scene(Model::coulomb, {0.5, 0.5, 0, 0, 0}, 7);
+  scene.gravity = {0, 0, -g};
+  add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 1}, {1, 2, 3});
+  add_polyhedron(scene, centred_tetrahedron(1), {3, 0, 0}, {0.125, 0, 1}, {3, 2, 1});
+  add_sphere(scene, 0.5, {-3, 0, 0}, {-0.125, 0, 1});
+  Tumbling tumbling(scene);
+  EXPECT_EQ(tumbling.advance(), nullptr);
+  EXPECT_EQ(tumbling.time(), 7);
+  EXPECT_EQ(tumbling.counts().events, 0U);
+  EXPECT_EQ(tumbling.advance(), nullptr);
+  const Totals totals = totals_of(tumbling.state());
+  const Totals first = totals_of(Tumbling(scene).state());
+  // Under gravity alone; places are some 240 m down, of which the energies differ by an ulp or two.
+  EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
+}
+
+TEST(Tumbling, KnowsHowBodiesTurnThatNothingHasComeNear) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 5);
+  add_polyhedron(scene, centred_box({1, 2, 4}), {0, 0, 0}, {0, 0, 0}, {0, 0, 2});
+  Tumbling tumbling(scene);
+  EXPECT_EQ(tumbling.advance(), nullptr);
+  const BodyState body = tumbling.state().bodies[0];
+  EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
+  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
+  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
+  // 10 rad, each known to 10⁻¹⁵.
+  EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
+}
+
+/// Spheres alone go to the one loop, what has polyhedra to the other; both are seen as they are.
+TEST(SceneLoop, IsTheLoopThatTheSceneNeeds) {
+  Scene scene = empty_scene(Model::frictionless, elastic, 3);
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_sphere(scene, 0.5, {0, 0, 1.5}, {0, 0, -1});
+  SceneLoop spheres(scene);
+  ASSERT_NE(spheres.advance(), nullptr);
+  EXPECT_EQ(spheres.counts().advances, 0U);
+  EXPECT_NEAR(spheres.time(), 1, 1e-14);
+  add_polyhedron(scene, unit_cube, {3, 0, 1.25}, {0, 0, -1});
+  SceneLoop both(scene);
+  EXPECT_EQ(both.size(), 2U);
+  const Event* event = both.advance();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->a.body, 1U);
+  EXPECT_NEAR(both.time(), 0.75, 1e-9);
+  EXPECT_GT(both.counts().advances, 0U);
+  EXPECT_EQ(both.state().bodies.size(), 2U);
+  EXPECT_EQ(both.scene().polyhedra.size(), 1U);
+  std::stop_source source;
+  source.request_stop();
+  both.stop_on(source.get_token());
+  EXPECT_EQ(both.advance(), nullptr);
+}
+
+}  // namespace
+}  // namespace carom::scene

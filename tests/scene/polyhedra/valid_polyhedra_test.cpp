@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/polyhedra/tumbling.hpp>
+#include <carom/scene/polyhedra/valid_polyhedra.hpp>
+
+#include "bodies.hpp"
+#include "scene/scenes.hpp"
+
+namespace carom::scene {
+namespace {
+
+using carom::unit::add_plane;
+using carom::unit::add_polyhedron;
+using carom::unit::add_sphere;
+using carom::unit::centred_box;
+using unit::Vector;
+
+/// A cube above a floor, another beside it, and a ball.
+Scene three() {
+  Scene scene = carom::unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1);
+  add_plane(scene, {0, 0, 2}, {0, 0, -1});
+  add_polyhedron(scene, centred_box({1, 1, 1}), {0, 0, 0});
+  add_polyhedron(scene, centred_box({1, 1, 1}), {2, 0, 0});
+  add_sphere(scene, 0.25, {0, 2, 0}, {0, 0, 0});
+  return scene;
+}
+
+std::string defect_of(const Scene& scene) {
+  const std::optional<SceneDefect> defect = first_polyhedron_defect(scene);
+  return defect ? describe(*defect) : "";
+}
+
+TEST(ValidPolyhedra, NamesTheFieldAndTheBody) {
+  ASSERT_EQ(defect_of(three()), "") << "else everything is refused";
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes{
+      {"polyhedra[1].density: expected a number greater than 0", [](Scene& s) { s.polyhedra[1].density = 0; }},
+      {"polyhedra[1].density: expected a number greater than 0", [nan](Scene& s) { s.polyhedra[1].density = nan; }},
+      {"polyhedra[0].density: expected a number greater than 0", [](Scene& s) { s.polyhedra[0].density = never; }},
+      {"polyhedra[0].material: expected an index of a material", [](Scene& s) { s.polyhedra[0].material = 1; }},
+      {"polyhedra[0].position: expected finite numbers", [nan](Scene& s) { s.polyhedra[0].position.y() = nan; }},
+      {"polyhedra[1].velocity: expected finite numbers", [](Scene& s) { s.polyhedra[1].velocity.z() = -never; }},
+      {"polyhedra[0].angular_velocity: expected finite numbers",
+       [nan](Scene& s) { s.polyhedra[0].angular_velocity.x() = nan; }},
+      {"polyhedra[0].orientation: expected four finite numbers, w, x, y and z, not all 0",
+       [](Scene& s) {
+         s.polyhedra[0].orientation = {0, 0, 0, 0};
+       }},
+      {"polyhedra[0].orientation: expected four finite numbers, w, x, y and z, not all 0",
+       [nan](Scene& s) { s.polyhedra[0].orientation[3] = nan; }},
+      {"polyhedra[1].vertices: a polyhedron has at least 4 vertices, not 3",
+       [](Scene& s) { s.polyhedra[1].vertices.resize(3); }},
+      {"polyhedra[1].vertices: all vertices lie in one plane", [](Scene& s) { s.polyhedra[1].vertices.resize(4); }},
+      {"polyhedra[0].vertices: vertex 8 is vertex 0 again",
+       [](Scene& s) { s.polyhedra[0].vertices.push_back(s.polyhedra[0].vertices[0]); }},
+      {"polyhedra[0].vertices: vertex 8 is no corner: it lies inside the hull of the others, or on a face or an edge "
+       "of it",
+       [](Scene& s) { s.polyhedra[0].vertices.emplace_back(0, 0, 0); }},
+      {"polyhedra[0].vertices: vertex 2 has a coordinate that is not a finite number",
+       [nan](Scene& s) { s.polyhedra[0].vertices[2].x() = nan; }},
+  };
+  for (const auto& [expected, change] : changes) {
+    Scene scene = three();
+    change(scene);
+    EXPECT_EQ(defect_of(scene), expected);
+  }
+}
+
+TEST(ValidPolyhedra, AsksForMassesThatThePrecisionHolds) {
+  Scene scene = three();
+  scene.polyhedra[0].density = 1e-40;
+  EXPECT_EQ(defect_of(scene), "");
+  scene.precision = Precision::binary32;
+  EXPECT_EQ(defect_of(scene),
+            "polyhedra[0]: expected vertices and density that give mass and moments of inertia from 1.17549e-38 to "
+            "3.40282e+38, not 1e-40");
+  scene.polyhedra[0].density = 1e39;
+  EXPECT_NE(defect_of(scene).find("to 3.40282e+38, not 1e+39"), std::string::npos) << defect_of(scene);
+  scene.precision = Precision::extended;
+  EXPECT_EQ(defect_of(scene), "");
+}
+
+/// 4096 of its radii: of the same distance a greater body knows its place.
+TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
+  Scene scene = three();
+  scene.planes.clear();
+  const double radius = std::sqrt(0.75);
+  scene.polyhedra[0].position.x() = -4096 * radius * (1 + 1e-12);
+  EXPECT_EQ(defect_of(scene), "polyhedra[0].position: expected to be within 4096 of its radii of 0");
+  scene.polyhedra[0].position.x() = -4096 * radius * (1 - 1e-12);
+  EXPECT_EQ(defect_of(scene), "");
+}
+
+TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
+  struct Case {
+    std::string begins;
+    std::function<void(Scene&)> touch;
+    std::function<void(Scene&)> part;  // by a billionth of a radius, after `touch`
+  };
+  const std::vector<Case> cases{
+      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from plane 0 (plane 0): 0 m lie between them, "
+       "and rounding leaves ",
+       [](Scene& s) { s.planes[0].point.z() = -0.5; }, [](Scene& s) { s.planes[0].point.z() -= 1e-9; }},
+      {"polyhedra[1]: polyhedron 1 (body 1) is not certain to be apart from polyhedron 0 (body 0): 0 m lie ",
+       [](Scene& s) { s.polyhedra[1].position.x() = 1; }, [](Scene& s) { s.polyhedra[1].position.x() += 1e-9; }},
+      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from sphere 0 (ball 0): 0 m lie ",
+       [](Scene& s) { s.spheres[0].position.y() = 0.75; }, [](Scene& s) { s.spheres[0].position.y() += 1e-9; }},
+      // Behind the plane altogether.
+      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from plane 0 (plane 0): -7.5 m lie ",
+       [](Scene& s) {
+         s.planes[0].point.z() = 7;
+         s.spheres.clear();
+       },
+       [](Scene& s) { s.planes[0].point.z() = -0.5 - 1e-9; }},
+      // One within the other.
+      {"polyhedra[1]: polyhedron 1 (body 1) is not certain to be apart from polyhedron 0 (body 0): -1 m lie ",
+       [](Scene& s) { s.polyhedra[1].position = s.polyhedra[0].position; },
+       [](Scene& s) { s.polyhedra[1].position.z() = 1 + 1e-9; }},
+  };
+  for (const Case& one : cases) {
+    Scene scene = three();
+    one.touch(scene);
+    EXPECT_TRUE(defect_of(scene).starts_with(one.begins)) << defect_of(scene);
+    // What is no defect runs.
+    one.part(scene);
+    EXPECT_EQ(defect_of(scene), "") << one.begins;
+    EXPECT_NO_THROW(Tumbling{scene}) << one.begins;
+  }
+}
+
+/// Where there are polyhedra, spheres too have to be certain to be apart: else the loop would not begin.
+TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
+  Scene scene = three();
+  add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});
+  EXPECT_FALSE(first_defect(scene)) << "to touch is not to overlap";
+  EXPECT_TRUE(defect_of(scene).starts_with(
+      "spheres[1]: sphere 1 (ball 1) is not certain to be apart from sphere 0 (ball 0): 0 m lie between them"))
+      << defect_of(scene);
+  scene.spheres[1].position = {0, 4, -0.75};
+  EXPECT_FALSE(first_defect(scene));
+  EXPECT_TRUE(
+      defect_of(scene).starts_with("spheres[1]: sphere 1 (ball 1) is not certain to be apart from plane 0 (plane 0): "))
+      << defect_of(scene);
+  scene.spheres[1].position.z() = 0;
+  EXPECT_EQ(defect_of(scene), "");
+  EXPECT_NO_THROW(Tumbling{scene});
+  scene.polyhedra.clear();
+  scene.spheres[1].position = {0, 2.5, 0};
+  EXPECT_EQ(defect_of(scene), "");
+}
+
+TEST(ValidPolyhedra, LeavesScenesOfSpheresAlone) {
+  Scene scene = three();
+  scene.polyhedra.clear();
+  scene.spheres[0].radius = -1;
+  EXPECT_EQ(defect_of(scene), "");
+}
+
+}  // namespace
+}  // namespace carom::scene
