@@ -540,11 +540,11 @@ TEST(Tumbling, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies at equal heights: equal numbers give equal times.
+/// Equal bodies at equal heights, as far from the origin, since places are known in proportion: equal times.
 TEST(Tumbling, TakesOfEqualTimesTheLowerBodiesFirst) {
-  Scene scene = over_a_floor(unit_cube, {0, 0, 2}, 1);
-  for (const double x : {3.0, -3.0, 6.0}) {
-    add_polyhedron(scene, unit_cube, {x, 0, 2});
+  Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
+  for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
+    add_polyhedron(scene, unit_cube, position);
   }
   const std::vector<Event> events = events_of(scene, 8);
   ASSERT_EQ(events.size(), 8U);
