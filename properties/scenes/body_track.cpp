@@ -59,12 +59,14 @@ Pose BodyTrack::pose(std::size_t arc, Real time) {
   pose.velocity = wide(path.velocity) + s * wide(path.acceleration);
   if (is_ball_) {
     pose.axes.setIdentity();
+    pose.angular_velocity = wide((*arcs_)[arc].turning.angular_velocity);
     pose.rate = 0;
     pose.vertices = {Wide::Zero()};
     return pose;
   }
   const TurningState state = turned(arc, s);
   pose.axes = wide_rotation(orientation_in(state));
+  pose.angular_velocity = pose.axes * rate_in(state);
   pose.rate = rate_in(state).norm();
   for (const Wide& vertex : vertices_) {
     pose.vertices.push_back(pose.axes * vertex);

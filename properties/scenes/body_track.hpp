@@ -17,7 +17,8 @@ struct Pose {
   WideVector centre;
   WideVector velocity;
   Matrix3<long double> axes;
-  long double rate = 0;              // ‖ω‖ [rad/s]
+  WideVector angular_velocity;       // [rad/s]
+  long double rate = 0;              // at which vertices turn: ‖ω‖, of a ball 0 [rad/s]
   std::vector<WideVector> vertices;  // from the centre
 };
 

@@ -270,7 +270,7 @@ void Ledger::record(const scene::Event& event) {
     by_law += pushed;
   }
   round_energy(gained - by_law);
-  if (event.kind == scene::EventKind::impact) {
+  if (event.kind == scene::EventKind::impact || event.kind == scene::EventKind::renewal) {
     add(momentum_rounding_, momentum);
     angular_rounding_.add(angular.norm());
     angular_scale_ = std::max(angular_scale_, angular_size);

@@ -25,7 +25,15 @@ using scene::Arc;
 constexpr Real largest_turn = 0.25;  // between two looks [rad]
 constexpr int most_halvings = 40;
 constexpr Real allowed_unseen = 0x1p-30L;  // beside the lesser radius
-constexpr Real allowed_turn = 1e-12L;      // of an orientation where arcs meet [rad]
+/// Of an orientation where arcs meet [rad]: what an arc's double-precision rates have grown to after 8 rad, e⁸ times
+/// some roundings (tumbling_body.hpp), and as much again.
+constexpr Real allowed_turn = 0x1p-38L;
+/// Of a position where arcs meet, beside its terms: a parabola x + s (v + s a/2) is rounded eight times.
+constexpr Real allowed_jump = 0x1p-48L;
+/// How far apart bodies may be where one of them is struck, beside the lesser radius.
+constexpr Real widest_contact = 0x1p-29L;
+/// A change of a velocity, beside it, that no rounding of free flight makes: then it was struck.
+constexpr Real least_change = 0x1p-36L;
 /// Of a gap, beside the size of all that it is computed from: some hundred roundings of long double, and of the
 /// vertices of double.
 constexpr Real gap_error = 0x1p-46L;
@@ -127,9 +135,21 @@ class PolyhedraChecker {
       const Pose pose = track.pose(k - 1, path.start);
       const auto jump = static_cast<double>((wide(path.position) - pose.centre).cwiseAbs().maxCoeff());
       found_.largest_jump = std::max(found_.largest_jump, jump);
-      const double size = std::max(path.position.cwiseAbs().maxCoeff(), before.position.cwiseAbs().maxCoeff());
-      if (jump > 8 * std::numeric_limits<double>::epsilon() * size) {
-        report(body, "itself", before.start, path.start, fmt::format("its path jumps by {} m", jump));
+      const Real s = static_cast<Real>(path.start) - before.start;
+      const Real terms = wide(before.position).norm() + wide(path.position).norm() +
+                         s * (wide(before.velocity).norm() + s / 2 * wide(before.acceleration).norm());
+      if (!(jump <= allowed_jump * terms)) {
+        report(body, "itself", before.start, path.start, fmt::format("its path jumps by {:.3g} m", jump));
+      }
+      const Wide spin = wide(track.arcs()[k].turning.angular_velocity);
+      const auto is_changed = [](const Wide& from, const Wide& to, Real size) {
+        return !((to - from).norm() <= least_change * size);
+      };
+      const Real speed = wide(before.velocity).norm() + s * wide(before.acceleration).norm();
+      if ((is_changed(pose.velocity, wide(path.velocity), speed) ||
+           is_changed(pose.angular_velocity, spin, pose.angular_velocity.norm())) &&
+          !touches_something(body, k)) {
+        report(body, "itself", path.start, path.start, "it is struck where nothing touches it");
       }
       if (!track.is_ball()) {
         const Real turn = (wide_rotation(track.orientation(k)) - pose.axes).norm() / std::sqrt(Real(2));
@@ -139,6 +159,33 @@ class PolyhedraChecker {
         }
       }
     }
+  }
+
+  /// Whether a plane, or a body that is struck at the same time, is where an arc begins.
+  [[nodiscard]] bool touches_something(std::size_t body, std::size_t arc) {
+    const double time = tracks_[body].arcs()[arc].path.start;
+    const Pose pose = tracks_[body].pose(arc, time);
+    const Real radius = tracks_[body].radius();
+    for (const Ground& ground : grounds_) {
+      if (height(body, ground, pose) <= widest_contact * radius) {
+        return true;
+      }
+    }
+    for (std::size_t other = 0; other < tracks_.size(); ++other) {
+      const std::vector<Arc>& arcs = tracks_[other].arcs();
+      const auto at = std::lower_bound(arcs.begin() + 1, arcs.end(), time,
+                                       [](const Arc& one, double t) { return one.path.start < t; });
+      if (other == body || at == arcs.end() || at->path.start != time) {
+        continue;
+      }
+      const auto its_arc = static_cast<std::size_t>(at - arcs.begin());
+      const auto [low, high] = std::minmax(body, other);
+      const Look both = look(low, low == body ? arc : its_arc, high, high == body ? arc : its_arc, time);
+      if (both.gap <= widest_contact * std::min(radius, tracks_[other].radius())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   [[nodiscard]] Wide direction(std::size_t i, std::size_t k, const Axis& axis, const Pose& a, const Pose& b) const {
@@ -267,7 +314,7 @@ class PolyhedraChecker {
                       first.a.centre.norm() + first.b.centre.norm();
     const Real error = gap_error * size;
     for (const Look* one : {&first, &second}) {
-      if (one->gap < -error) {
+      if (!(one->gap >= -error)) {
         report(i, kind_and_number(scene_, k), one->time, one->time,
                fmt::format("they overlap by {:.3g} m", static_cast<double>(-one->gap)));
         return;
@@ -373,7 +420,7 @@ class PolyhedraChecker {
     const Real radius = tracks_[body].radius();
     const Real error = gap_error * (radius + first.centre.norm() + std::abs(ground.offset));
     const Real lower = std::min(height(body, ground, first), height(body, ground, second));
-    if (lower < -error) {
+    if (!(lower >= -error)) {
       report(body, fmt::format("plane {}", plane), begin, end,
              fmt::format("it is {:.3g} m behind it", static_cast<double>(-lower)));
       return;

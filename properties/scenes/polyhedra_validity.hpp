@@ -15,8 +15,8 @@ namespace carom::properties {
 /// both less C (t₂ − t₁)²/8, C a bound of its second derivative. Intervals are halved until that leaves no overlap, or
 /// none deeper than `Validity::unseen`, which is at most 2⁻³⁰ of the lesser radius but where halving ends.
 ///
-/// Arcs have to follow on each other: in time exactly, in place within 8 ulps of the largest coordinate, in orientation
-/// within 10⁻¹² rad. Precondition: the scene has polyhedra.
+/// Arcs have to follow on each other: in time exactly, in place within the rounding of a parabola, in orientation
+/// within 2⁻³⁸ rad; and where a velocity changes something has to touch. Precondition: the scene has polyhedra.
 [[nodiscard]] Validity check_polyhedra(const scene::Scene& scene, const History& history);
 
 }  // namespace carom::properties

@@ -37,6 +37,8 @@ std::string_view name_of(EventKind kind) {
       return "plane_impact";
     case EventKind::capture:
       return "capture";
+    case EventKind::renewal:
+      return "renewal";
     case EventKind::phase:
       break;
   }

@@ -33,6 +33,7 @@ enum class EventKind : std::uint8_t {
   plane_impact,  // of a body and a plane
   capture,       // a sphere stays on a level plane
   phase,         // slip, rolling or spin has ended
+  renewal,       // a polyhedron has turned so far that it is stored anew, and goes on as it was
 };
 
 [[nodiscard]] std::string_view name_of(EventKind kind);
@@ -53,7 +54,7 @@ struct Event {
   std::optional<Change> b;   // of an impact of two bodies
   std::uint32_t plane = 0;   // of the other kinds
   bool has_impulse = false;  // of impacts always; of a capture where the sphere came down
-  Collision collision;       // of every contact: its origin is the contact point
+  Collision collision;       // of impacts and captures: its origin is the contact point
   Outcome<double> outcome;   // as the law gave it; `after` has what was stored
   /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `least_speed`.
   bool was_slow = false;
@@ -66,6 +67,7 @@ struct Counts {
   unsigned long long plane_impacts = 0;
   unsigned long long captures = 0;
   unsigned long long phases = 0;
+  unsigned long long renewals = 0;
   unsigned long long crossings = 0;       // of cells; no events of the scene
   unsigned long long slow = 0;            // impacts that were sent off at the least speed
   unsigned long long moved_clear = 0;     // stored positions that had to be moved by ulps, for a third body

@@ -140,7 +140,9 @@ template <class Loop = scene::Simulation>
     if (event == nullptr) {
       break;
     }
-    events.push_back(*event);
+    if (event->kind != scene::EventKind::renewal) {
+      events.push_back(*event);
+    }
   }
   return events;
 }

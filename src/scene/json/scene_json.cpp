@@ -165,7 +165,10 @@ class SceneReader {
   }
 
   static void read_vertices(Fields& fields, Polyhedron& polyhedron) {
-    const json& list = read_list(fields, "vertices");
+    const json& list = fields.required("vertices");
+    if (!list.is_array()) {
+      throw FormatError(fields.at("vertices"), "expected an array" + found(list));
+    }
     if (list.size() < 4 || list.size() > most_vertices) {
       throw FormatError(fields.at("vertices"), "expected from 4 to " + std::to_string(most_vertices) +
                                                    " points, found " + std::to_string(list.size()));

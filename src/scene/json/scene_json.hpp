@@ -14,7 +14,7 @@ namespace carom::scene {
 inline constexpr std::size_t most_spheres = 1'000'000;
 /// Of bodies where there are polyhedra: each is compared with each.
 inline constexpr std::size_t most_bodies_with_polyhedra = 2000;
-inline constexpr std::size_t most_vertices = 1000;
+inline constexpr std::size_t most_vertices = 100;
 inline constexpr std::size_t most_materials = 256;
 inline constexpr std::size_t most_planes = 256;
 

@@ -274,6 +274,14 @@ ShapePair::ShapePair(ConvexShape a, ConvexShape b) : a_(std::move(a)), b_(std::m
 }
 
 Separation ShapePair::separation(const Placement& a, const Placement& b) const {
+  return *searched(a, b, Effort::thorough);
+}
+
+std::optional<Separation> ShapePair::quick_separation(const Placement& a, const Placement& b) const {
+  return searched(a, b, Effort::quick);
+}
+
+std::optional<Separation> ShapePair::searched(const Placement& a, const Placement& b, Effort effort) const {
   const Placed placed_a{a_.core, placed_vertices(a_, a, b.position)};
   const Placed placed_b{b_.core, placed_vertices(b_, b, b.position)};
   Search search(placed_a.points, placed_b.points);
@@ -290,10 +298,13 @@ Separation ShapePair::separation(const Placement& a, const Placement& b) const {
         try_features(search, features_at(placed_a, nearest->first, within),
                      features_at(placed_b, nearest->second, within), direction);
       }
-      if (search.gap() <
-          (1 - share_that_is_failure) * distance - rounding_of_gap(between.norm(), a_.core_radius, b_.core_radius)) {
+      if (effort == Effort::thorough &&
+          search.gap() < (1 - share_that_is_failure) * distance -
+                             rounding_of_gap(between.norm(), a_.core_radius, b_.core_radius)) {
         try_features(search, all_features(placed_a), all_features(placed_b), direction);
       }
+    } else if (effort == Effort::quick) {
+      return std::nullopt;
     } else {
       search.try_direction(between);
       try_features(search, all_features(placed_a), all_features(placed_b), between);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <carom/scene/polyhedra/convex_shape.hpp>
 
@@ -39,8 +40,15 @@ class ShapePair {
 
   [[nodiscard]] Separation separation(const Placement& a, const Placement& b) const;
 
+  /// The same where FCL finds how far two polyhedra are apart; nothing where it does not. Quick whatever their number
+  /// of corners, and good enough to try a direction.
+  [[nodiscard]] std::optional<Separation> quick_separation(const Placement& a, const Placement& b) const;
+
  private:
+  enum class Effort { quick, thorough };
   struct Geometry;  // FCL's, scaled by a power of two to about 1, since libccd's tolerances are absolute
+
+  [[nodiscard]] std::optional<Separation> searched(const Placement& a, const Placement& b, Effort effort) const;
 
   ConvexShape a_;
   ConvexShape b_;

@@ -95,7 +95,8 @@ Vector3<double> world_rate(const RotationState& state) {
 }
 
 RotationState rotation_state(const Quaternion<double>& orientation, const Vector3<double>& world_rate) {
-  const Quaternion<double> q = orientation / orientation.stableNorm();
+  const Quaternion<double> scaled = orientation / orientation.cwiseAbs().maxCoeff();
+  const Quaternion<double> q = scaled / scaled.norm();
   return {q, impulse::rotation_matrix(q).transpose() * world_rate};
 }
 

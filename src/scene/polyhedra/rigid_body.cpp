@@ -7,7 +7,8 @@ namespace carom::scene {
 namespace {
 
 Eigen::Quaterniond unit(const Quaternion<double>& q) {
-  const Quaternion<double> u = q / q.stableNorm();
+  const Quaternion<double> scaled = q / q.cwiseAbs().maxCoeff();
+  const Quaternion<double> u = scaled / scaled.norm();
   return {u[0], u[1], u[2], u[3]};
 }
 

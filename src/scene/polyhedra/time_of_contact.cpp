@@ -141,26 +141,26 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   constexpr int most_advances = 10000;
   for (result.advances = 1; result.advances <= most_advances; ++result.advances) {
     const Separation separation = separation_at(result.time);
-    if (!(separation.certified > 0)) {
+    result.separation = separation;
+    if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
       // The step before this one left the gap open; what errors have grown by since closes it.
       result.approach = result.time == begin ? Approach::overlaps : Approach::undecided;
-      result.separation = separation;
       return result;
     }
-    result.separation = separation;
-    const bool within = separation.certified <= tolerance;
+    const double limit = horizon - result.time;
+    const bool within = separation.gap <= tolerance;
     if (within && !opens(result.time, separation)) {
       result.approach = Approach::touches;
       return result;
     }
-    const double least = within ? separation.certified / 2 : tolerance / 2;
-    const double limit = horizon - result.time;
     if (limit <= 0) {
       result.approach = Approach::misses;
       return result;
     }
+    // Half the time that a gap which opens is certain to stay: at the end of it nothing would be left but half the gap.
+    const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
+    const double step = within && whole < limit ? whole / 2 : whole;
     // Rounded down, so that the sum is not beyond the step either.
-    const double step = open_for(result.time, separation, least, limit);
     const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
       result.approach = Approach::undecided;
@@ -170,6 +170,12 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   }
   result.approach = Approach::undecided;
   return result;
+}
+
+/// Of bodies that do not move against each other: they stay as near as they are.
+TimeOfContact at_rest(const Separation& separation, double begin, double horizon) {
+  const bool is_apart = separation.certified > 0;
+  return {is_apart ? Approach::misses : Approach::overlaps, is_apart ? horizon : begin, separation, 1};
 }
 
 }  // namespace
@@ -222,7 +228,9 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     // Faces and edges that touch in a part of themselves may need any direction: that in which they are apart soon.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
-      const Vector across = separation.normal.cross(separation_at(time + later).normal);
+      const std::optional<Separation> then =
+          pair.quick_separation(placement_at(a, time + later), placement_at(b, time + later));
+      const Vector across = then ? separation.normal.cross(then->normal) : Vector(Vector::Zero());
       const double sine = across.norm();
       if (sine > 0 && sine < 0.5) {
         way_out = across * (std::asin(sine) / (sine * later));
@@ -231,6 +239,11 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     }
     return does;
   };
+  const bool are_at_rest = a.velocity == b.velocity && a.acceleration == b.acceleration &&
+                           a.rotation.greatest_rate() == 0 && b.rotation.greatest_rate() == 0 && a.start == b.start;
+  if (are_at_rest) {
+    return at_rest(separation_at(begin), begin, horizon);
+  }
   return advance(separation_at, open_for, opens, begin, horizon, tolerance);
 }
 
@@ -243,6 +256,11 @@ TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const 
   const auto bound_at = [&](double time, const Separation& separation) {
     return along(moving(a, motion, time), ground, separation.normal, Vector::Zero(), horizon - time);
   };
+  const bool is_at_rest = b.normal.dot(motion.velocity) == 0 && b.normal.dot(motion.acceleration) == 0 &&
+                          motion.rotation.greatest_rate() == 0;
+  if (is_at_rest) {
+    return at_rest(separation(a, placement_at(motion, begin), b), begin, horizon);
+  }
   return advance([&](double time) { return separation(a, placement_at(motion, time), b); },
                  [&](double time, const Separation& separation, double least, double limit) {
                    return time_open(from_certified(bound_at(time, separation), separation.certified), least, limit);

@@ -40,9 +40,10 @@ struct TimeOfContact {
 /// ‖x‖ in place of what stands above. The longest step is taken; the shapes draw apart where one of these n says so.
 ///
 /// A gap within the tolerance at the beginning, as after an impact, is no contact as long as the shapes draw apart; it
-/// becomes one where they do no longer. Preconditions: both motions start by `begin` and end no sooner than the
-/// horizon; the tolerance is positive, and is met in full only where it is above about 2⁻⁴⁴ of sizes and distance and
-/// of the errors of placements: below, the answer is `undecided`.
+/// becomes one where they do no longer; bodies that do not move against each other meet never. Preconditions: both
+/// motions start by `begin` and end no sooner than the horizon; the tolerance is positive, and is met in full only
+/// where it is above about 2⁻⁴⁴ of sizes and distance and of the errors of placements: below, the answer is
+/// `undecided`, at the last time up to which they are certain to be apart.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin,
                                             double horizon, double tolerance);
 

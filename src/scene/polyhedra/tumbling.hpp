@@ -10,24 +10,20 @@
 #include <vector>
 
 #include <carom/scene/polyhedra/distance.hpp>
-#include <carom/scene/polyhedra/motion.hpp>
-#include <carom/scene/polyhedra/rigid_body.hpp>
+#include <carom/scene/polyhedra/tumbling_body.hpp>
 #include <carom/scene/scene.hpp>
 #include <carom/scene/scene_state.hpp>
 #include <carom/scene/simulation.hpp>
 
 namespace carom::scene {
 
-/// How near two bodies come before they are struck, beside the lesser one's radius: stored places are known a thousand
-/// times as well, up to a thousand radii from the origin.
-inline constexpr double contact_tolerance = 0x1p-30;
-
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, spheres too: nothing slides, rolls or rests.
 /// What approaches slower than least_speed.hpp says is met elastically and sent off at that speed, so what would lie
 /// still hops, no higher than that.
 ///
 /// A contact is where two bodies are within `contact_tolerance` and do not draw apart, found by conservative
-/// advancement (time_of_contact.hpp): up to it, and at it, they are certain not to touch. Of events at one time that
+/// advancement (time_of_contact.hpp): up to it, and at it, they are certain not to touch. Where a body has turned by
+/// `longest_turn` it is stored as it is then, and goes on from there. Of events at one time that
 /// with the lower bodies is first, planes last. The impulse acts at the middle of what touches where all of that
 /// approaches, else where it approaches fastest; what else of it approaches is an impact of its own, at the same time.
 class Tumbling {
@@ -36,8 +32,9 @@ class Tumbling {
   /// apart.
   explicit Tumbling(Scene scene);
 
-  /// The next event, always an impact; nothing after the scene's duration. The reference holds until the next call.
-  /// Throws SceneError where impacts at one instant do not end, or where bodies are no longer certain to be apart.
+  /// The next event, an impact or a renewal; nothing after the scene's duration. The reference holds until the next
+  /// call. Throws SceneError where impacts at one instant do not end, or where bodies are no longer certain to be
+  /// apart, or places no longer known to the tolerance; the last event stands.
   [[nodiscard]] const Event* advance();
 
   /// From now on `advance` ends early, with nothing, once a stop is requested.
@@ -50,29 +47,18 @@ class Tumbling {
   [[nodiscard]] SceneState state() const;
 
  private:
-  struct Moving {
-    RigidBody body;  // as it begins; where it is since, `motion` says
-    Motion motion;
-    Vector3<double> angular_velocity;  // at the motion's start, world
-    Quaternion<double> orientation;    // at the motion's start
-    double known_until = 0;            // how it turns [s]
-    Path path;                         // of the ball about it
-  };
   /// What is known of two bodies, or of one and a plane.
   struct Outlook {
     double time = never;   // [s]
     bool touches = false;  // then; else they are apart until then, and have to be looked at again
   };
+  /// What a time is of. At one time the first of these kinds comes first.
+  enum class Kind : std::uint8_t { renewal, bodies, plane };
   struct Where {
-    std::size_t first = 0, second = 0;
-    bool is_plane = false;  // `second` is one
+    Kind kind = Kind::bodies;
+    std::size_t first = 0, second = 0;  // the second a body or a plane
   };
 
-  void set_motion(std::size_t body, const Vector3<double>& position, const Quaternion<double>& orientation,
-                  const BodyVelocity<double>& velocity);
-  void know_until(std::size_t body, double time);
-  /// Now, as the rotation says; a ball's stays as it is [rad/s].
-  [[nodiscard]] Vector3<double> angular_velocity_of(std::size_t body, const RotationState& now) const;
   void look_around(std::size_t body);
   [[nodiscard]] Outlook outlook(std::size_t a, std::size_t b);
   [[nodiscard]] Outlook outlook_of_plane(std::size_t body, std::size_t plane);
@@ -83,8 +69,9 @@ class Tumbling {
   [[nodiscard]] std::pair<Where, Outlook> next() const;
   void look_again(const Where& where);
 
+  void renew(std::size_t body);
   void strike(const Where& where);
-  [[nodiscard]] Body struck_body(std::size_t body, const Placement& placement, const Vector3<double>& point) const;
+  [[nodiscard]] Body struck_body(std::size_t body, const Vector3<double>& point) const;
   [[nodiscard]] Collision collision_at(const Where& where, const Vector3<double>& normal,
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
@@ -93,14 +80,16 @@ class Tumbling {
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
-  [[nodiscard]] Arc arc(std::size_t body) const;
+  /// Stores where the body is now, with these velocities; what that changes is looked for in the next step.
+  void end_change(Change& change, const BodyVelocity<double>& velocity);
   [[nodiscard]] double tolerance_of(const Where& where) const;
-  [[nodiscard]] std::string text_of(const Where& where) const;
+  [[nodiscard]] std::string description_of(const Where& where) const;
 
   Scene scene_;
   std::stop_token stop_;
   double now_ = 0;
-  std::vector<Moving> bodies_;
+  std::vector<TumblingBody> bodies_;
+  std::vector<std::size_t> changed_;             // bodies that are to be looked around anew
   std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; where they have come near
   std::vector<Outlook> outlooks_;                // the same
   std::vector<HalfSpace> grounds_;               // of each plane

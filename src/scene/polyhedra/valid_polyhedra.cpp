@@ -21,6 +21,16 @@ using Found = std::optional<SceneDefect>;
 /// (tumbling.hpp, `contact_tolerance`; motion.hpp: 2⁻⁴⁹ of all terms).
 constexpr double farthest = 0x1p12;
 
+/// Within the duration [rad].
+constexpr double most_turn = 1e6;
+
+template <class... Parts>
+std::string text_of(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
 Found number_defect(const Scene& scene, std::size_t i) {
   const Polyhedron& polyhedron = scene.polyhedra[i];
   const auto defect = [&](const char* field, std::string what) {
@@ -38,6 +48,11 @@ Found number_defect(const Scene& scene, std::size_t i) {
     if (!value->allFinite()) {
       return defect(field, "expected finite numbers");
     }
+  }
+  // An instant of the last second is a double: a corner turns by less than a contact's tolerance within an ulp of it.
+  if (!(polyhedron.angular_velocity.stableNorm() * scene.duration <= most_turn)) {
+    return defect("angular_velocity",
+                  text_of("expected a body that turns by at most ", most_turn, " rad within the duration"));
   }
   if (!polyhedron.orientation.allFinite() || polyhedron.orientation.isZero(0)) {
     return defect("orientation", "expected four finite numbers, w, x, y and z, not all 0");
@@ -65,8 +80,10 @@ Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bod
       return SceneDefect{Of::polyhedron, i, 0, "", text.str()};
     }
   }
-  if (!(made.position.norm() <= farthest * made.radius())) {
-    return SceneDefect{Of::polyhedron, i, 0, "position", "expected to be within 4096 of its radii of 0"};
+  if (!(made.position.stableNorm() <= farthest * made.radius())) {
+    return SceneDefect{Of::polyhedron, i, 0, "",
+                       text_of("expected its centre of mass, at distance ", made.position.norm(),
+                               ", to be within 4096 of its radii of 0, which are ", made.radius())};
   }
   return std::nullopt;
 }

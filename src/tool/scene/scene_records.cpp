@@ -130,6 +130,26 @@ std::string count_text(unsigned long long count, const char* one, const char* ma
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+/// Of polyhedra: what follows from their shapes, and how the axes that events.csv has the orientations of lie in their
+/// own frames.
+json bodies_json(const SceneRun& run) {
+  json bodies = json::array();
+  for (const scene::Polyhedron& polyhedron : run.scene().polyhedra) {
+    scene::Polyhedron own = polyhedron;
+    own.position.setZero();
+    own.orientation = {1, 0, 0, 0};
+    const auto made = rigid_body(own);
+    const auto& body = std::get<scene::RigidBody>(made);
+    const Quaternion<double>& q = body.orientation;
+    bodies.push_back({{"name", polyhedron.name},
+                      {"mass", body.mass},
+                      {"centre_of_mass", vector_to_json(body.position)},
+                      {"principal_inertia", vector_to_json(body.principal_inertia)},
+                      {"principal_axes", {q[0], q[1], q[2], q[3]}}});
+  }
+  return bodies;
+}
+
 }  // namespace
 
 json scene_record(const SceneRun& run) {
@@ -151,6 +171,7 @@ json scene_record(const SceneRun& run) {
                       {"plane_impacts", counts.plane_impacts},
                       {"captures", counts.captures},
                       {"phases", counts.phases},
+                      {"renewals", counts.renewals},
                       {"slow_contacts", counts.slow},
                       {"most_at_one_instant", counts.at_one_instant}};
   record["order"] = {{"decided_exactly", counts.exact.orders},
@@ -159,6 +180,9 @@ json scene_record(const SceneRun& run) {
                      {"gaps_decided_exactly", counts.exact.gaps},
                      {"moved_clear", counts.moved_clear},
                      {"gaps_asked_for", counts.advances}};
+  if (!run.scene().polyhedra.empty()) {
+    record["bodies"] = bodies_json(run);
+  }
   record["spins_changed"] = run.spins_changed();
   if (run.validity()) {
     json invalid = json::array();
@@ -217,6 +241,9 @@ json scene_record(const SceneRun& run) {
 
 std::string scene_verdict(const SceneRun& run) {
   std::string text = run.holds() ? "holds" : "VIOLATED";
+  if (run.has_failed()) {
+    text = "NOT RUN TO ITS END; until then " + text;
+  }
   std::string what;
   const auto add = [&](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
   if (run.validity()) {
@@ -245,9 +272,10 @@ std::string scene_text(const SceneRun& run) {
   if (!run.ended_early().empty()) {
     text += fmt::format("  ended early: {}\n", run.ended_early());
   }
-  text += fmt::format("events    {}: {} of bodies, {} with planes, {} captures, {} changes of phase\n", counts.events,
-                      count_text(counts.impacts, "impact", "impacts"), counts.plane_impacts, counts.captures,
-                      counts.phases);
+  text +=
+      fmt::format("events    {}: {} of bodies, {} with planes, {} captures, {} changes of phase{}\n", counts.events,
+                  count_text(counts.impacts, "impact", "impacts"), counts.plane_impacts, counts.captures, counts.phases,
+                  counts.renewals > 0 ? fmt::format(", {} renewals of rotations", counts.renewals) : "");
   text += fmt::format("          {} slow contacts; at most {} at one instant; {:.3g} s of wall time\n", counts.slow,
                       counts.at_one_instant, run.seconds());
   if (!run.scene().polyhedra.empty()) {
@@ -377,8 +405,10 @@ std::string events_csv_line(const scene::Scene& scene, std::uint64_t number, con
     return text;
   };
   std::string line = fmt::format("{},{},{},{},", number, event.time, name_of(event.kind), event.a.body);
-  line += event.b ? fmt::format("{},,", event.b->body) : fmt::format(",{},", event.plane);
-  line += event.has_impulse ? fmt::format("{},{}", event.collision.restitution, event.was_slow ? 1 : 0) : ",0";
+  const bool is_of_plane = !event.b && event.kind != scene::EventKind::renewal;
+  line += event.b ? fmt::format("{},,", event.b->body) : is_of_plane ? fmt::format(",{},", event.plane) : ",,";
+  line += event.has_impulse ? fmt::format("{}", event.collision.restitution) : "";
+  line += event.was_slow ? ",1" : ",0";
   line += body(event.a.after);
   line += event.b ? body(event.b->after) : std::string(16, ',');
   if (!scene.polyhedra.empty()) {

@@ -40,7 +40,8 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
   EXPECT_GT(validity.pairs, 0U);
   EXPECT_GT(validity.planes, 0U);
-  EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts);
+  EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts +
+                                 run.simulation.counts().renewals);
   // What it promises: 2⁻³⁰ of the lesser radius, 0.4 at most here.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);
   // What storing a place rounds: coordinates up to 2, in some eight roundings.
@@ -179,6 +180,21 @@ TEST(PlantedInATumble, AnOrientationThatIsTurnedIsFound) {
   }
 }
 
+TEST(PlantedInATumble, AnImpactWhereNothingTouchesIsFound) {
+  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 3);
+  unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  unit::add_polyhedron(scene, unit::centred_box({1, 1, 2}), {0, 0, 3}, {0, 0, 0}, {4, 0, 3});
+  for (int kind = 0; kind < 3; ++kind) {
+    const unit::WatchedRun run(scene, 1, [kind](Event& event) {
+      EXPECT_EQ(event.kind, scene::EventKind::renewal);
+      event.a.after.path.velocity.z() += kind == 1 ? 1e-9 : 0;
+      event.a.after.turning.angular_velocity *= kind == 2 ? 1 + 1e-10 : 1;
+      return true;
+    });
+    EXPECT_EQ(has(run.validity(), "itself", "nothing touches"), kind > 0) << kind << text_of(run.validity());
+  }
+}
+
 TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
   for (int kind = 0; kind < 4; ++kind) {
     const unit::WatchedRun run(meeting(), 100, first_impact([kind](Event& event) {
@@ -269,8 +285,9 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   ASSERT_EQ(run.history.orientations().size(), 2U);
   EXPECT_TRUE(run.history.orientations()[0].empty());
   EXPECT_EQ(run.history.orientations()[1].size(), run.history.arcs()[1].size());
-  EXPECT_EQ(run.history.arcs()[0].size() + run.history.arcs()[1].size(),
-            2 + 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts);
+  EXPECT_EQ(run.history.arcs()[0].size() + run.history.arcs()[1].size(), 2 + 2 * run.simulation.counts().impacts +
+                                                                             run.simulation.counts().plane_impacts +
+                                                                             run.simulation.counts().renewals);
 }
 
 }  // namespace

@@ -88,13 +88,36 @@ TEST(ValidPolyhedra, AsksForMassesThatThePrecisionHolds) {
   EXPECT_EQ(defect_of(scene), "");
 }
 
+TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
+  Scene scene = three();
+  scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 + 1e-12);
+  EXPECT_EQ(defect_of(scene),
+            "polyhedra[0].angular_velocity: expected a body that turns by at most 1e+06 rad within the duration");
+  scene.polyhedra[0].angular_velocity = {1e160, 1e300, 0};
+  EXPECT_NE(defect_of(scene), "");
+  scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 - 1e-12);
+  EXPECT_EQ(defect_of(scene), "");
+  // Any length but 0 of a quaternion means the same.
+  const double least = 1e-308;
+  const double greatest = 1e308;
+  for (const double length : {least, greatest}) {
+    scene.polyhedra[0].orientation = Quaternion<double>::Constant(length);
+    EXPECT_EQ(defect_of(scene), "") << length;
+    const auto body = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
+    EXPECT_NEAR(body.orientation.norm(), 1, 1e-15);
+  }
+}
+
 /// 4096 of its radii: of the same distance a greater body knows its place.
 TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   Scene scene = three();
   scene.planes.clear();
   const double radius = std::sqrt(0.75);
   scene.polyhedra[0].position.x() = -4096 * radius * (1 + 1e-12);
-  EXPECT_EQ(defect_of(scene), "polyhedra[0].position: expected to be within 4096 of its radii of 0");
+  EXPECT_EQ(
+      defect_of(scene),
+      "polyhedra[0]: expected its centre of mass, at distance 3547.24, to be within 4096 of its radii of 0, which "
+      "are 0.866025");
   scene.polyhedra[0].position.x() = -4096 * radius * (1 - 1e-12);
   EXPECT_EQ(defect_of(scene), "");
 }
