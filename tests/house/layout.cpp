@@ -82,7 +82,7 @@ const std::vector<Rule>& rules() {
       {"properties/scenes/",
        "",
        true,
-       {"carom/collision/", "carom/scene/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/"}},
+       {"carom/collision/", "carom/scene/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/", "boost/numeric/"}},
       {"properties/", "", true, {"carom/collision/", "carom/oracles/", "carom/properties/", "fmt/", "Eigen/"}},
       {"", "", false, {"carom/tool/", "CGAL/"}},
   };

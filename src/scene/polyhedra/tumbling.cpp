@@ -154,10 +154,13 @@ Tumbling::Outlook Tumbling::outlook_from(double begin, double known_until, const
   if (found.time > begin) {
     return {found.time, false};
   }
-  if (found.separation.gap > tolerance_of(where)) {
-    throw SceneError(text_of("at t = ", begin, " it is not known to ", tolerance_of(where), " m how far ",
-                             description_of(where), " are apart: ", found.separation.gap, " m, less up to ",
-                             found.separation.gap - found.separation.certified, " m"));
+  const double gap = found.separation.gap;
+  const double unknown = gap - found.separation.certified;
+  if (gap > tolerance_of(where)) {
+    const std::string who = text_of("at t = ", begin, " ", description_of(where), " are ", gap, " m apart, ");
+    throw SceneError(unknown > tolerance_of(where) / 2
+                         ? text_of(who, "and up to ", unknown, " m of that are not known")
+                         : text_of(who, "and come nearer by more than that before the next instant that a double is"));
   }
   // Nearer than can be told.
   return {found.time, true};
