@@ -662,6 +662,27 @@ TEST(Tumbling, HopsOnAndOn) {
   EXPECT_GT(tumbling.counts().slow, 1000U);
 }
 
+/// Two tetrahedra slide along each other with ε = 0, each turning; parts of a face and an edge touch. They draw apart
+/// along a direction that turns with neither, and are struck for ever by who does not look for it.
+TEST(Tumbling, FindsAWayOutForFacesThatSlide) {
+  Scene scene = empty_scene(Model::rough, {0, 0.3, 0, 0, 0}, 0.0625);
+  const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
+                       const Vector& velocity, const Vector& spin) {
+    add_polyhedron(scene, centred_tetrahedron(half_edge), position, velocity, spin);
+    scene.polyhedra.back().orientation = orientation;
+  };
+  add(0.13977478465842125, {-0.34600111012865614, -0.09941003266873685, 0.73395425284931},
+      {0.5220504922275971, -0.8230562240853673, -0.10131372651905965, -0.19944238360509683},
+      {0.1334725485649921, 0.518194184473293, 0.6284617686298304},
+      {-0.13007183262759509, -1.1692631392391248, -0.5109565842630459});
+  add(0.13283587038911188, {-0.24831778964310236, 0.05654198447980453, 0.8365269512725857},
+      {0.3587447253611057, -0.2656116378886308, 0.8677758660821643, -0.2184438740021189},
+      {-0.2979484030371741, 0.4780205007772823, 0.974625237638693},
+      {1.1603080367502254, 0.28217092742775973, 0.5476500093978194});
+  EXPECT_EQ(refusal_of(scene, 20'000), "none");
+  EXPECT_GT(events_of(scene, 20'000).size(), 0U);
+}
+
 TEST(Tumbling, LetsBodiesBeThatRestBesideEachOther) {
   Scene scene = empty_scene(Model::frictionless, elastic, 3);
   add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
