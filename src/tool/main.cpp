@@ -185,6 +185,8 @@ int run_command(int argc, char** argv) {
   scene_command->add_flag("!--no-check", scene.check, "Do not check that nothing overlaps");
   scene_command->add_option("--events", scene.events, "End the run after so many events")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  scene_command->add_option("--jobs", scene.jobs, "Laws that run at once (default: one for each core)")
+      ->check(CLI::Range(1, 1024));
   add_format(*scene_command, scene.format, {"text", "json"});
   scene_command->callback([&] { run = [&] { return carom::tool::run_scene_file(scene); }; });
 

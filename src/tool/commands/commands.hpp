@@ -65,6 +65,7 @@ struct SceneArguments {
   std::uint64_t judge_every = 1;        // every so many impulses; 0: none
   bool check = true;                    // that nothing overlaps
   std::optional<std::uint64_t> events;  // that end the run
+  unsigned jobs = 0;                    // laws that run at once; 0: one for each core
   std::string format = "text";
 };
 

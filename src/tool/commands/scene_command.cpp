@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <numeric>
 #include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -74,56 +80,117 @@ struct Written {
   bool has_failed = false;
 };
 
-Written run_one(const scene::Scene& scene, const SceneArguments& arguments, const std::stop_token& stop,
-                const std::optional<fs::path>& out) {
-  SceneOptions options;
-  options.judge_every = arguments.judge_every;
-  options.check = arguments.check;
-  options.most_events = arguments.events;
-  options.stop = stop;
-  const bool replays = out && has_replay() && body_count(scene) <= most_bodies_replayed;
-  options.most_replayed = replays ? options.most_replayed : 0;
-  const auto progress = progress_line("ms of " + scene.title);
-  if (progress) {
-    options.on_progress = [&](double time) {
-      progress(static_cast<std::uint64_t>(1000 * time), static_cast<std::uint64_t>(1000 * scene.duration));
-    };
+/// How far all laws together have come, from any of their threads.
+class Progress {
+ public:
+  Progress(const scene::Scene& scene, std::size_t laws)
+      : line_(progress_line("ms of " + scene.title)), duration_(scene.duration), times_(laws, 0) {}
+
+  [[nodiscard]] bool is_shown() const { return line_ != nullptr; }
+  void report(std::size_t law, double time) {
+    const std::scoped_lock lock(mutex_);
+    times_[law] = time;
+    const double sum = std::accumulate(times_.begin(), times_.end(), 0.0);
+    line_(static_cast<std::uint64_t>(1000 * sum),
+          static_cast<std::uint64_t>(1000 * duration_ * static_cast<double>(times_.size())));
   }
-  std::optional<LineFile> events;
-  if (out) {
-    make_directories(*out);
-    events.emplace(*out / "events.csv");
-    events->write(events_csv_header(scene));
-    options.on_event = [&events, &scene, number = std::uint64_t{0}](const scene::Event& event) mutable {
-      events->write(events_csv_line(scene, ++number, event));
-    };
-  }
-  const auto run = [&] {
+
+ private:
+  std::function<void(std::uint64_t, std::uint64_t)> line_;
+  double duration_;
+  std::mutex mutex_;
+  std::vector<double> times_;
+};
+
+/// The scene under one law. It stays where it is.
+class LawRun {
+ public:
+  LawRun(scene::Scene scene, std::optional<fs::path> out) : scene_(std::move(scene)), out_(std::move(out)) {}
+
+  /// From any thread. Writes the events as they happen.
+  void run(const SceneArguments& arguments, const std::stop_token& stop, std::size_t number, Progress& progress) {
+    SceneOptions options;
+    options.judge_every = arguments.judge_every;
+    options.check = arguments.check;
+    options.most_events = arguments.events;
+    options.stop = stop;
+    const bool replays = out_ && has_replay() && body_count(scene_) <= most_bodies_replayed;
+    options.most_replayed = replays ? options.most_replayed : 0;
+    if (progress.is_shown()) {
+      options.on_progress = [&progress, number](double time) { progress.report(number, time); };
+    }
+    if (out_) {
+      make_directories(*out_);
+      events_.emplace(*out_ / "events.csv");
+      events_->write(events_csv_header(scene_));
+      options.on_event = [this, count = std::uint64_t{0}](const scene::Event& event) mutable {
+        events_->write(events_csv_line(scene_, ++count, event));
+      };
+    }
     try {
-      return std::make_unique<SceneRun>(scene, options);
+      run_ = std::make_unique<SceneRun>(scene_, options);
     } catch (const scene::SceneError& error) {
       throw UsageError(fmt::format("{}: {}", arguments.file, error.what()));
     }
-  }();
-  run->run();
-  Written written{
-      {std::string(name_of(scene.law)), run->samples()}, scene_record(*run), run->holds(), run->has_failed()};
-  if (arguments.format == "text") {
-    fmt::print("{}", scene_text(*run));
+    run_->run();
   }
-  if (out) {
-    events->close();
-    write_file(*out / "series.csv", series_csv(*run));
-    write_file(*out / "scene.json", written.record.dump(1) + '\n');
-    const bool has_page = run->replayed().has_value();
-    if (has_page) {
-      write_file(*out / "replay.html", replay_html(scene.title, replay_record(*run)));
+
+  /// All else that is asked for, one law after the other: it prints, and starts programs. Precondition: it has run.
+  [[nodiscard]] Written write(const SceneArguments& arguments) {
+    Written written{
+        {std::string(name_of(scene_.law)), run_->samples()}, scene_record(*run_), run_->holds(), run_->has_failed()};
+    if (arguments.format == "text") {
+      fmt::print("{}", scene_text(*run_));
     }
-    write_file(*out / "report.html", scene_html(*run, has_page));
-    const std::vector laws{written.sampled};
-    chart::draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out);
+    if (out_) {
+      events_->close();
+      write_file(*out_ / "series.csv", series_csv(*run_));
+      write_file(*out_ / "scene.json", written.record.dump(1) + '\n');
+      const bool has_page = run_->replayed().has_value();
+      if (has_page) {
+        write_file(*out_ / "replay.html", replay_html(scene_.title, replay_record(*run_)));
+      }
+      write_file(*out_ / "report.html", scene_html(*run_, has_page));
+      const std::vector laws{written.sampled};
+      chart::draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
+    }
+    return written;
   }
-  return written;
+
+ private:
+  scene::Scene scene_;
+  std::optional<fs::path> out_;
+  std::optional<LineFile> events_;
+  std::unique_ptr<SceneRun> run_;
+};
+
+/// Each on a thread of its own, so many at once; of what they throw, the first law's is thrown on.
+void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
+             Progress& progress) {
+  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::exception_ptr> errors(runs.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < runs.size(); k = next++) {
+      try {
+        runs[k]->run(arguments, stop, k, progress);
+      } catch (...) {
+        errors[k] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t k = 1; k < std::min<std::size_t>(jobs, runs.size()); ++k) {
+      threads.emplace_back(work);
+    }
+    work();
+  }
+  for (const std::exception_ptr& error : errors) {
+    if (error) {
+      std::rethrow_exception(error);
+    }
+  }
 }
 
 }  // namespace
@@ -142,7 +209,7 @@ int run_scene_file(const SceneArguments& arguments) {
           "carom: no replay.html: this program was built without three.js (`bash src/bootstrap.sh build` with npm)\n");
     }
   }
-  std::vector<Written> all;
+  std::vector<std::unique_ptr<LawRun>> runs;
   for (const Model law : laws) {
     scene.law = law;
     std::optional<fs::path> own = out;
@@ -150,7 +217,14 @@ int run_scene_file(const SceneArguments& arguments) {
       own = *out / std::string(name_of(law));
       make_directories(*own / "gnuplot");
     }
-    all.push_back(run_one(scene, arguments, stop, own));
+    runs.push_back(std::make_unique<LawRun>(scene, own));
+  }
+  Progress progress(scene, laws.size());
+  run_all(runs, arguments, stop, progress);
+  std::vector<Written> all;
+  for (std::unique_ptr<LawRun>& run : runs) {
+    all.push_back(run->write(arguments));
+    run.reset();
   }
   if (arguments.format == "json") {
     nlohmann::json records = nlohmann::json::array();

@@ -45,7 +45,9 @@ TEST_P(ShippedScene, IsValidItsImpulsesPassAndItsLedgerCloses) {
   EXPECT_LE(record["ledger"]["relative_rounding"].get<double>(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::Values("bouncing_spheres", "spinning_floor", "break", "cradle"),
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene,
+                         testing::Values("bouncing_spheres", "spinning_floor", "break", "cradle", "tumbling_polyhedra",
+                                         "dice"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(SceneCommand, GasKeepsItsEnergy) {
@@ -54,6 +56,23 @@ TEST(SceneCommand, GasKeepsItsEnergy) {
   EXPECT_LT(record["ledger"]["relative_rounding"].get<double>(), 1e-12);
   EXPECT_EQ(record["impulses"]["judged"], 1000);
   EXPECT_EQ(record["spins_changed"], 0);
+}
+
+TEST(SceneCommand, SaysTheSameHoweverManyLawsRunAtOnce) {
+  const auto records_of = [](const std::string& jobs) {
+    const RunResult result = run_carom({"scene", shipped("bouncing_spheres"), "--laws", "rough,frictionless,sticking",
+                                        "--jobs", jobs, "--judge-every", "100", "--format", "json"});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    json records = json::parse(result.output);
+    for (json& record : records) {
+      record.erase("seconds");
+    }
+    return records;
+  };
+  const json one_by_one = records_of("1");
+  ASSERT_EQ(one_by_one.size(), 3U);
+  EXPECT_EQ(one_by_one[1]["law"], "frictionless");
+  EXPECT_EQ(records_of("3"), one_by_one);
 }
 
 TEST(SceneCommand, SpheresSpinUnderRoughAndNeverWithoutFriction) {
