@@ -15,10 +15,9 @@ bool is_isotropic(const Body& body) {
 
 void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
   const auto [known, is_new] = result.worst.emplace(invariant, violation);
-  const double severity = violation.verdict.severity();
-  const double known_severity = known->second.verdict.severity();
-  const bool is_worse =
-      severity > known_severity || (severity == known_severity && violation.index < known->second.index);
+  const double own = seriousness(violation.verdict, violation.original.collision);
+  const double others = seriousness(known->second.verdict, known->second.original.collision);
+  const bool is_worse = own > others || (own == others && violation.index < known->second.index);
   if (!is_new && is_worse) {
     known->second = violation;
   }

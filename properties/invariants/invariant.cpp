@@ -14,6 +14,17 @@ double Verdict::severity() const {
   return residual > 0 && allowed > 0 ? residual / allowed : std::numeric_limits<double>::infinity();
 }
 
+double seriousness(const Verdict& verdict, const Collision& collision) {
+  if (verdict.status != Status::violated || !(verdict.residual > 0) || verdict.allowed > 0) {
+    return verdict.severity();
+  }
+  double largest = 0;
+  for (const Body* body : {&collision.a, &collision.b}) {
+    largest = std::max({largest, body->velocity.cwiseAbs().maxCoeff(), body->angular_velocity.cwiseAbs().maxCoeff()});
+  }
+  return verdict.residual / (largest > 0 ? largest : 1) / 0x1p-53;
+}
+
 bool Invariant::claimed_for(Model model) const {
   return std::find(models.begin(), models.end(), model) != models.end();
 }

@@ -35,6 +35,11 @@ struct Verdict {
   [[nodiscard]] double severity() const;
 };
 
+/// How badly a case is answered, as one order for all verdicts of an invariant: the severity; where nothing is allowed,
+/// the residual in units of 2⁻⁵³ of the collision's largest velocity or spin, or of 1 where nothing moves. So rounding,
+/// where even that is too much, does not pass for worse than an outcome that is wrong.
+[[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
+
 /// An answer, lifted: an outcome that is not finite cannot be.
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused>;

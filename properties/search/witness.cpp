@@ -68,10 +68,13 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
   if (!JudgedCase(one).is_valid() || invariant.name == "well_conditioned") {
     return one;
   }
-  // A violation that shrinks to one just beyond the limit convinces nobody.
-  const double severity_kept = std::max(1.0, found.severity() / 16);
+  // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
+  // is allowed.
+  const double worst = seriousness(found, one.collision);
+  const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
   const auto still_fails = [&](const Collision& collision) {
-    return verdict_on({collision, one.convex_uniform}).severity() >= severity_kept;
+    const Verdict verdict = verdict_on({collision, one.convex_uniform});
+    return verdict.status == Status::violated && seriousness(verdict, collision) >= kept;
   };
   return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
 }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/search/witness.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Verdict violated(double residual, double allowed) {
+  Verdict verdict;
+  verdict.status = Status::violated;
+  verdict.residual = residual;
+  verdict.allowed = allowed;
+  return verdict;
+}
+
+Collision moving(double speed) {
+  Collision collision;
+  collision.a.velocity = {0, -speed, 0};
+  collision.b.angular_velocity = {0, 0, speed / 4};
+  return collision;
+}
+
+TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
+  EXPECT_EQ(seriousness(violated(3, 0.5), moving(1)), 6);
+  EXPECT_EQ(seriousness(violated(0x1p-50, 0), moving(2)), 4);
+  EXPECT_LT(seriousness(violated(4e-29, 0), moving(1)), 1e-12);
+  EXPECT_EQ(seriousness(violated(0x1p-52, 0), moving(0)), 2);
+  EXPECT_EQ(seriousness(violated(0, 0), moving(1)), infinity) << "no number tells: the outcome is not finite, say";
+  EXPECT_EQ(seriousness(Verdict{}, moving(1)), 0);
+}
+
+/// A subject that is grossly wrong where A moves along x, and off by rounding everywhere else, where nothing is
+/// allowed.
+Verdict wrong_where_a_moves_along_x(const Case& one) {
+  return one.collision.a.velocity[0] != 0 ? violated(2.74, 1e-15) : violated(4e-29, 0);
+}
+
+TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
+  const Invariant& restitution = *invariant_named("restitution");
+  int shrunk_cases = 0;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Case found = unit::case_of("generic", i);
+    if (found.collision.a.velocity[0] == 0) {
+      continue;
+    }
+    const Case simplest =
+        simplest_violation(found, restitution, wrong_where_a_moves_along_x(found), wrong_where_a_moves_along_x, 4000);
+    EXPECT_NE(simplest.collision.a.velocity[0], 0) << i;
+    shrunk_cases += simplest.collision.b.velocity.isZero(0) ? 1 : 0;
+  }
+  EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
+}
+
+/// What is harmless from the first is simplified all the same.
+TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
+  const Case found = unit::case_of("generic", 1);
+  const auto rounding = [](const Case&) { return violated(4e-29, 0); };
+  const Case simplest = simplest_violation(found, *invariant_named("restitution"), rounding(found), rounding, 4000);
+  EXPECT_TRUE(simplest.collision.b.angular_velocity.isZero(0));
+}
+
+}  // namespace
+}  // namespace carom::properties
