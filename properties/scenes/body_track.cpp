@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
@@ -112,6 +113,13 @@ BodyTrack::TurningState BodyTrack::turned(std::size_t arc, Real elapsed) {
     return known_[0];
   }
   const Real step = step_angle / rate;
+  // Arcs are renewed every few radians: what turns for longer, or is no number, is not known.
+  constexpr Real most_steps = 0x1p20;
+  if (!(elapsed <= most_steps * step)) {
+    TurningState unknown;
+    unknown.fill(std::numeric_limits<Real>::quiet_NaN());
+    return unknown;
+  }
   const auto whole = static_cast<std::size_t>(elapsed / step);
   while (known_.size() <= whole) {
     known_.push_back(stepped(known_.back(), step));

@@ -53,6 +53,9 @@ struct Ground {
   Real offset;
 };
 
+/// A least of numbers of which one is NaN is none: no gap is known there.
+Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Real>::infinity(); }
+
 /// Two bodies, or a body and a plane, from one look to the next.
 class PolyhedraChecker {
  public:
@@ -229,7 +232,7 @@ class PolyhedraChecker {
     for (const Wide& vertex : b.vertices) {
       high = std::max(high, n.dot(vertex));
     }
-    return n.dot(a.centre - b.centre) + low - high - tracks_[i].margin() - tracks_[k].margin();
+    return known(n.dot(a.centre - b.centre) + low - high - tracks_[i].margin() - tracks_[k].margin());
   }
 
   [[nodiscard]] Look look(std::size_t i, std::size_t arc_i, std::size_t k, std::size_t arc_k, Real time) {
@@ -382,7 +385,8 @@ class PolyhedraChecker {
     const Real bulge = (wide(a.acceleration) - wide(b.acceleration)).norm() * span * span / 8;
     const Real share = way.isZero(0) ? Real(0) : std::clamp(-first.dot(way) / way.squaredNorm(), Real(0), Real(1));
     const Real radii = (static_cast<Real>(a.radius) + b.radius) * (1 + gap_error);
-    return (first + share * way).norm() <= radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm());
+    // So written that a place which is no number may meet anything.
+    return !((first + share * way).norm() > radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm()));
   }
 
   [[nodiscard]] Real height(std::size_t body, const Ground& ground, const Pose& pose) const {
@@ -390,7 +394,7 @@ class PolyhedraChecker {
     for (const Wide& vertex : pose.vertices) {
       low = std::min(low, ground.normal.dot(vertex));
     }
-    return ground.normal.dot(pose.centre) + low - tracks_[body].margin() - ground.offset;
+    return known(ground.normal.dot(pose.centre) + low - tracks_[body].margin() - ground.offset);
   }
 
   void check_plane(std::size_t body, std::size_t plane) {
@@ -406,7 +410,7 @@ class PolyhedraChecker {
         const Real span = static_cast<Real>(end) - begin;
         // A parabola that bends away from the plane may come lower between its ends.
         const Real bulge = std::max(Real(0), ground.normal.dot(wide(arcs[arc].path.acceleration))) * span * span / 8;
-        if (lowest - bulge <= tracks_[body].radius() * (1 + gap_error)) {
+        if (!(lowest - bulge > tracks_[body].radius() * (1 + gap_error))) {
           check_plane_between(body, arc, plane, begin, first, end, second, 0);
         }
       }

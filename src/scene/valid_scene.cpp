@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
 #include <carom/scene/grid_around.hpp>
+#include <carom/scene/known_range.hpp>
 #include <carom/scene/placing.hpp>
 #include <carom/scene/prediction.hpp>
+#include <carom/scene/text_of.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
@@ -21,25 +21,6 @@ using Found = std::optional<SceneDefect>;
 constexpr double farthest = 0x1p28;
 
 constexpr double least_gravity = 1e-200;
-
-/// The numbers that the precision of the impulses knows to a roundoff.
-struct Range {
-  double least, greatest;
-};
-
-Range range_of(Precision precision) {
-  if (precision == Precision::binary32) {
-    return {std::numeric_limits<float>::min(), std::numeric_limits<float>::max()};
-  }
-  return {std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
-}
-
-template <class... Parts>
-std::string text_of(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 Found scene_defect(const Scene& scene) {
   const auto defect = [](const char* field, const char* what) { return SceneDefect{Of::scene, 0, 0, field, what}; };
@@ -139,9 +120,9 @@ Found sphere_defect(const Scene& scene, std::size_t i) {
   // Rounded as the loop does.
   const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
   const double moment = 0.4 * mass * sphere.radius * sphere.radius;
-  const Range range = range_of(scene.precision);
+  const KnownRange range = known_range(scene.precision);
   for (const auto& [name, value] : {std::pair("a mass", mass), std::pair("a moment of inertia", moment)}) {
-    if (!(value >= range.least && value <= range.greatest)) {
+    if (!range.contains(value)) {
       return defect("", text_of("expected radius and density that give ", name, " from ", range.least, " to ",
                                 range.greatest, ", not ", value));
     }
@@ -175,7 +156,6 @@ bool is_far_above(const Sphere& sphere, const Plane& plane) {
 }
 
 Found overlap_defect(const Scene& scene) {
-  const auto sphere_name = [&](std::size_t i) { return text_of("sphere ", i, " (", scene.spheres[i].name, ")"); };
   std::vector<Path> paths(scene.spheres.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {
     paths[i].position = scene.spheres[i].position;
@@ -190,8 +170,9 @@ Found overlap_defect(const Scene& scene) {
       const Plane& plane = scene.planes[k];
       if (!is_far_above(sphere, plane) &&
           overlap(paths[i], {plane.normal, reach_of(plane.normal, plane.point, sphere.radius)}, 0, undecided)) {
-        return SceneDefect{Of::sphere, i, 0, "",
-                           text_of(sphere_name(i), " overlaps plane ", k, " (", plane.name, "), or is behind it")};
+        return SceneDefect{
+            Of::sphere, i, 0, "",
+            text_of(description_of(scene, i), " overlaps plane ", k, " (", plane.name, "), or is behind it")};
       }
     }
     // Only those before it are in the grid.
@@ -203,7 +184,8 @@ Found overlap_defect(const Scene& scene) {
       }
     });
     if (partner) {
-      return SceneDefect{Of::sphere, i, 0, "", sphere_name(i) + " overlaps " + sphere_name(*partner)};
+      return SceneDefect{Of::sphere, i, 0, "",
+                         description_of(scene, i) + " overlaps " + description_of(scene, *partner)};
     }
   }
   return std::nullopt;

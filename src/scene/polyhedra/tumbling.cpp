@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -13,6 +12,7 @@
 #include <carom/scene/polyhedra/contact_patch.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 #include <carom/scene/polyhedra/tumbling.hpp>
+#include <carom/scene/text_of.hpp>
 
 namespace carom::scene {
 namespace {
@@ -54,13 +54,6 @@ double balls_touch_from(const UncertainQuadratic& gap, double now) {
       break;
   }
   return now;
-}
-
-template <class... Parts>
-std::string text_of(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ namespace carom::scene {
 ///
 /// A contact is where two bodies are within `contact_tolerance` and do not draw apart, found by conservative
 /// advancement (time_of_contact.hpp): up to it, and at it, they are certain not to touch. Where a body has turned by
-/// `longest_turn` it is stored as it is then, and goes on from there. Of events at one time that
-/// with the lower bodies is first, planes last. The impulse acts at the middle of what touches where all of that
-/// approaches, else where it approaches fastest; what else of it approaches is an impact of its own, at the same time.
+/// `longest_turn` it is stored as it is then, and goes on from there. Of events at one time renewals are first and
+/// planes last, and of one kind that with the lower bodies. The impulse acts at the middle of what touches where all of
+/// that approaches, else where it approaches fastest; what else of it approaches is an impact of its own, at the same
+/// time.
 class Tumbling {
  public:
   /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError where bodies are not certain to be

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <carom/scene/known_range.hpp>
 #include <carom/scene/polyhedra/distance.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 #include <carom/scene/polyhedra/valid_polyhedra.hpp>
+#include <carom/scene/text_of.hpp>
 
 namespace carom::scene {
 namespace {
@@ -23,13 +24,6 @@ constexpr double farthest = 0x1p12;
 
 /// Within the duration [rad].
 constexpr double most_turn = 1e6;
-
-template <class... Parts>
-std::string text_of(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 Found number_defect(const Scene& scene, std::size_t i) {
   const Polyhedron& polyhedron = scene.polyhedra[i];
@@ -68,16 +62,13 @@ Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bod
   }
   bodies.push_back(std::get<RigidBody>(std::move(body)));
   const RigidBody& made = bodies.back();
-  const bool is_single = scene.precision == Precision::binary32;
-  const double least = is_single ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min();
-  const double greatest = is_single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  const KnownRange range = known_range(scene.precision);
   for (const double value :
        {made.mass, made.principal_inertia[0], made.principal_inertia[1], made.principal_inertia[2]}) {
-    if (!(value >= least && value <= greatest)) {
-      std::ostringstream text;
-      text << "expected vertices and density that give mass and moments of inertia from " << least << " to " << greatest
-           << ", not " << value;
-      return SceneDefect{Of::polyhedron, i, 0, "", text.str()};
+    if (!range.contains(value)) {
+      return SceneDefect{Of::polyhedron, i, 0, "",
+                         text_of("expected vertices and density that give mass and moments of inertia from ",
+                                 range.least, " to ", range.greatest, ", not ", value)};
     }
   }
   if (!(made.position.stableNorm() <= farthest * made.radius())) {

@@ -247,7 +247,8 @@ std::string scene_verdict(const SceneRun& run) {
   std::string what;
   const auto add = [&](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
   if (run.validity()) {
-    add(run.validity()->count == 0 ? "nothing overlaps" : count_text(run.validity()->count, "overlap", "overlaps"));
+    add(run.validity()->count == 0 ? "nothing overlaps"
+                                   : count_text(run.validity()->count, "invalid state", "invalid states"));
   }
   if (run.judge().judged() > 0) {
     add(run.judge().violated() == 0 ? fmt::format("{} impulses pass", run.judge().judged())
@@ -289,10 +290,13 @@ std::string scene_text(const SceneRun& run) {
         counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
   }
   if (const auto& validity = run.validity()) {
-    text +=
-        fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
-                    validity->count, validity->pairs, validity->exact_pairs);
-    if (!run.scene().polyhedra.empty()) {
+    if (run.scene().polyhedra.empty()) {
+      text +=
+          fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
+                      validity->count, validity->pairs, validity->exact_pairs);
+    } else {
+      text += fmt::format("validity  {} overlaps, gaps in paths or impacts of what does not touch; {} looks at pairs\n",
+                          validity->count, validity->pairs);
       text += fmt::format("          an overlap of {:.2g} m would not have been seen\n", validity->unseen);
     }
     for (const properties::Invalidity& one : validity->invalid) {

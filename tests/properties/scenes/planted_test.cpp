@@ -32,18 +32,6 @@ Scene duel() {
   return scene;
 }
 
-/// Alters the first impact of two spheres.
-template <class Change>
-unit::Alter first_impact(Change change) {
-  return [change, done = false](Event& event) mutable {
-    if (done || event.kind != EventKind::impact) {
-      return true;
-    }
-    done = true;
-    return change(event);
-  };
-}
-
 TEST(Planted, NothingIsFoundWhereNothingIsPlanted) {
   const unit::WatchedRun run(duel(), 100);
   EXPECT_GT(run.simulation.counts().impacts, 0U);
@@ -53,7 +41,7 @@ TEST(Planted, NothingIsFoundWhereNothingIsPlanted) {
 }
 
 TEST(Planted, AnArcABillionthOfARadiusInsideItsNeighbourIsFound) {
-  const unit::WatchedRun run(duel(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun run(duel(), 100, unit::first_impact([](Event& event) {
                                scene::Path& b = event.b->after.path;
                                b.position += (event.a.after.path.position - b.position).normalized() * 1e-9 * b.radius;
                                return true;
@@ -66,7 +54,7 @@ TEST(Planted, SpheresThatPassThroughEachOtherAreFound) {
   // Joined without a jump: their velocities are kept, and the run ends before any wall.
   Scene scene = duel();
   scene.duration = 2;
-  const unit::WatchedRun run(scene, 100, first_impact([](Event& event) {
+  const unit::WatchedRun run(scene, 100, unit::first_impact([](Event& event) {
                                for (scene::Change* change : {&event.a, &*event.b}) {
                                  change->after.path.velocity = change->before.path.velocity;
                                }
@@ -79,18 +67,18 @@ TEST(Planted, SpheresThatPassThroughEachOtherAreFound) {
 TEST(Planted, AnEventThatIsLeftOutIsFound) {
   Scene scene = duel();
   scene.duration = 2;
-  const unit::WatchedRun run(scene, 100, first_impact([](Event&) { return false; }));
+  const unit::WatchedRun run(scene, 100, unit::first_impact([](Event&) { return false; }));
   EXPECT_TRUE(has(run.validity(), "sphere", "overlap"));
   EXPECT_FALSE(has(run.validity(), "itself", ""));
   // With more events after it, the paths jump as well.
-  const unit::WatchedRun longer(duel(), 100, first_impact([](Event&) { return false; }));
+  const unit::WatchedRun longer(duel(), 100, unit::first_impact([](Event&) { return false; }));
   EXPECT_TRUE(has(longer.validity(), "itself", "jumps"));
 }
 
 TEST(Planted, APathThatJumpsIsFound) {
   for (const int ulps : {4, 64}) {
     // To the side, away from all.
-    const unit::WatchedRun run(duel(), 100, first_impact([&](Event& event) {
+    const unit::WatchedRun run(duel(), 100, unit::first_impact([&](Event& event) {
                                  event.a.after.path.position.z() += ulps * 0x1p-52 * 0.5;
                                  return true;
                                }));
@@ -99,7 +87,7 @@ TEST(Planted, APathThatJumpsIsFound) {
 }
 
 TEST(Planted, ATimeThatRunsBackIsFound) {
-  const unit::WatchedRun run(duel(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun run(duel(), 100, unit::first_impact([](Event& event) {
                                event.a.after.path.start = 5.99;
                                return true;
                              }));
@@ -107,7 +95,7 @@ TEST(Planted, ATimeThatRunsBackIsFound) {
 }
 
 TEST(Planted, ASphereOfAnotherRadiusIsFound) {
-  const unit::WatchedRun run(duel(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun run(duel(), 100, unit::first_impact([](Event& event) {
                                event.a.after.path.radius = std::nextafter(event.a.after.path.radius, 0.0);
                                return true;
                              }));
@@ -178,7 +166,7 @@ TEST(Planted, TheBooksOfATableCloseWithoutIt) {
 
 TEST(Planted, AVelocityThatChangesWithoutACauseDoesNotClose) {
   for (const bool turning : {false, true}) {
-    const unit::WatchedRun run(table(), 1000, first_impact([&](Event& event) {
+    const unit::WatchedRun run(table(), 1000, unit::first_impact([&](Event& event) {
                                  if (turning) {
                                    event.a.after.turning.angular_velocity *= 1 + 1e-9;
                                  } else {
@@ -233,7 +221,7 @@ TEST(Planted, AnotherRestitutionThanTheRecordsDoesNotClose) {
 TEST(Planted, AnImpulseThatIsOffByABillionthIsViolated) {
   for (int component = 0; component < 12; ++component) {
     double time = 0;
-    const unit::WatchedRun run(table(), 1000, first_impact([&](Event& event) {
+    const unit::WatchedRun run(table(), 1000, unit::first_impact([&](Event& event) {
                                  time = event.time;
                                  const auto parts = vectors(event.outcome);
                                  double& number =

@@ -27,6 +27,18 @@ namespace carom::unit {
 /// What the checkers are told of an event: the event, changed; false: nothing.
 using Alter = std::function<bool(scene::Event&)>;
 
+/// Alters the first impact of two bodies; what `change` returns is whether the checkers are told of it.
+template <class Change>
+[[nodiscard]] Alter first_impact(Change change) {
+  return [change, done = false](scene::Event& event) mutable {
+    if (done || event.kind != scene::EventKind::impact) {
+      return true;
+    }
+    done = true;
+    return change(event);
+  };
+}
+
 /// A run, and all that watches it.
 struct WatchedRun {
   WatchedRun(scene::Scene of, std::size_t most_events, const Alter& alter)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 
@@ -106,17 +107,6 @@ Scene meeting() {
   return scene;
 }
 
-template <class Change>
-unit::Alter first_impact(Change change) {
-  return [change, done = false](Event& event) mutable {
-    if (done || event.kind != EventKind::impact) {
-      return true;
-    }
-    done = true;
-    return change(event);
-  };
-}
-
 bool has(const Validity& validity, const std::string& other, const std::string& what) {
   return std::any_of(validity.invalid.begin(), validity.invalid.end(), [&](const Invalidity& one) {
     return one.other.find(other) != std::string::npos && one.what.find(what) != std::string::npos;
@@ -133,7 +123,7 @@ TEST(PlantedInATumble, NothingIsFoundWhereNothingIsPlanted) {
 }
 
 TEST(PlantedInATumble, AnEventThatIsLeftOutIsFound) {
-  const unit::WatchedRun run(meeting(), 100, first_impact([](Event&) { return false; }));
+  const unit::WatchedRun run(meeting(), 100, unit::first_impact([](Event&) { return false; }));
   EXPECT_TRUE(has(run.validity(), "polyhedron 1", "overlap")) << text_of(run.validity());
   EXPECT_FALSE(has(run.validity(), "itself", ""));
 }
@@ -152,14 +142,14 @@ TEST(PlantedInATumble, ABodyThatGoesThroughAPlaneIsFound) {
 
 TEST(PlantedInATumble, APlaceThatIsMovedIsFound) {
   // 10⁻¹³ m is some hundred ulps of what it is computed from: a jump, but yet no overlap.
-  const unit::WatchedRun jump(meeting(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun jump(meeting(), 100, unit::first_impact([](Event& event) {
                                 event.b->after.path.position.y() += 1e-13;
                                 return true;
                               }));
   EXPECT_TRUE(has(jump.validity(), "itself", "its path jumps")) << text_of(jump.validity());
   EXPECT_EQ(jump.validity().count, 1U);
   // Contacts are within 2⁻³⁰ radii.
-  const unit::WatchedRun overlap(meeting(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun overlap(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.b->after.path.position += 4e-9 * event.collision.normal.normalized();
                                    return true;
                                  }));
@@ -168,7 +158,7 @@ TEST(PlantedInATumble, APlaceThatIsMovedIsFound) {
 
 TEST(PlantedInATumble, AnOrientationThatIsTurnedIsFound) {
   for (const double angle : {1e-11, 1e-9, 1.0}) {
-    const unit::WatchedRun run(meeting(), 100, first_impact([angle](Event& event) {
+    const unit::WatchedRun run(meeting(), 100, unit::first_impact([angle](Event& event) {
                                  const Quaternion<double>& q = event.a.orientation;
                                  const Eigen::Quaterniond turned =
                                      Eigen::Quaterniond(q[0], q[1], q[2], q[3]) *
@@ -195,9 +185,27 @@ TEST(PlantedInATumble, AnImpactWhereNothingTouchesIsFound) {
   }
 }
 
+TEST(PlantedInATumble, WhatIsNoNumberIsFound) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int kind = 0; kind < 3; ++kind) {
+    const unit::WatchedRun run(meeting(), 100, unit::first_impact([=](Event& event) {
+                                 if (kind == 0) {
+                                   event.a.after.path.velocity.x() = nan;
+                                 } else if (kind == 1) {
+                                   event.a.after.turning.angular_velocity.x() = nan;
+                                 } else {
+                                   event.a.orientation[0] = nan;
+                                 }
+                                 return true;
+                               }));
+    EXPECT_TRUE(has(run.validity(), "plane 0", "behind") || has(run.validity(), "polyhedron 1", "overlap"))
+        << kind << text_of(run.validity());
+  }
+}
+
 TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
   for (int kind = 0; kind < 4; ++kind) {
-    const unit::WatchedRun run(meeting(), 100, first_impact([kind](Event& event) {
+    const unit::WatchedRun run(meeting(), 100, unit::first_impact([kind](Event& event) {
                                  scene::Change& change = kind % 2 == 0 ? event.a : *event.b;
                                  if (kind < 2) {
                                    change.after.turning.angular_velocity *= 1 + 1e-9;
@@ -214,7 +222,7 @@ TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
 
 TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
   // An impulse that is a billionth greater than what was stored.
-  const unit::WatchedRun greater(meeting(), 100, first_impact([](Event& event) {
+  const unit::WatchedRun greater(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.outcome.a.velocity +=
                                        1e-9 * (event.outcome.a.velocity - event.collision.a.velocity);
                                    return true;
@@ -241,7 +249,7 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
 
 TEST(PlantedInATumble, AnArcOutOfOrderIsFound) {
   for (const double earlier : {1e-9, 0.25, 8.0, 1e6}) {
-    const unit::WatchedRun run(meeting(), 100, first_impact([earlier](Event& event) {
+    const unit::WatchedRun run(meeting(), 100, unit::first_impact([earlier](Event& event) {
                                  event.a.after.path.start -= earlier;
                                  return true;
                                }));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sstream>
+#include <string>
+
+namespace carom::scene {
+
+/// All parts one after the other, numbers with six digits.
+template <class... Parts>
+[[nodiscard]] std::string text_of(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+}  // namespace carom::scene
