@@ -28,15 +28,11 @@ void for_each_feasible_pair(const Visit& visit) {
 FeatureCoverage::FeatureCoverage()
     : singles_(all_features().size()), pairs_(all_features().size() * all_features().size()) {}
 
-void FeatureCoverage::add(const Collision& collision) {
-  std::vector<std::size_t> present;
-  for (std::size_t i = 0; i < singles_.size(); ++i) {
-    if (all_features()[i].is_present(collision)) {
-      ++singles_[i];
-      for (const std::size_t other : present) {
-        ++pairs_[place(other, i)];
-      }
-      present.push_back(i);
+void FeatureCoverage::add(std::span<const std::uint16_t> present) {
+  for (auto feature = present.begin(); feature != present.end(); ++feature) {
+    ++singles_[*feature];
+    for (auto other = present.begin(); other != feature; ++other) {
+      ++pairs_[place(*other, *feature)];
     }
   }
 }
@@ -67,12 +63,20 @@ std::vector<FeatureCoverage::Pair> FeatureCoverage::missing_pairs() const {
   return missing;
 }
 
+std::vector<std::uint16_t> feature_places_of(const Collision& collision) {
+  std::vector<std::uint16_t> present;
+  for (std::size_t i = 0; i < all_features().size(); ++i) {
+    if (all_features()[i].is_present(collision)) {
+      present.push_back(static_cast<std::uint16_t>(i));
+    }
+  }
+  return present;
+}
+
 std::vector<const Feature*> features_of(const Collision& collision) {
   std::vector<const Feature*> present;
-  for (const Feature& feature : all_features()) {
-    if (feature.is_present(collision)) {
-      present.push_back(&feature);
-    }
+  for (const std::uint16_t place : feature_places_of(collision)) {
+    present.push_back(&all_features()[place]);
   }
   return present;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,8 +16,8 @@ class FeatureCoverage {
  public:
   FeatureCoverage();
 
-  /// Precondition: the collision is valid, and colliding.
-  void add(const Collision& collision);
+  /// `present`: the places of its features. Precondition: the collision is valid, and colliding.
+  void add(std::span<const std::uint16_t> present);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
 
@@ -39,6 +40,9 @@ class FeatureCoverage {
   std::vector<std::uint64_t> singles_;
   std::vector<std::uint64_t> pairs_;  // of x < y at x · features + y
 };
+
+/// The places in all_features() of those that a valid collision has, ascending.
+[[nodiscard]] std::vector<std::uint16_t> feature_places_of(const Collision& collision);
 
 /// The features that a valid collision has, in the order of the list.
 [[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);

@@ -11,11 +11,13 @@
 #include <string>
 #include <thread>
 
+#include <carom/properties/features/quantities.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/search/witness.hpp>
+#include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
 namespace {
@@ -105,6 +107,17 @@ class Finds {
   std::vector<std::atomic<std::uint64_t>> first_;
 };
 
+/// A program that hangs is waited for each time, and crashes are told apart by the first few.
+constexpr unsigned most_failures = 20;
+
+std::deque<Restarts> restarts_of(std::size_t subjects) {
+  std::deque<Restarts> restarts;
+  for (std::size_t s = 0; s < subjects; ++s) {
+    restarts.emplace_back(most_failures);
+  }
+  return restarts;
+}
+
 /// What the threads of a run share.
 struct Run {
   const std::vector<Subject>& subjects;
@@ -114,14 +127,24 @@ struct Run {
   Budget budget{options};
   Progress progress{options, budget};
   Finds finds{subjects.size()};
+  std::deque<Restarts> restarts = restarts_of(subjects.size());  // of each subject
+};
+
+/// A case that is sampled, and its place.
+struct Sampled {
+  std::size_t family;
+  std::uint64_t index;
+  SampledCase one;
 };
 
 /// The work of one thread: takes tasks until there are none left.
 class Worker {
  public:
   explicit Worker(Run& run) : run_(&run), coverage_(run.options.families.size()), tallies_(run.subjects.size()) {
-    for (Tally& tally : tallies_) {
-      tally.families.resize(run.options.families.size());
+    for (const Family* family : run.options.families) {
+      for (Tally& tally : tallies_) {
+        tally.families.emplace_back().sampled = sampled_of(*family);
+      }
     }
   }
 
@@ -156,6 +179,7 @@ class Worker {
   [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::vector<Coverage>& coverage() const { return coverage_; }
   [[nodiscard]] const FeatureCoverage& features() const { return features_; }
+  [[nodiscard]] const std::vector<Sampled>& sampled() const { return sampled_; }
   [[nodiscard]] const std::optional<FirstViolation>& first_violation(std::size_t subject) const {
     return examinees_[subject].first_violation;
   }
@@ -190,7 +214,7 @@ class Worker {
           {subjects[s], run_->claims[s], sessions_[s], relations_every(subjects[s]), run_->options.fail_fast});
       guarded(s, [&] {
         require_known_deviations(subjects[s]);
-        sessions_[s] = subjects[s].open();
+        sessions_[s] = open_restarting(subjects[s], run_->restarts[s], run_->options.stop);
       });
     }
   }
@@ -212,11 +236,27 @@ class Worker {
       Stream stream = case_stream(run_->options.seed, family.name, index);
       cases.emplace_back(family.generate(stream), run_->options.yardstick.filtered);
       coverage_[task.family] += coverage_of(cases.back());
-      if (cases.back().is_valid() && cases.back().exact().approach() == oracles::Approach::colliding) {
-        features_.add(cases.back().generated().collision);
+      if (cases.back().is_valid()) {
+        look_at(task.family, index, cases.back());
       }
     }
     return cases;
+  }
+
+  void look_at(std::size_t family, std::uint64_t index, const JudgedCase& one) {
+    const oracles::Approach approach = one.exact().approach();
+    const bool is_sampled = index < sampled_of(*run_->options.families[family]);
+    if (!is_sampled && approach != oracles::Approach::colliding) {
+      return;
+    }
+    std::vector<std::uint16_t> present = feature_places_of(one.generated().collision);
+    if (approach == oracles::Approach::colliding) {
+      features_.add(present);
+    }
+    if (is_sampled) {
+      sampled_.push_back(
+          {family, index, {true, approach, std::move(present), quantities_of(one.generated().collision)}});
+    }
   }
 
   void note_find(std::size_t subject) {
@@ -240,7 +280,7 @@ class Worker {
     }
     guarded(subject, [&] {
       examinee.session.close();
-      Session fresh = examinee.subject.open();
+      Session fresh = open_restarting(examinee.subject, run_->restarts[subject], run_->options.stop);
       ask_again(examinee, after_all_tasks, fresh, examinee.remembered, tallies_[subject]);
       note_find(subject);
       fresh.close();
@@ -253,6 +293,7 @@ class Worker {
   std::vector<Coverage> coverage_;
   std::vector<Tally> tallies_;
   FeatureCoverage features_;
+  std::vector<Sampled> sampled_;
 };
 
 /// What all threads found of one subject.
@@ -269,6 +310,12 @@ Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Cl
   if (first != nullptr) {
     first->add_to(tally, claim);
     tally.name_counts();
+  }
+  for (FamilyResult& family : tally.families) {
+    for (auto& [name, cases] : family.violated_cases) {
+      std::sort(cases.begin(), cases.end());
+      cases.erase(std::unique(cases.begin(), cases.end()), cases.end());
+    }
   }
   return tally;
 }
@@ -302,7 +349,8 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   std::vector<Worker> workers(jobs, Worker(run));
   in_parallel(jobs, jobs, [&](std::size_t worker) { workers[worker].run(); });
 
-  GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, false};
+  GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false};
+  report.sampled.resize(options.families.size());
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const Tally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}};
@@ -317,6 +365,11 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   }
   for (const Worker& worker : workers) {
     report.features += worker.features();
+    for (const Sampled& sampled : worker.sampled()) {
+      std::vector<SampledCase>& of_family = report.sampled[sampled.family];
+      of_family.resize(std::max<std::size_t>(of_family.size(), sampled.index + 1));
+      of_family[sampled.index] = sampled.one;
+    }
     for (std::size_t f = 0; f < report.coverage.size(); ++f) {
       report.coverage[f] += worker.coverage()[f];
     }

@@ -21,6 +21,10 @@ std::uint64_t cases_of(const GateOptions& options, const Family& family) {
                         : options.cases * static_cast<std::uint64_t>(family.weight);
 }
 
+std::uint64_t sampled_of(const Family& family) {
+  return sampled_of_each_family * static_cast<std::uint64_t>(family.weight);
+}
+
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
   colliding += other.colliding;

@@ -75,6 +75,16 @@ struct WorstViolation {
   Answer answer;
 };
 
+/// A case whose outcome violated something, and the answer to it.
+struct ViolatedCase {
+  std::uint64_t index;
+  Case one;
+  Answer answer;
+};
+
+/// The first so many violated cases of a family are kept.
+inline constexpr std::size_t most_violated_kept = 12;
+
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
@@ -83,6 +93,13 @@ struct FamilyResult {
   double worst_backward_error = 0;              // ulps
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
+  std::uint64_t sampled = 0;                    // cases, the first ones
+  // The numbers of the sampled cases that violated an invariant; ascending, each once, when the run is over.
+  std::map<std::string, std::vector<std::uint64_t>> violated_cases;
+  // By their numbers, at most most_violated_kept of each: those whose answer is wrong by itself, and those that only
+  // further questions show.
+  std::vector<ViolatedCase> first_violated;
+  std::vector<ViolatedCase> first_violated_by_relations;
 };
 
 /// A violation that can be replayed.
@@ -95,6 +112,8 @@ struct Witness {
                     // the subject could not be asked on
   Verdict verdict;  // on the shrunk collision
   Answer answer;    // to the shrunk collision
+  Verdict verdict_as_found;
+  Answer answer_as_found;
 };
 
 struct SubjectResult {
@@ -130,12 +149,26 @@ struct SubjectResult {
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);
 
+/// What a sampled case is like.
+struct SampledCase {
+  bool is_valid = false;
+  oracles::Approach approach = oracles::Approach::inert;  // of a valid one
+  std::vector<std::uint16_t> features = {};               // by their places in all_features(), ascending
+  std::vector<float> quantities = {};                     // decimal logarithms, as all_compared_quantities() has them
+};
+
+/// Of each family the first so many cases, times its weight, are sampled: what they have in common where something is
+/// violated says where a subject is wrong.
+inline constexpr std::uint64_t sampled_of_each_family = 1000;
+[[nodiscard]] std::uint64_t sampled_of(const Family& family);
+
 struct GateReport {
   GateOptions options;
-  std::vector<Coverage> coverage;      // of each family
-  FeatureCoverage features;            // of the colliding cases of all families
-  std::vector<SubjectResult> results;  // of each subject
-  bool interrupted = false;            // by options.stop
+  std::vector<Coverage> coverage;                 // of each family
+  FeatureCoverage features;                       // of the colliding cases of all families
+  std::vector<std::vector<SampledCase>> sampled;  // of each family, by their numbers; one that was not drawn is invalid
+  std::vector<SubjectResult> results;             // of each subject
+  bool interrupted = false;                       // by options.stop
 };
 
 }  // namespace carom::properties

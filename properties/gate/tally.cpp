@@ -23,6 +23,17 @@ void keep_worst(FamilyResult& result, const std::string& invariant, const WorstV
   }
 }
 
+/// Cases come in the order of their numbers, but from several threads, and one may come once for each invariant.
+void keep_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated) {
+  const auto place = std::lower_bound(kept.begin(), kept.end(), violated.index,
+                                      [](const ViolatedCase& one, std::uint64_t index) { return one.index < index; });
+  const bool is_known = place != kept.end() && place->index == violated.index;
+  if (!is_known && (place != kept.end() || kept.size() < most_violated_kept)) {
+    kept.insert(place, violated);
+    kept.resize(std::min(kept.size(), most_violated_kept), violated);
+  }
+}
+
 }  // namespace
 
 Coverage coverage_of(const JudgedCase& judged_case) {
@@ -85,6 +96,12 @@ void Tally::add(std::size_t family, std::uint64_t index, const Case& one, const 
     case Status::violated:
       ++count.violated;
       keep_worst(families[family], std::string(named.invariant->name), {index, one, named.verdict, answer});
+      keep_first(named.invariant->is_of_one_answer() ? families[family].first_violated
+                                                     : families[family].first_violated_by_relations,
+                 {index, one, answer});
+      if (index < families[family].sampled) {
+        families[family].violated_cases[std::string(named.invariant->name)].push_back(index);
+      }
   }
 }
 
@@ -122,6 +139,15 @@ Tally& Tally::operator+=(const Tally& other) {
     }
     for (const auto& [name, violation] : from.worst) {
       keep_worst(into, name, violation);
+    }
+    for (const ViolatedCase& violated : from.first_violated) {
+      keep_first(into.first_violated, violated);
+    }
+    for (const ViolatedCase& violated : from.first_violated_by_relations) {
+      keep_first(into.first_violated_by_relations, violated);
+    }
+    for (const auto& [name, cases] : from.violated_cases) {
+      into.violated_cases[name].insert(into.violated_cases[name].end(), cases.begin(), cases.end());
     }
   }
   digits += other.digits;

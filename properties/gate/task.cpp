@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include <carom/collision/validate.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/trial/answers.hpp>
 
@@ -35,6 +36,21 @@ Collision invalid_collision() {
   Collision invalid;
   invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
   return invalid;
+}
+
+/// What a collision that was not answered violates; none where it was answered, or that is not claimed.
+std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& one, const Answer& answer) {
+  if (!std::holds_alternative<Failed>(answer)) {
+    return std::nullopt;
+  }
+  const bool is_valid = validate(one.collision).empty();
+  for (const Invariant* invariant : claim.invariants) {
+    const auto* about = std::get_if<AboutAnswer>(&invariant->about);
+    if (about != nullptr && about->to_valid == is_valid) {
+      return NamedVerdict{invariant, about->check(one.collision, lift(answer), claim.model)};
+    }
+  }
+  return std::nullopt;
 }
 
 /// Drops what comes after the first violation; false where there is none.
@@ -76,6 +92,9 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
     questions.push_back(one->one.collision);
   }
   const std::vector<Answer> again = answers_of(session, questions);
+  if (const auto named = verdict_on_failure(examinee.claim, {questions[0]}, again[0])) {
+    tally.add(asked.back().family, asked.back().index, {questions[0]}, again[0], *named);
+  }
   for (const Invariant* invariant : examinee.claim.invariants) {
     const auto* about = std::get_if<AboutSession>(&invariant->about);
     for (std::size_t i = 0; about != nullptr && i < asked.size(); ++i) {
@@ -130,15 +149,25 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
   std::vector<Asked> sample;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::uint64_t index = task.first + i;
-    const std::size_t count = trials[i].question_count();
-    Judgement judgement = trials[i].judge(rest.first(count), tally.families[task.family].worst_backward_error);
-    rest = rest.subspan(count);
+    const std::span<const Answer> replies = rest.first(trials[i].question_count());
+    rest = rest.subspan(replies.size());
+    Judgement judgement = trials[i].judge(replies, tally.families[task.family].worst_backward_error);
     const Asked asked{task.family, index, cases[i].generated(), batch.answers[i]};
     if (examinee.ends_at_first && cut_after_violation(judgement)) {
       examinee.first_violation = {task.number, asked, std::move(judgement), true};
       return;
     }
     tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
+    if (std::any_of(replies.begin(), replies.end(),
+                    [](const Answer& reply) { return std::holds_alternative<Failed>(reply); })) {
+      const std::vector<Collision> asked_besides = trials[i].questions();
+      for (std::size_t k = 0; k < replies.size(); ++k) {
+        const Case question{asked_besides[k]};
+        if (const auto named = verdict_on_failure(claim, question, replies[k])) {
+          tally.add(task.family, index, question, replies[k], *named);
+        }
+      }
+    }
     if (is_asked_again(index)) {
       sample.push_back(asked);
     }

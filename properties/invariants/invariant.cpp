@@ -63,8 +63,10 @@ void lift(const Answer& answer, ExactAnswer& into) {
     }
   } else if (const auto* skipped = std::get_if<Skipped>(&answer)) {
     into = *skipped;
+  } else if (const auto* refused = std::get_if<Refused>(&answer)) {
+    into = *refused;
   } else {
-    into = std::get<Refused>(answer);
+    into = std::get<Failed>(answer);
   }
 }
 

@@ -42,7 +42,7 @@ struct Verdict {
 
 /// An answer, lifted: an outcome that is not finite cannot be.
 struct NotFinite {};
-using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused>;
+using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused, Failed>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
 /// The same in place: an answer is large to move.
 void lift(const Answer& answer, ExactAnswer& into);
@@ -105,6 +105,11 @@ struct Invariant {
 
   /// Whether it puts further collisions to the subject.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
+
+  /// Whether it speaks of one answer alone.
+  [[nodiscard]] bool is_of_one_answer() const {
+    return std::holds_alternative<AboutAnswer>(about) || std::holds_alternative<AboutOutcome>(about);
+  }
 
   [[nodiscard]] bool claimed_for(Model model) const;
 };

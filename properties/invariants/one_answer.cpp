@@ -15,6 +15,9 @@ Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, 
   if (const auto* refused = std::get_if<Refused>(&answer)) {
     return violated("a valid collision was refused: " + refused->why);
   }
+  if (const auto* failed = std::get_if<Failed>(&answer)) {
+    return violated("no answer: the subject " + failed->why);
+  }
   return {};
 }
 
@@ -34,6 +37,9 @@ bool is_invalid_by_unread_fields(const Collision& collision, Model model) {
 Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Model model) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};
+  }
+  if (const auto* failed = std::get_if<Failed>(&answer)) {
+    return violated("an invalid collision was not refused: the subject " + failed->why);
   }
   if (is_invalid_by_unread_fields(collision, model)) {
     return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};

@@ -21,6 +21,9 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   if (const auto* skipped = std::get_if<Skipped>(&related.answer)) {
     return outside_domain("the related collision was skipped: " + skipped->why);
   }
+  if (std::holds_alternative<Failed>(related.answer)) {
+    return outside_domain("the related collision was not answered, which `finite` is about");
+  }
   Verdict verdict;
   verdict.status = Status::violated;
   const auto* refused = std::get_if<Refused>(&related.answer);

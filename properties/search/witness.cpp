@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <chrono>
+#include <string_view>
 
 #include <carom/properties/search/shrink.hpp>
 #include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
 namespace {
 
 /// Shrinking calls the subject and the judge this often at most for one witness.
 constexpr std::size_t most_shrink_calls = 4000;
+
+/// So long a subject may take to fail, all failures together: one that hangs is waited for each time.
+constexpr std::chrono::seconds longest_failing{10};
+
+/// What kind of answer is violated where there is nothing to compare: the detail up to its reason.
+std::string_view kind_of(const Verdict& verdict) {
+  const std::string_view detail = verdict.detail;
+  return verdict.left.empty() ? detail.substr(0, detail.find(':')) : std::string_view();
+}
 
 /// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
 Verdict single_verdict(const Judgement& judgement) {
@@ -39,21 +51,31 @@ Witness found_witness(const SubjectResult& result, const GateOptions& options, c
   return {invariant,      std::string(options.families[family]->name),
           worst.index,    worst.original,
           worst.original, worst.verdict,
+          worst.answer,   worst.verdict,
           worst.answer};
 }
 
 Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness) {
   Claim only = claim;
   only.invariants = {invariant_named(witness.invariant)};
-  Session session = subject.open();
+  Restarts restarts(most_shrink_calls, longest_failing);
+  Session session = open_restarting(subject, restarts);
+  bool is_over = false;
   const auto verdict_on = [&](const Case& one) {
-    return single_verdict(judge_in_session(subject, only, session, one).judgement);
+    try {
+      return is_over ? Verdict{} : single_verdict(judge_in_session(subject, only, session, one).judgement);
+    } catch (const SessionFailure&) {
+      is_over = true;  // what was found until then stands
+      return Verdict{};
+    }
   };
   const Case simplest =
       simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
   only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
-  const AnswerAndJudgement shrunk = judge_in_session(subject, only, session, simplest);
-  session.close();
+  Restarts once(2);
+  Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
+  const AnswerAndJudgement shrunk = judge_in_session(subject, only, fresh, simplest);
+  fresh.close();
   if (single_verdict(shrunk.judgement).status == Status::violated) {
     witness.shrunk = simplest;
     witness.verdict = single_verdict(shrunk.judgement);
@@ -74,7 +96,8 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
   const auto still_fails = [&](const Collision& collision) {
     const Verdict verdict = verdict_on({collision, one.convex_uniform});
-    return verdict.status == Status::violated && seriousness(verdict, collision) >= kept;
+    return verdict.status == Status::violated && seriousness(verdict, collision) >= kept &&
+           kind_of(verdict) == kind_of(found);
   };
   return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
 }

@@ -82,10 +82,21 @@ std::string in_words(const Verdict& violated) {
                      in_words(violated.right), violated.residual, violated.allowed);
 }
 
+std::string indented(const std::string& text, const std::string& by) {
+  std::string result;
+  for (const char letter : text) {
+    result += letter;
+    result += letter == '\n' ? by : "";
+  }
+  return result;
+}
+
 std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated) {
   std::string text = in_words(collision, "    ");
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
     text += "  answered\n" + in_words(*outcome, "    ");
+  } else if (const auto* failed = std::get_if<Failed>(&answer); failed != nullptr && !failed->said.empty()) {
+    text += "    " + indented(failed->said, "    ") + '\n';
   } else if (const auto* refused = std::get_if<Refused>(&answer)) {
     text += "  refused: " + refused->why + '\n';
   }

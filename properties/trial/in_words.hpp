@@ -35,6 +35,9 @@ template <class S>
 /// What was compared, both sides, and by how much they miss each other; no line end.
 [[nodiscard]] std::string in_words(const Verdict& violated);
 
+/// The text with every line but the first moved in.
+[[nodiscard]] std::string indented(const std::string& text, const std::string& by);
+
 /// The collision, the answer to it and the violated verdict on both, each on lines of its own.
 [[nodiscard]] std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated);
 

@@ -27,18 +27,30 @@ struct Refused {
   std::string why;
 };
 
-using Answer = std::variant<ReportedOutcome, Skipped, Refused>;
+/// The subject gave no answer: it ended, hung, or said what is no reply.
+struct Failed {
+  std::string why;        // one line, the same whenever the collision is asked
+  std::string said = {};  // on standard error, and what else helps to find the place; may have several lines
+};
 
-/// A session that can go on no more, and the answers that it had until then.
+using Answer = std::variant<ReportedOutcome, Skipped, Refused, Failed>;
+
+/// A session that can go on no more, the answers that it had until then, and how it failed on the collision after them.
 class SessionFailure : public std::runtime_error {
  public:
-  SessionFailure(const std::string& why, std::vector<Answer> answered)
-      : std::runtime_error(why), answered_(std::make_shared<const std::vector<Answer>>(std::move(answered))) {}
+  SessionFailure(const std::string& what, std::vector<Answer> answered, Failed failed)
+      : std::runtime_error(what),
+        state_(std::make_shared<const State>(State{std::move(answered), std::move(failed)})) {}
 
-  [[nodiscard]] const std::vector<Answer>& answered() const { return *answered_; }
+  [[nodiscard]] const std::vector<Answer>& answered() const { return state_->answered; }
+  [[nodiscard]] const Failed& failed() const { return state_->failed; }
 
  private:
-  std::shared_ptr<const std::vector<Answer>> answered_;  // exceptions are copied without throwing
+  struct State {
+    std::vector<Answer> answered;
+    Failed failed;
+  };
+  std::shared_ptr<const State> state_;  // exceptions are copied without throwing
 };
 
 /// Answers collisions in order, one answer each. Used by the thread that opened it alone.

@@ -44,7 +44,8 @@ class Conversation {
     } catch (const std::exception& error) {
       const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
       request_ = request(failed, collisions[failed]);
-      throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers);
+      throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers,
+                           {printable(error.what(), longest_shown_request), errors_and_request()});
     }
     next_id_ += collisions.size();
     ++call_;
@@ -73,8 +74,11 @@ class Conversation {
   }
 
   std::string description(const std::string& request, const std::exception& error) {
-    std::string text = request + ": " + printable(error.what(), longest_shown_request);
-    text += "\nrequest: " + printable(request_.substr(0, request_.size() - 1), longest_shown_request);
+    return request + ": " + printable(error.what(), longest_shown_request) + '\n' + errors_and_request();
+  }
+
+  std::string errors_and_request() {
+    std::string text = "request: " + printable(request_.substr(0, request_.size() - 1), longest_shown_request);
     if (const std::string errors = process_.standard_error(); !errors.empty()) {
       text += "\nstandard error: " + printable(errors, errors.size());
     }

@@ -176,7 +176,8 @@ std::string answer_reply(std::uint64_t id, const Answer& answer, Precision preci
   if (const auto* skipped = std::get_if<Skipped>(&answer)) {
     return json{{"id", id}, {"skipped", skipped->why}}.dump() + '\n';
   }
-  return json{{"id", id}, {"error", std::get<Refused>(answer).why}}.dump() + '\n';
+  const auto* refused = std::get_if<Refused>(&answer);
+  return json{{"id", id}, {"error", refused != nullptr ? refused->why : std::get<Failed>(answer).why}}.dump() + '\n';
 }
 
 }  // namespace carom::subjects::protocol

@@ -157,7 +157,8 @@ int gate(const GateArguments& arguments) {
     remove_old_witnesses(arguments.out);
   }
   const Environment environment = this_environment();
-  const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};
+  GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment, {}};
+  run.diagnoses = properties::diagnosis::diagnose_all(run.report);
   if (arguments.format == "json") {
     fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {

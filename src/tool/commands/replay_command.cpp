@@ -130,6 +130,8 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
     text += in_words(*outcome, "  ");
   } else if (const auto* refused = std::get_if<Refused>(&answer)) {
     text += "  refused: " + refused->why + '\n';
+  } else if (const auto* failed = std::get_if<Failed>(&answer)) {
+    text += "  " + failed->why + "\n    " + properties::indented(failed->said, "    ") + '\n';
   } else {
     text += "  skipped: " + std::get<Skipped>(answer).why + '\n';
   }

@@ -10,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "report/extent.hpp"
+#include "report/html_diagnosis.hpp"
 #include "report/html_tables.hpp"
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
@@ -37,11 +38,15 @@ std::string meaning_of(int exit_status) {
 void add_summary(pugi::xml_node section, const GateRun& run) {
   const properties::GateOptions& options = run.report.options;
   add(section, "p", {{"class", fmt::format("result exit-{}", run.exit_status())}}, summary_of(run));
+  add_diagnoses(section, run);
   add_facts(section, {{"exit status", meaning_of(run.exit_status())},
                       {"interrupted", run.report.interrupted ? "yes: what follows was judged until then" : "no"},
                       {"seed", std::to_string(options.seed)},
                       {"cases", extent_of(options)},
                       {"limit", limit_of(options.yardstick)},
+                      {"relations", options.relations_every > 0
+                                        ? fmt::format("each judged on every {}th case", options.relations_every)
+                                        : "each judged on every case, of programs on every fourth"},
                       {"judge", options.yardstick.filtered ? "exact arithmetic, and bounds where they decide"
                                                            : "exact arithmetic alone (--exact)"}});
 }
@@ -70,10 +75,11 @@ struct Part {
   const char* anchor;
   const char* heading;
 };
-constexpr std::array<Part, 8> parts{{{"summary", "Summary"},
+constexpr std::array<Part, 9> parts{{{"summary", "Summary"},
                                      {"subjects", "Subjects"},
                                      {"invariants", "Invariants"},
                                      {"families", "Families"},
+                                     {"violations", "What is violated where"},
                                      {"generated", "What was generated"},
                                      {"features", "Features"},
                                      {"witnesses", "Witnesses"},
@@ -111,15 +117,21 @@ std::string summary_of(const GateRun& run) {
   const char* subjects = counted == 1 ? "subject that counts" : "subjects that count";
   std::string text;
   if (counted == 0) {
-    text = "No subject that counts was judged.";
+    text = "No subject that counts was judged";
   } else if (sound == counted) {
     text =
-        counted == 1 ? "The one subject that counts is sound." : fmt::format("All {} {} are sound.", counted, subjects);
+        counted == 1 ? "The one subject that counts is sound" : fmt::format("All {} {} are sound", counted, subjects);
   } else {
     text = fmt::format("Of {} {}, {} {} sound, {} {} an invariant", counted, subjects, sound, sound == 1 ? "is" : "are",
                        violated, violated == 1 ? "violates" : "violate");
-    text += others == 0 ? "." : fmt::format(", and {} could not be judged to the end.", others);
+    text += others == 0 ? "" : fmt::format(", and {} could not be judged to the end", others);
   }
+  const std::size_t kept = run.counts.size() - counted;
+  text += kept == 0 ? ""
+                    : fmt::format("; {} more {} kept because {}", kept, kept == 1 ? "is" : "are",
+                                  kept == 1 ? "it fails" : "they fail");
+  text += run.absent.empty() ? "."
+                             : fmt::format("; {} {} absent.", run.absent.size(), run.absent.size() == 1 ? "is" : "are");
   return run.report.interrupted ? "Interrupted. Until then: " + text : text;
 }
 
@@ -139,6 +151,7 @@ std::string html_report(const GateRun& run, const std::filesystem::path& out_dir
   add_subjects(add_part(main, "subjects"), run);
   add_invariants(add_part(main, "invariants"), run);
   add_families(add_part(main, "families"), run);
+  add_violation_matrices(add_part(main, "violations"), run);
   add_coverage(add_part(main, "generated"), run);
   add_features(add_part(main, "features"), run);
   add_witnesses(add_part(main, "witnesses"), run, out_directory);

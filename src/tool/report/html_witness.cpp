@@ -10,6 +10,7 @@
 #include <carom/properties/trial/in_words.hpp>
 
 #include "report/contact_drawing.hpp"
+#include "report/findings_text.hpp"
 #include "report/formula.hpp"
 #include "report/html_tables.hpp"
 #include "report/markup.hpp"
@@ -113,6 +114,10 @@ void add_outcome(pugi::xml_node section, const Witness& witness, const propertie
     add(section, "p", {}, "The subject refused it:");
     add(section, "pre", {{"tabindex", "0"}}, refused->why);
   }
+  if (const auto* failed = std::get_if<Failed>(&witness.answer); failed != nullptr && !failed->said.empty()) {
+    add(section, "p", {}, "What it was asked, and what it wrote on standard error:");
+    add(section, "pre", {{"tabindex", "0"}}, failed->said);
+  }
   const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
   std::vector<std::string> columns{""};
   std::vector<Column> exact;
@@ -191,6 +196,16 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
   add_contact_figure(section, picture, anchor, title);
 }
 
+/// The case that the family drew, which the witness was shrunk from.
+void add_drawn_case(pugi::xml_node article, const Witness& witness, const std::string& replay) {
+  const pugi::xml_node details = add(article, "details");
+  add(details, "summary", {},
+      fmt::format("As drawn: case {} of the family {}, before it was shrunk", witness.index, witness.family));
+  add_collision(details, witness.original.collision);
+  add_sides(details, witness.verdict_as_found);
+  add(details, "pre", {{"tabindex", "0"}}, replay + " --drawn");
+}
+
 void add_witness(pugi::xml_node section, const GateRun& run, std::size_t subject, const Witness& witness,
                  const std::filesystem::path& out_directory) {
   const properties::SubjectResult& result = run.report.results[subject];
@@ -215,6 +230,7 @@ void add_witness(pugi::xml_node section, const GateRun& run, std::size_t subject
   const std::filesystem::path file = witness_path(out_directory, result.subject, witness);
   add(article, "p", {}, "To replay it:");
   add(article, "pre", {{"tabindex", "0"}}, replay_command(file, result.subject, run.report.options.yardstick));
+  add_drawn_case(article, witness, replay_command(file, result.subject, run.report.options.yardstick));
 }
 
 }  // namespace
@@ -229,9 +245,9 @@ void add_witnesses(pugi::xml_node section, const GateRun& run, const std::filesy
       }
       any = true;
       const pugi::xml_node of_subject = add(section, "section");
-      add(of_subject, "h3", {}, result.subject.name + (counts ? "" : " (expected to fail)"));
-      for (const Witness& witness : result.witnesses) {
-        add_witness(of_subject, run, s, witness, out_directory);
+      add(of_subject, "h3", {}, result.subject.name + (counts ? "" : " (kept because it fails)"));
+      for (const Witness* witness : witnesses_by_telling(run, s)) {
+        add_witness(of_subject, run, s, *witness, out_directory);
       }
     }
   }

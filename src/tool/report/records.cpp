@@ -83,11 +83,11 @@ json yardstick_record(const oracles::Yardstick& yardstick) {
 }
 
 std::string status_of(const properties::SubjectResult& result) {
-  if (!result.error.empty()) {
-    return "error";
-  }
   if (!result.violated_invariants().empty()) {
     return "violated";
+  }
+  if (!result.error.empty()) {
+    return "error";
   }
   return result.is_sound() ? "sound" : "not judged";
 }
@@ -110,6 +110,11 @@ json subject_facts(const Subject& subject) {
   return facts;
 }
 
+json diagnosis_record(const properties::diagnosis::Diagnosis& diagnosis) {
+  return {{"telling", diagnosis.telling}, {"violated", diagnosis.violated}, {"telling_in", diagnosis.telling_in},
+          {"what", diagnosis.what},       {"where", diagnosis.where},       {"look_at", diagnosis.look_at}};
+}
+
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
   json record = subject_facts(result.subject);
   record["counts"] = counts;
@@ -130,6 +135,9 @@ json subject_record(const properties::SubjectResult& result, const properties::G
     json invariants = json::object();
     for (const auto& [name, count] : family.counts) {
       invariants[name] = count_record(count);
+      if (const auto worst_case = family.worst.find(name); worst_case != family.worst.end()) {
+        invariants[name]["worst_case"] = worst_case->second.index;
+      }
     }
     record["families"].push_back({{"family", options.families[f]->name},
                                   {"cases", family.cases},
@@ -166,6 +174,9 @@ json answer_record(const Answer& answer) {
   }
   if (const auto* refused = std::get_if<Refused>(&answer)) {
     return {{"refused", refused->why}};
+  }
+  if (const auto* failed = std::get_if<Failed>(&answer)) {
+    return {{"failed", failed->why}, {"said", failed->said}};
   }
   return {{"skipped", std::get<Skipped>(answer).why}};
 }
@@ -242,6 +253,8 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
               {"drawn", collision_to_json(witness.original.collision)},
               {"outcome", answer_record(witness.answer)},
               {"verdict", verdict_record(witness.verdict)},
+              {"drawn_outcome", answer_record(witness.answer_as_found)},
+              {"drawn_verdict", verdict_record(witness.verdict_as_found)},
               {"replay", replay_command(witness_file, subject, options.yardstick)}};
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {
@@ -266,9 +279,12 @@ int GateRun::exit_status() const {
       continue;
     }
     judged = true;
-    const std::string status = status_of(report.results[s]);
-    violated = violated || status == "violated";
-    failed = failed || status == "error" || status == "not judged";
+    const properties::SubjectResult& result = report.results[s];
+    const std::string status = status_of(result);
+    // What was judged, and then could not be judged to the end, is at fault itself.
+    const bool is_at_fault = status == "violated" || (status == "error" && result.cases() > 0);
+    violated = violated || is_at_fault;
+    failed = failed || (status != "sound" && !is_at_fault);
   }
   if (failed || !judged) {
     return exit_usage;
@@ -287,6 +303,9 @@ json report_record(const GateRun& run) {
               {"interrupted", run.report.interrupted},
               {"families", json::array()},
               {"subjects", json::array()}};
+  if (options.relations_every > 0) {
+    record["relations_every"] = options.relations_every;
+  }
   if (options.budget) {
     record["budget_seconds"] = std::chrono::duration<double>(*options.budget).count();
   }
@@ -301,6 +320,9 @@ json report_record(const GateRun& run) {
   record["features"] = features_record(run.report.features);
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
     record["subjects"].push_back(subject_record(run.report.results[s], options, run.counts[s]));
+    if (s < run.diagnoses.size() && !run.diagnoses[s].telling.empty()) {
+      record["subjects"].back()["diagnosis"] = diagnosis_record(run.diagnoses[s]);
+    }
   }
   for (const Subject& subject : run.absent) {
     json absent = subject_facts(subject);

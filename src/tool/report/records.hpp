@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/gate.hpp>
 
 #include "report/environment.hpp"
@@ -41,8 +42,8 @@ namespace carom::tool {
                                             const properties::GateOptions& options,
                                             const std::filesystem::path& witness_file);
 
-/// "sound", "violated", "error" where it could not be judged to the end, "not judged" where no case could be posed to
-/// it.
+/// "violated"; else "error" where it could not be judged to the end, "not judged" where too little could be posed to
+/// it; else "sound".
 [[nodiscard]] std::string status_of(const properties::SubjectResult& result);
 
 /// report.json. `counts` says of each subject whether it counts towards the exit status.
@@ -51,7 +52,9 @@ struct GateRun {
   std::vector<bool> counts;
   std::vector<Subject> absent;  // asked for, or part of the default, and not installed
   Environment environment;
-  /// 2 something that counts could not be judged to the end, or nothing was; else 1 something violated, 0 all hold.
+  std::vector<properties::diagnosis::Diagnosis> diagnoses;  // of each result, as diagnose_all gives them
+  /// 2 something that counts could not be judged at all, nothing counts, or the run was interrupted; else 1 something
+  /// is violated or could not be judged to the end; 0 all hold.
   [[nodiscard]] int exit_status() const;
 };
 

@@ -50,6 +50,11 @@ dl { margin: 0.75rem 0; }
 dl div { display: flex; flex-wrap: wrap; gap: 0 1rem; padding: 0.15rem 0; }
 dt { flex: 0 0 12rem; color: var(--faint); overflow-wrap: anywhere; }
 dd { flex: 1 1 14rem; margin: 0; }
+.diagnosis { border-left: 0.4rem solid var(--bad); background: var(--raised); padding: 0.25rem 0.8rem; margin: 0.75rem 0; }
+.diagnosis h3 { margin: 0.25rem 0; }
+.diagnosis dl { margin: 0.25rem 0; }
+.diagnosis dt { flex-basis: 7rem; }
+.diagnosis dd { flex-basis: 24rem; max-width: 60rem; }
 .scroll { overflow-x: auto; margin: 0.75rem 0; position: relative; }
 table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: 0.25rem 0; }

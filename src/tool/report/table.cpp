@@ -8,6 +8,8 @@
 #include <carom/properties/trial/in_words.hpp>
 
 #include "report/extent.hpp"
+#include "report/findings_text.hpp"
+#include "report/html_report.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -15,7 +17,6 @@ namespace {
 
 using properties::GateReport;
 using properties::SubjectResult;
-using properties::Witness;
 
 std::string coverage_table(const GateReport& report) {
   std::string text = fmt::format("{:18} {:>8} {:>10} {:>8} {:>11} {:>6} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
@@ -50,32 +51,6 @@ std::string digits_text(const SubjectResult& result) {
   return fmt::format("{:.1f} / {:.1f} / {:.1f}", *p50, *result.digits_at_least(0.99), *result.digits_at_least(1));
 }
 
-/// The families in which anything was violated, how often, and how far the outcomes are off.
-std::string families_text(const SubjectResult& result, const GateReport& report) {
-  std::string text;
-  for (std::size_t f = 0; f < result.families.size(); ++f) {
-    const properties::FamilyResult& family = result.families[f];
-    if (family.violated > 0) {
-      text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", report.options.families[f]->name,
-                          (100 * family.violated + family.cases - 1) / family.cases);
-      if (determines_outcome(result.subject.model)) {
-        text += fmt::format(" ({:.2g})", family.worst_backward_error);
-      }
-    }
-  }
-  return text;
-}
-
-/// The text with every line but the first moved in.
-std::string indented(const std::string& text, const std::string& by) {
-  std::string result;
-  for (const char letter : text) {
-    result += letter;
-    result += letter == '\n' ? by : "";
-  }
-  return result;
-}
-
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) {
@@ -102,7 +77,7 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
                         name_of(result.subject.precision));
   }
   if (!result.error.empty()) {
-    line += indented("    error: " + result.error, "      ") + '\n';
+    line += properties::indented("    error: " + result.error, "      ") + '\n';
   } else if (!result.not_judged.empty()) {
     line += "    not judged: " + result.not_judged + '\n';
   }
@@ -112,36 +87,19 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   if (!result.subject.deviates.empty()) {
     line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
   }
-  const std::string names = listed(result.violated_invariants());
-  return names.empty() ? line : line + "    violated: " + names + "\n    in: " + families_text(result, report) + '\n';
+  return line;
 }
 
+/// Of subjects that are kept because they fail, the first line alone.
 std::string subject_table(const GateRun& run, bool counts) {
   std::string lines;
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
     if (run.counts[s] == counts) {
-      lines += subject_line(run.report.results[s], run.report);
+      const std::string of_subject = subject_line(run.report.results[s], run.report);
+      lines += counts ? of_subject : of_subject.substr(0, of_subject.find('\n') + 1);
     }
   }
   return lines;
-}
-
-std::string witness_text(const SubjectResult& result, const Witness& witness, const GateReport& report,
-                         const std::string& out_directory) {
-  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
-  const auto family = std::find_if(report.options.families.begin(), report.options.families.end(),
-                                   [&](const properties::Family* f) { return f->name == witness.family; });
-  const auto f = static_cast<std::size_t>(family - report.options.families.begin());
-  std::string text =
-      fmt::format("{} violates {} in {} ({} of {} cases), {} of all\n  {}\n", result.subject.name, witness.invariant,
-                  witness.family, result.families[f].counts.at(witness.invariant).violated, result.families[f].cases,
-                  result.count(witness.invariant).violated, invariant.statement);
-  text += properties::violation_in_words(witness.shrunk.collision, witness.answer, witness.verdict);
-  if (!out_directory.empty()) {
-    const auto file = witness_path(out_directory, result.subject, witness);
-    text += "  " + replay_command(file, result.subject, report.options.yardstick) + '\n';
-  }
-  return text;
 }
 
 }  // namespace
@@ -163,22 +121,17 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
   text += heading + subject_table(run, true);
   const std::string expected = subject_table(run, false);
   if (!expected.empty()) {
-    text += "\nexpected to fail, not counted\n" + expected;
+    text += "\nkept because they fail, not counted\n" + expected;
   }
   for (const Subject& subject : run.absent) {
     text += fmt::format("{:40} absent: {}\n", subject.name, subject.absent);
   }
-  for (const bool counts : {true, false}) {
-    for (std::size_t s = 0; s < report.results.size(); ++s) {
-      if (run.counts[s] != counts) {
-        continue;
-      }
-      for (const Witness& witness : report.results[s].witnesses) {
-        text += '\n' + witness_text(report.results[s], witness, report, out_directory);
-      }
+  for (std::size_t s = 0; s < report.results.size(); ++s) {
+    if (run.counts[s] && !report.results[s].witnesses.empty()) {
+      text += '\n' + findings_text(run, s, out_directory);
     }
   }
-  return text;
+  return text + '\n' + summary_of(run) + '\n';
 }
 
 }  // namespace carom::tool

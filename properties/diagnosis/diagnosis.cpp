@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/diagnosis/fault.hpp>
+#include <carom/properties/diagnosis/hypothesis.hpp>
+#include <carom/properties/diagnosis/where.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// Invariants in the order in which one that is violated explains others.
+constexpr std::array in_order_of_causes{
+    "invalid_refused",        "finite",           "memoryless",       "immovable_untouched",
+    "separating_untouched",   "linear_momentum",  "angular_momentum", "definite",
+    "frictionless_direction", "reflection_plane", "sticks",           "friction_cone",
+    "slip_opposed",           "restitution",      "non_penetration",  "push"};
+
+std::size_t rank_of(const std::string& invariant) {
+  const auto found = std::find(in_order_of_causes.begin(), in_order_of_causes.end(), invariant);
+  return static_cast<std::size_t>(found - in_order_of_causes.begin());
+}
+
+/// Of each family, the numbers of the sampled cases whose answers are wrong by themselves; where there are none, those
+/// that violate anything: what relates answers shows a fault also where the answer in question is right.
+std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& result) {
+  std::vector<std::vector<std::uint64_t>> all;
+  bool is_any = false;
+  for (const bool of_one_answer : {true, false}) {
+    if (is_any) {
+      break;
+    }
+    all.clear();
+    for (const FamilyResult& family : result.families) {
+      std::set<std::uint64_t> numbers;
+      for (const auto& [name, cases] : family.violated_cases) {
+        if (!of_one_answer || invariant_named(name)->is_of_one_answer()) {
+          numbers.insert(cases.begin(), cases.end());
+        }
+      }
+      is_any = is_any || !numbers.empty();
+      all.emplace_back(numbers.begin(), numbers.end());
+    }
+  }
+  return all;
+}
+
+std::uint64_t cases_that_violate(const SubjectResult& result, const std::string& invariant) {
+  std::uint64_t sum = 0;
+  for (const FamilyResult& family : result.families) {
+    const auto found = family.violated_cases.find(invariant);
+    sum += found == family.violated_cases.end() ? 0 : found->second.size();
+  }
+  return sum;
+}
+
+/// The first in the order of causes that is violated in most of the violated cases; else the one violated most.
+std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
+  std::vector<std::string> names = result.violated_invariants();
+  const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
+  if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
+    // State spoils everything, and only asking again shows it.
+    std::erase_if(names, [&](const std::string& name) { return is_of_relations(name) && name != "memoryless"; });
+  }
+  std::stable_sort(names.begin(), names.end(),
+                   [](const std::string& x, const std::string& y) { return rank_of(x) < rank_of(y); });
+  constexpr double most = 0.9;
+  for (const std::string& name : names) {
+    if (static_cast<double>(cases_that_violate(result, name)) >= most * static_cast<double>(violated)) {
+      return name;
+    }
+  }
+  return *std::max_element(names.begin(), names.end(), [&](const std::string& x, const std::string& y) {
+    return cases_that_violate(result, x) < cases_that_violate(result, y);
+  });
+}
+
+/// The cases that are looked at: the first of each family, in turns.
+std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
+  std::vector<ViolatedCase> examples;
+  for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
+    for (std::size_t round = 0; round < most_violated_kept; ++round) {
+      for (const FamilyResult& family : result.families) {
+        if (round < (family.*first).size()) {
+          examples.push_back((family.*first)[round]);
+        }
+      }
+    }
+    if (!examples.empty()) {
+      break;
+    }
+  }
+  constexpr std::size_t most_examples = 120;
+  examples.resize(std::min(examples.size(), most_examples), {0, {}, Skipped{}});
+  return examples;
+}
+
+std::string counted(std::size_t part, std::size_t whole) { return fmt::format("{} of {}", part, whole); }
+
+/// What explains most outcomes that are visibly off; none where that is less than half of them.
+struct Explanation {
+  const Hypothesis* hypothesis = nullptr;
+  std::size_t explained = 0;
+};
+
+Explanation best_explanation(const std::vector<KnownCase>& cases) {
+  constexpr std::size_t most_looked_at = 40;
+  constexpr std::size_t most_missed_at_first = 8;  // what explains half of them fits none of eight once in 256 times
+  const std::span<const KnownCase> looked_at(cases.data(), std::min(cases.size(), most_looked_at));
+  Explanation best;
+  for (const Hypothesis& hypothesis : all_hypotheses()) {
+    std::size_t explained = 0;
+    std::size_t missed = 0;
+    for (const KnownCase& one : looked_at) {
+      const bool fits = explains(hypothesis, one);
+      explained += fits ? 1 : 0;
+      missed += fits ? 0 : 1;
+      const bool is_hopeless = explained == 0 && missed == most_missed_at_first;
+      if (is_hopeless || looked_at.size() - missed <= std::max(best.explained, (looked_at.size() - 1) / 2)) {
+        break;
+      }
+    }
+    if (explained > best.explained && 2 * explained > looked_at.size()) {
+      best = {&hypothesis, explained};
+    }
+  }
+  return best;
+}
+
+/// What the answers are that are no outcomes of finite numbers, or to no valid collisions.
+std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
+  std::size_t failed = 0;
+  std::size_t refused = 0;
+  std::size_t not_finite = 0;
+  std::string how;
+  std::string why;
+  for (const ViolatedCase& one : examples) {
+    if (const auto* failure = std::get_if<Failed>(&one.answer)) {
+      ++failed;
+      how = how.empty() ? failure->why : how;
+    } else if (const auto* refusal = std::get_if<Refused>(&one.answer)) {
+      ++refused;
+      why = why.empty() ? refusal->why : why;
+    } else if (const auto* outcome = std::get_if<ReportedOutcome>(&one.answer)) {
+      not_finite += oracles::is_finite(*outcome) || !validate(one.one.collision).empty() ? 0 : 1;
+    }
+  }
+  std::vector<Fault> faults;
+  if (failed > 0) {
+    faults.push_back({fmt::format("It fails to answer: in {} violated cases looked at it {}.",
+                                  counted(failed, examples.size()), how),
+                      "what it wrote on standard error, below the witness"});
+  }
+  if (not_finite > 0) {
+    faults.push_back({fmt::format("It answers with numbers that are not finite in {} violated cases looked at.",
+                                  counted(not_finite, examples.size())),
+                      "divisions by what may be zero, square roots of what may be negative, overflow of squares"});
+  }
+  if (refused > 0) {
+    faults.push_back({fmt::format("It refuses valid collisions in {} violated cases looked at: {}",
+                                  counted(refused, examples.size()), why),
+                      "what it takes for a valid collision"});
+  }
+  return faults;
+}
+
+Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples) {
+  std::vector<Fault> faults = without_outcome(examples);
+  const auto violates = [&](const char* invariant) { return result.count(invariant).violated > 0; };
+  if (violates("invalid_refused")) {
+    faults.push_back(
+        {"It answers invalid collisions in place of refusing them.", "what it takes for a valid collision"});
+  }
+  std::vector<ViolatedCase> outcomes;
+  std::vector<KnownCase> off;
+  const double roundoff = unit_roundoff(result.subject.precision);
+  for (const ViolatedCase& one : examples) {
+    const auto* outcome = std::get_if<ReportedOutcome>(&one.answer);
+    if (outcome == nullptr || !oracles::is_finite(*outcome) || !JudgedCase(one.one).is_valid()) {
+      continue;
+    }
+    outcomes.push_back(one);
+    if (const std::optional<KnownCase> known = known_case(one, result.subject.model)) {
+      if (is_visibly_off(*known, roundoff)) {
+        off.push_back(*known);
+      }
+    }
+  }
+  const Explanation best = best_explanation(off);
+  if (best.hypothesis != nullptr) {
+    faults.push_back({fmt::format("It answers as if {} (in {} wrong outcomes looked at).", best.hypothesis->as_if,
+                                  counted(best.explained, std::min<std::size_t>(off.size(), 40))),
+                      best.hypothesis->look_at});
+  } else if (violates("memoryless")) {
+    faults.push_back(
+        {"Asked again, it answers otherwise: it remembers something of the collisions before, or depends on how a "
+         "request is spelt.",
+         "caches, warm starts, what is not reset; the reader of numbers and of fields that are left out"});
+  } else if (5 * outcomes.size() > examples.size()) {
+    faults.push_back(fault_of(outcomes, result.subject.model));
+  }
+  if (faults.empty() && !outcomes.empty()) {
+    faults.push_back(fault_of(outcomes, result.subject.model));
+  }
+  Fault joined;
+  for (const Fault& fault : faults) {
+    joined.what += (joined.what.empty() ? "" : " ") + fault.what;
+    joined.look_at += (joined.look_at.empty() ? "" : "; ") + fault.look_at;
+  }
+  return joined;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
+  Diagnosis diagnosis;
+  const std::vector<std::vector<std::uint64_t>> violated = violated_cases(result);
+  for (const auto& of_family : violated) {
+    diagnosis.violated += of_family.size();
+  }
+  diagnosis.telling = telling_invariant(result, diagnosis.violated);
+  diagnosis.telling_in = cases_that_violate(result, diagnosis.telling);
+  const Fault fault = what_is_wrong(result, examples_of(result));
+  diagnosis.what = fault.what;
+  diagnosis.look_at = fault.look_at;
+  diagnosis.where = in_words(where_violated(report, violated));
+  return diagnosis;
+}
+
+std::vector<Diagnosis> diagnose_all(const GateReport& report) {
+  std::vector<Diagnosis> diagnoses(report.results.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t s = next++; s < diagnoses.size(); s = next++) {
+      if (!report.results[s].violated_invariants().empty()) {
+        diagnoses[s] = diagnose(report.results[s], report);
+      }
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::max(1U, report.options.jobs); ++i) {
+    threads.emplace_back(work);
+  }
+  work();
+  threads.clear();
+  return diagnoses;
+}
+
+}  // namespace carom::properties::diagnosis

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/properties/diagnosis/fault.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+enum class Step {
+  immovable_moved,
+  moved_apart,
+  left_as_it_was,
+  reaction,
+  spin_of_both,
+  spin_of_a,
+  spin_of_b,
+  impulse,
+  none,  // more than a thousandth off
+};
+constexpr std::array all_steps{Step::immovable_moved, Step::moved_apart,  Step::left_as_it_was,
+                               Step::reaction,        Step::spin_of_both, Step::spin_of_a,
+                               Step::spin_of_b,       Step::impulse,      Step::none};
+
+using oracles::Rational;
+using Exact = BasicCollision<Rational>;
+
+constexpr double visible = 0x1p-10;
+
+double norm(const Vector3<Rational>& v) {
+  return std::hypot(oracles::nearest_double(v[0]), oracles::nearest_double(v[1]), oracles::nearest_double(v[2]));
+}
+
+/// Whether they differ by a thousandth of `size` or of either.
+bool differ(const Vector3<Rational>& x, const Vector3<Rational>& y, double size = 0) {
+  return norm(Vector3<Rational>(x - y)) > visible * std::max({norm(x), norm(y), size});
+}
+
+bool moved(const BasicBody<Rational>& body, const BodyVelocity<Rational>& after) {
+  return after.velocity != body.velocity || after.angular_velocity != body.angular_velocity;
+}
+
+bool moved_visibly(const BasicBody<Rational>& body, const BodyVelocity<Rational>& after) {
+  return differ(after.velocity, body.velocity) || differ(after.angular_velocity, body.angular_velocity);
+}
+
+bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
+  const BasicBody<Rational>& body = of_a ? c.a : c.b;
+  if (body.immovable) {
+    return false;
+  }
+  const auto sides = oracles::equation::AngularMomentum{of_a}(c, after);
+  const BodyVelocity<Rational>& motion = of_a ? after.a : after.b;
+  const double size = norm(oracles::lever_arm(body, c.point)) * norm(oracles::impulse_on(body, motion));
+  return differ(sides.left, sides.right, size);
+}
+
+struct Impulses {
+  Vector3<Rational> computed;
+  Vector3<Rational> right;
+};
+
+/// How much of the impulse is right: along the normal, as a share of the right one; across it, what is missed, as a
+/// share of the whole.
+struct Shares {
+  double along = 0;
+  double across = 0;
+  double restitution = 0;           // of the collision
+  double computed_restitution = 0;  // −N·V⁺/N·V⁻
+  double length = 0;                // ‖F‖ as computed
+};
+
+struct Told {
+  Step step = Step::none;
+  std::optional<Shares> shares;  // of an impulse that is wrong
+};
+
+Told told_of(const ViolatedCase& violated, Model model) {
+  const oracles::ExactCase exact_case(violated.one.collision);
+  const Exact& c = exact_case.exact();
+  const Outcome<Rational> after = oracles::lift(std::get<ReportedOutcome>(violated.answer));
+  if ((c.a.immovable && moved(c.a, after.a)) || (c.b.immovable && moved(c.b, after.b))) {
+    return {Step::immovable_moved, {}};
+  }
+  if (exact_case.approach() != oracles::Approach::colliding) {
+    return {moved_visibly(c.a, after.a) || moved_visibly(c.b, after.b) ? Step::moved_apart : Step::none, {}};
+  }
+  if (!moved(c.a, after.a) && !moved(c.b, after.b)) {
+    return {Step::left_as_it_was, {}};
+  }
+  if (!c.a.immovable && !c.b.immovable) {
+    const auto sides = oracles::equation::LinearMomentum{}(c, after);
+    if (differ(sides.left, sides.right)) {
+      return {Step::reaction, {}};
+    }
+  }
+  const bool a = is_spin_wrong(c, after, true);
+  const bool b = is_spin_wrong(c, after, false);
+  if (a || b) {
+    return {a && b ? Step::spin_of_both : (a ? Step::spin_of_a : Step::spin_of_b), {}};
+  }
+  if (!determines_outcome(model)) {
+    return {Step::none, {}};
+  }
+  const std::optional<KnownCase> known = known_case(violated, model);
+  const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
+  const Vector3<Rational> right = known->impulse.cast<Rational>();
+  if (!differ(computed, right)) {
+    return {Step::none, {}};
+  }
+  const Vector3<Rational> missed = computed - right;
+  const double right_along = oracles::nearest_double(c.normal.dot(right));
+  const double length = norm(c.normal);
+  return {Step::impulse, Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
+                                norm(c.normal.cross(missed)) / length / std::max(norm(right), norm(computed)),
+                                violated.one.collision.restitution,
+                                -oracles::nearest_double(c.normal.dot(oracles::relative_velocity<Rational>(c, after)) /
+                                                         oracles::normal_velocity_before(c)),
+                                norm(computed)}};
+}
+
+bool are_alike(const std::vector<double>& numbers) {
+  const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+  return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
+}
+
+/// Where all leave as if ε were something simple: what.
+std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
+  if (is_normal_right) {
+    return {};
+  }
+  std::vector<double> added;
+  std::vector<double> computed;
+  for (const Shares& shares : all) {
+    added.push_back(shares.computed_restitution - shares.restitution);
+    computed.push_back(shares.computed_restitution);
+  }
+  if (are_alike(computed)) {
+    return fmt::format("so that bodies part as if ε were {:.4g} whatever it is, ", computed[0]);
+  }
+  if (are_alike(added)) {
+    return fmt::format("so that bodies part as if {:.4g} were added to ε, ", added[0]);
+  }
+  return {};
+}
+
+/// Where many impulses are of one size: which.
+std::string limit_in_words(const std::vector<Shares>& all) {
+  constexpr std::size_t least = 5;
+  for (const Shares& one : all) {
+    const auto same = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Shares& other) {
+      return std::abs(other.length - one.length) <= visible * visible * one.length;
+    }));
+    if (same >= std::max(least, all.size() / 4)) {
+      return fmt::format("{} of {} impulses are {:.4g} N s, as if that were a limit, ", same, all.size(), one.length);
+    }
+  }
+  return {};
+}
+
+std::string impulse_in_words(const std::vector<Shares>& all) {
+  std::vector<double> along;
+  std::size_t across = 0;
+  for (const Shares& shares : all) {
+    along.push_back(shares.along);
+    across += shares.across > visible ? 1 : 0;
+  }
+  std::sort(along.begin(), along.end());
+  const double middle = along[along.size() / 2];
+  const bool is_normal_right = std::abs(along.front() - 1) < visible && std::abs(along.back() - 1) < visible;
+  const bool is_constant = along.back() - along.front() < visible * std::abs(middle);
+  std::string text = "The impulse acts on both bodies as impulses do, but it is not the law's: ";
+  if (is_normal_right) {
+    text += "along the normal it is right, ";
+  } else if (is_constant) {
+    text += fmt::format("along the normal it is {:.4g} times the right one, ", middle);
+  } else {
+    text += fmt::format("along the normal it is between {:.3g} and {:.3g} times the right one, ", along.front(),
+                        along.back());
+  }
+  text += restitution_in_words(all, is_normal_right) + limit_in_words(all);
+  return text + (across == 0 ? "across it it is right."
+                             : fmt::format("across it it is wrong in {} of {}.", across, all.size()));
+}
+
+}  // namespace
+
+Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
+  std::array<std::size_t, all_steps.size()> counts{};
+  std::vector<Shares> shares;
+  for (const ViolatedCase& violated : cases) {
+    const Told told = told_of(violated, model);
+    ++counts[static_cast<std::size_t>(told.step)];
+    if (told.shares) {
+      shares.push_back(*told.shares);
+    }
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  const std::string share = fmt::format(" ({} of {} outcomes looked at)", *most, cases.size());
+  switch (static_cast<Step>(most - counts.begin())) {
+    case Step::immovable_moved:
+      return {"An immovable body's velocity or spin changes" + share + '.', "what is done to bodies of infinite mass"};
+    case Step::moved_apart:
+      return {"Contacts that do not approach are changed" + share + '.', "the condition N·V⁻ < 0"};
+    case Step::left_as_it_was:
+      return {"Contacts that approach are left as they were" + share + '.',
+              "the condition on which a contact is solved at all: thresholds, sleeping bodies, filters"};
+    case Step::reaction:
+      return {"What A receives is not what B loses: the linear momentum of both is not kept" + share + '.',
+              "how the impulse is applied to each body: masses, signs, what is added besides"};
+    case Step::spin_of_both:
+      return {"Both bodies get the same impulse, but neither spin follows from it: J Δw is not r × F" + share + '.',
+              "lever arms, the frame of the inertia tensor, what else is added to spins"};
+    case Step::spin_of_a:
+      return {
+          "The velocities follow from an impulse, B's spin does too, and A's does not: J Δw is not r × F" + share + '.',
+          "A's lever arm, the frame of its inertia tensor, what else is added to its spin"};
+    case Step::spin_of_b:
+      return {
+          "The velocities follow from an impulse, A's spin does too, and B's does not: J Δw is not r × F" + share + '.',
+          "B's lever arm, the frame of its inertia tensor, what else is added to its spin"};
+    case Step::impulse:
+      return {impulse_in_words(shares) + share,
+              "how the impulse is worked out: the relative velocity, K, the law, limits on either"};
+    case Step::none:
+      break;
+  }
+  return {
+      "The outcomes are off by less than a thousandth of what changes: lost digits rather than a wrong formula" +
+          share + '.',
+      "the precision that is claimed (`precision`), single precision in between, cancellation, iterations ended early"};
+}
+
+}  // namespace carom::properties::diagnosis

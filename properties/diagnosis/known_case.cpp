@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/diagnosis/known_case.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+// Wide enough for squares of whatever binary64 holds.
+using Wide = long double;
+
+BasicCollision<Wide> widened(const Collision& collision) {
+  return map_numbers<Wide>(collision, [](double x) { return static_cast<Wide>(x); });
+}
+
+Outcome<Wide> widened(const Outcome<double>& outcome) {
+  return map_outcome<Wide>(outcome, [](double x) { return static_cast<Wide>(x); });
+}
+
+Outcome<double> narrowed(const Outcome<Wide>& outcome) {
+  return map_outcome<double>(outcome, [](Wide x) { return static_cast<double>(x); });
+}
+
+Wide twice_energy(const BasicBody<Wide>& body, const BodyVelocity<Wide>& motion) {
+  return body.immovable ? 0
+                        : body.mass * motion.velocity.squaredNorm() +
+                              motion.angular_velocity.dot(oracles::apply_inertia(body, motion.angular_velocity));
+}
+
+BodyVelocity<Wide> difference(const BodyVelocity<Wide>& x, const BodyVelocity<Wide>& y) {
+  return {x.velocity - y.velocity, x.angular_velocity - y.angular_velocity};
+}
+
+BodyVelocity<Wide> pushed_body(const BasicBody<Wide>& body, const Vector3<Wide>& point, const Vector3<Wide>& impulse) {
+  if (body.immovable) {
+    return {body.velocity, body.angular_velocity};
+  }
+  const Vector3<Wide> torque = oracles::lever_arm(body, point).cross(impulse);
+  const Vector3<Wide> in_body = oracles::turned<Wide>(oracles::conjugate(body.orientation), torque);
+  return {
+      body.velocity + impulse / body.mass,
+      body.angular_velocity + oracles::turned<Wide>(body.orientation, in_body.cwiseQuotient(body.principal_inertia))};
+}
+
+/// Numbers of any kind to double.
+template <class T, class Nearest>
+LawAnswer rounded(const oracles::Truth<T>& truth, const Nearest& nearest) {
+  LawAnswer answer{map_outcome<double>(truth.outcome, nearest), {}};
+  for (int i = 0; i < 3; ++i) {
+    answer.impulse[i] = nearest(truth.impulse[i]);
+  }
+  return answer;
+}
+
+bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
+  const auto of_bodies = vectors(truth.outcome);
+  return std::all_of(all_outcome_vectors.begin(), all_outcome_vectors.end(), [&](OutcomeVector k) {
+    return std::all_of(of_bodies[k]->begin(), of_bodies[k]->end(),
+                       [](const oracles::Enclosure& x) { return std::isfinite(x.radius()); });
+  });
+}
+
+}  // namespace
+
+LawAnswer law_answer(const Collision& collision, Model model, std::optional<oracles::Approach> approach) {
+  const oracles::ExactCase exact_case(collision);
+  const oracles::Approach as = approach.value_or(exact_case.approach());
+  // Exact arithmetic takes ten times as long, and a hint does not need it.
+  if (const auto& enclosed = exact_case.enclosed_truth(model, as); is_known(enclosed)) {
+    return rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); });
+  }
+  return exact_case.with_truth(model, as, [](const auto& truth) {
+    return rounded(truth, [](const auto& x) { return oracles::nearest_double(x); });
+  });
+}
+
+std::optional<KnownCase> known_case(const ViolatedCase& violated, Model model) {
+  const Collision& collision = violated.one.collision;
+  const auto* outcome = std::get_if<ReportedOutcome>(&violated.answer);
+  if (outcome == nullptr || !oracles::is_finite(*outcome) || !determines_outcome(model) ||
+      !validate(collision).empty()) {
+    return std::nullopt;
+  }
+  const LawAnswer law = law_answer(collision, model);
+  return KnownCase{
+      collision,   model,      oracles::ExactCase(collision).approach(), unchanged(collision), narrowed(*outcome),
+      law.outcome, law.impulse};
+}
+
+double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
+  const BasicCollision<Wide> c = widened(collision);
+  const Outcome<Wide> one = widened(x);
+  const Outcome<Wide> other = widened(y);
+  return static_cast<double>(
+      std::sqrt(twice_energy(c.a, difference(one.a, other.a)) + twice_energy(c.b, difference(one.b, other.b))));
+}
+
+bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
+  // A million times what rounding alone may do to velocities of this size.
+  constexpr double far_above_rounding = 0x1p20;
+  const Outcome<double> still;
+  const double size =
+      energy_distance(one.collision, one.before, still) + energy_distance(one.collision, one.truth, still);
+  return energy_distance(one.collision, one.truth, one.answered) > far_above_rounding * unit_roundoff * size;
+}
+
+Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse) {
+  const BasicCollision<Wide> c = widened(collision);
+  const Vector3<Wide> f = impulse.cast<Wide>();
+  return narrowed({pushed_body(c.a, c.point, f), pushed_body(c.b, c.point, -f)});
+}
+
+}  // namespace carom::properties::diagnosis

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/diagnosis/groups.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// A way to misread a body. Where it is part of two steps, what the impulse is and what it does, either may be right.
+struct Misreading {
+  const char* as_if;  // with {} for the body, or for both
+  const char* look_at;
+  bool of_mechanics;  // of mass, moments, orientation or lever arm: part of both steps
+  /// Of the body as it is, with the other one at hand.
+  void (*change)(Body& body, const Body& other, const Collision& collision);
+};
+
+constexpr double practically_infinite = 0x1p100;
+
+Vector3<double> turned_by(const Quaternion<double>& q, const Vector3<double>& v) {
+  return oracles::turned<double>(q, v);
+}
+
+const char* const arms = "the lever arm r = P − X";
+const char* const frames = "the frame of the inertia tensor: J⁻¹ = R diag(1/I) Rᵀ, R from body to world";
+const char* const moments = "where the moments of inertia are read, and their order";
+const char* const spin_terms = "the term w × r in the velocity of the contact point";
+
+const std::array misreadings{
+    Misreading{"the lever arm of {} began at the world's origin", arms, true,
+               [](Body& b, const Body&, const Collision&) { b.position.setZero(); }},
+    Misreading{"the lever arm of {} were that of the other body", arms, true,
+               [](Body& b, const Body& other, const Collision&) { b.position = other.position; }},
+    Misreading{"the lever arm of {} were zero: the contact at the centre of mass", arms, true,
+               [](Body& b, const Body&, const Collision& c) { b.position = c.point; }},
+    Misreading{"the lever arm of {} had the other sign", arms, true,
+               [](Body& b, const Body&, const Collision& c) { b.position = 2 * c.point - b.position; }},
+    Misreading{"the lever arm of {} were turned into the body's frame", frames, true,
+               [](Body& b, const Body&, const Collision& c) {
+                 b.position = c.point - turned_by(oracles::conjugate(b.orientation), c.point - b.position);
+               }},
+    Misreading{"{} were not turned: its orientation the identity", frames, true,
+               [](Body& b, const Body&, const Collision&) {
+                 b.orientation = {1, 0, 0, 0};
+               }},
+    Misreading{"{} were turned the other way: Rᵀ in place of R", frames, true,
+               [](Body& b, const Body&, const Collision&) { b.orientation = oracles::conjugate(b.orientation); }},
+    Misreading{"the quaternion of {} were read as x, y, z, w", "the order of the quaternion's components: w first",
+               true,
+               [](Body& b, const Body&, const Collision&) {
+                 const Quaternion<double> q = b.orientation;
+                 b.orientation = {q[3], q[0], q[1], q[2]};
+               }},
+    Misreading{"{} could not turn", "1/I: taken for zero, or the rotational part of K left out", true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= practically_infinite; }},
+    Misreading{
+        "the moments of {} were all the mean of the three", moments, true,
+        [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia.mean()); }},
+    Misreading{"the moments of {} were all the first", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia[0]); }},
+    Misreading{"the moments of {} were all 1", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia.setOnes(); }},
+    Misreading{"the moments of {} were sorted", moments, true,
+               [](Body& b, const Body&, const Collision&) {
+                 std::sort(b.principal_inertia.begin(), b.principal_inertia.end());
+               }},
+    Misreading{
+        "the first two moments of {} were exchanged", moments, true,
+        [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[0], b.principal_inertia[1]); }},
+    Misreading{
+        "the last two moments of {} were exchanged", moments, true,
+        [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[1], b.principal_inertia[2]); }},
+    Misreading{
+        "the first and the last moment of {} were exchanged", moments, true,
+        [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[0], b.principal_inertia[2]); }},
+    Misreading{"the moments of {} were twice what they are", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 2; }},
+    Misreading{"the moments of {} were half of what they are", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 2; }},
+    Misreading{"the moments of {} were ten thousand times what they are: kg cm² for kg m²", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 1e4; }},
+    Misreading{"the moments of {} were a ten-thousandth of what they are: kg m² for kg cm²", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 1e4; }},
+    Misreading{"{} turned as the other body does: its lever arm, moments and orientation",
+               "which body's terms are read", true,
+               [](Body& b, const Body& other, const Collision&) {
+                 b.position = other.position;
+                 b.principal_inertia = other.immovable ? Vector3<double>(practically_infinite * b.principal_inertia)
+                                                       : other.principal_inertia;
+                 b.orientation = other.immovable ? b.orientation : other.orientation;
+               }},
+    Misreading{"the moments of {} were divided by their mass", moments, true,
+               [](Body& b, const Body&, const Collision&) { b.principal_inertia /= b.mass; }},
+    Misreading{"the moments of {} were those of the other body", moments, true,
+               [](Body& b, const Body& other, const Collision&) { b.principal_inertia = other.principal_inertia; }},
+    Misreading{
+        "the moments of {} were their inverses", "I where 1/I belongs", true,
+        [](Body& b, const Body&, const Collision&) { b.principal_inertia = b.principal_inertia.cwiseInverse(); }},
+    Misreading{"the mass of {} were that of the other body", "which body's mass is read", true,
+               [](Body& b, const Body& other, const Collision&) {
+                 b.mass = other.immovable ? practically_infinite * b.mass : other.mass;
+               }},
+    Misreading{"the mass of {} were 1", "the mass: left out", true,
+               [](Body& b, const Body&, const Collision&) { b.mass = 1; }},
+    Misreading{"the mass of {} were its inverse", "m where 1/m belongs", true,
+               [](Body& b, const Body&, const Collision&) { b.mass = 1 / b.mass; }},
+    Misreading{"the mass of {} were twice what it is", "the mass", true,
+               [](Body& b, const Body&, const Collision&) { b.mass *= 2; }},
+    Misreading{"{} were immovable", "what is taken for immovable: mass thresholds, sleeping bodies, flags", true,
+               [](Body& b, const Body&, const Collision&) {
+                 b.mass *= practically_infinite;
+                 b.principal_inertia *= practically_infinite;
+               }},
+    Misreading{"{} had no velocity before", "the relative velocity: v of that body left out", false,
+               [](Body& b, const Body&, const Collision&) { b.velocity.setZero(); }},
+    Misreading{"{} had no spin before", spin_terms, false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity.setZero(); }},
+    Misreading{"{} had neither velocity nor spin before", "the relative velocity: that body left out", false,
+               [](Body& b, const Body&, const Collision&) {
+                 b.velocity.setZero();
+                 b.angular_velocity.setZero();
+               }},
+    Misreading{"{}, where immovable, had no velocity", "a driven wall: its velocity left out of V⁻", false,
+               [](Body& b, const Body&, const Collision&) {
+                 if (b.immovable) {
+                   b.velocity.setZero();
+                 }
+               }},
+    Misreading{"{}, where immovable, had no spin", "a driven wall: its spin left out of V⁻", false,
+               [](Body& b, const Body&, const Collision&) {
+                 if (b.immovable) {
+                   b.angular_velocity.setZero();
+                 }
+               }},
+    Misreading{"{}, where immovable, had neither velocity nor spin", "a driven wall: its motion left out of V⁻", false,
+               [](Body& b, const Body&, const Collision&) {
+                 if (b.immovable) {
+                   b.velocity.setZero();
+                   b.angular_velocity.setZero();
+                 }
+               }},
+    Misreading{"the spin of {} had the other sign in V⁻", "the order of w × r", false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity = -b.angular_velocity; }},
+    Misreading{"the velocity of {} had the other sign in V⁻", "V = V_A − V_B", false,
+               [](Body& b, const Body&, const Collision&) { b.velocity = -b.velocity; }},
+    Misreading{"the spin of {} were in the body's frame", "the frame of the angular velocity: world coordinates", false,
+               [](Body& b, const Body&, const Collision&) {
+                 b.angular_velocity = turned_by(b.orientation, b.angular_velocity);
+               }},
+    Misreading{"the spin of {} were turned into the body's frame",
+               "the frame of the angular velocity: world coordinates", false,
+               [](Body& b, const Body&, const Collision&) {
+                 b.angular_velocity = turned_by(oracles::conjugate(b.orientation), b.angular_velocity);
+               }},
+    Misreading{"the spin of {} were half of what it is in V⁻", spin_terms, false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity /= 2; }},
+};
+
+struct Who {
+  const char* name;
+  bool a;
+  bool b;
+};
+constexpr std::array whom{Who{"both bodies", true, true}, Who{"A", true, false}, Who{"B", false, true}};
+
+Collision misread(const Collision& collision, const Misreading& misreading, const Who& who) {
+  Collision changed = collision;
+  const auto change = [&](bool is_meant, Body& body, const Body& other) {
+    if (is_meant && !(body.immovable && misreading.of_mechanics)) {
+      misreading.change(body, other, collision);
+    }
+  };
+  change(who.a, changed.a, collision.b);
+  change(who.b, changed.b, collision.a);
+  return changed;
+}
+
+/// The law's impulse, put to bodies that are misread; none where the changed collision is invalid.
+std::optional<Outcome<double>> misapplied(const Collision& changed, const KnownCase& one) {
+  if (!validate(changed).empty()) {
+    return std::nullopt;
+  }
+  return pushed(changed, one.impulse);
+}
+
+std::string filled(const std::string& text, const char* name) {
+  std::string result = text;
+  result.replace(result.find("{}"), 2, name);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Outcome<double>> impulse_of(const Collision& changed, const KnownCase& one) {
+  if (!validate(changed).empty()) {
+    return std::nullopt;
+  }
+  return pushed(one.collision, law_answer(changed, one.model).impulse);
+}
+
+std::vector<Hypothesis> misread_bodies() {
+  struct Step {
+    const char* where;
+    bool of_mechanics_alone;
+    std::optional<Outcome<double>> (*answer)(const Collision& changed, const KnownCase& one);
+  };
+  // Part of both steps, of what the impulse is alone, and of what it does alone.
+  constexpr std::array steps{
+      Step{"", false, answer_to},
+      Step{", where the impulse is worked out; what it does to the bodies is right", true, impulse_of},
+      Step{", where the impulse is applied; the impulse itself is right", true, misapplied}};
+  std::vector<Hypothesis> all;
+  for (const Misreading& misreading : misreadings) {
+    for (const Step& step : steps) {
+      for (const Who& who : whom) {
+        if (misreading.of_mechanics || !step.of_mechanics_alone) {
+          all.push_back({filled(misreading.as_if, who.name) + step.where, misreading.look_at,
+                         [&misreading, who, answer = step.answer](const KnownCase& one) {
+                           return answer(misread(one.collision, misreading, who), one);
+                         }});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace carom::properties::diagnosis

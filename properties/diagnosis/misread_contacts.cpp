@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/groups.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+using Change = void (*)(Collision&);
+
+Hypothesis of_changed(std::string as_if, std::string look_at, Change change) {
+  return {std::move(as_if), std::move(look_at), [change](const KnownCase& one) {
+            Collision changed = one.collision;
+            change(changed);
+            return answer_to(changed, one);
+          }};
+}
+
+void point_from(Vector3<double>& place, const Vector3<double>& point, double factor) {
+  place = point - factor * (point - place);
+}
+
+/// The component of the normal that is largest alone.
+Vector3<double> nearest_axis(const Vector3<double>& normal) {
+  int largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  Vector3<double> axis = Vector3<double>::Zero();
+  axis[largest] = normal[largest];
+  return axis;
+}
+
+}  // namespace
+
+std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCase& one) {
+  if (!validate(changed).empty()) {
+    return std::nullopt;
+  }
+  const Outcome<double> before = unchanged(changed);
+  const Outcome<double> after = law_answer(changed, one.model).outcome;
+  Outcome<double> answer = one.before;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    *vectors(answer)[k] += *vectors(after)[k] - *vectors(before)[k];
+  }
+  return answer;
+}
+
+std::vector<Hypothesis> misread_contacts() {
+  const std::string coefficient =
+      "where the coefficient of restitution comes from: thresholds, defaults, how two are combined";
+  const std::string friction = "where the coefficient of friction comes from, and where it is used";
+  const std::string normal = "what becomes of the normal before it is used: rounding to an axis, a plane, its sign";
+  const auto decided_wrongly = [](const KnownCase& one) -> std::optional<Outcome<double>> {
+    if (one.approach == oracles::Approach::inert) {
+      return std::nullopt;
+    }
+    return one.approach == oracles::Approach::colliding
+               ? one.before
+               : law_answer(one.collision, one.model, oracles::Approach::colliding).outcome;
+  };
+  std::vector<Hypothesis> all{
+      {"whether a contact approaches were decided the wrong way: what parts is solved, and what approaches is left",
+       "the condition N·V⁻ < 0: its sign, or that it is missing, or that V is not that of the contact point",
+       decided_wrongly},
+      of_changed("ε were 0", coefficient, [](Collision& c) { c.restitution = 0; }),
+      of_changed("ε were 1", coefficient, [](Collision& c) { c.restitution = 1; }),
+      of_changed("ε were squared", coefficient, [](Collision& c) { c.restitution *= c.restitution; }),
+      of_changed("the square root of ε were taken", coefficient,
+                 [](Collision& c) { c.restitution = std::sqrt(c.restitution); }),
+      of_changed("ε were 1 − ε", coefficient, [](Collision& c) { c.restitution = 1 - c.restitution; }),
+      of_changed("ε were half of what it is", coefficient, [](Collision& c) { c.restitution /= 2; }),
+      of_changed("ε were the mean of itself and 1", coefficient,
+                 [](Collision& c) { c.restitution = (1 + c.restitution) / 2; }),
+      of_changed("ε were a half", coefficient, [](Collision& c) { c.restitution = 0.5; }),
+      of_changed("μ were 0", friction, [](Collision& c) { c.friction = 0; }),
+      of_changed("μ were squared", friction, [](Collision& c) { c.friction *= c.friction; }),
+      of_changed("μ were twice what it is", friction, [](Collision& c) { c.friction *= 2; }),
+      of_changed("μ were half of what it is", friction, [](Collision& c) { c.friction /= 2; }),
+      of_changed("μ were √2 times what it is", friction, [](Collision& c) { c.friction *= std::sqrt(2.0); }),
+      of_changed("μ were multiplied by 1 + ε", friction, [](Collision& c) { c.friction *= 1 + c.restitution; }),
+      of_changed("μ were divided by 1 + ε", friction, [](Collision& c) { c.friction /= 1 + c.restitution; }),
+      of_changed("friction had no limit", friction, [](Collision& c) { c.friction = 1e30; }),
+      of_changed("the tangential restitution were 0", friction, [](Collision& c) { c.tangential_restitution = 0; }),
+      of_changed("the tangential restitution had the other sign", friction,
+                 [](Collision& c) { c.tangential_restitution = -c.tangential_restitution; }),
+      of_changed("the tangential restitution were ε", friction,
+                 [](Collision& c) { c.tangential_restitution = c.restitution; }),
+      of_changed("the normal pointed the other way", "the side that the normal points to: from B to A",
+                 [](Collision& c) { c.normal = -c.normal; }),
+      of_changed("the normal were the coordinate axis that is nearest to it", normal,
+                 [](Collision& c) { c.normal = nearest_axis(c.normal); }),
+      of_changed("the normal had no z component", normal, [](Collision& c) { c.normal[2] = 0; }),
+      of_changed("the normal had no y component", normal, [](Collision& c) { c.normal[1] = 0; }),
+      of_changed("the normal had no x component", normal, [](Collision& c) { c.normal[0] = 0; }),
+      of_changed("the normal were the line from B's centre to A's", normal,
+                 [](Collision& c) { c.normal = c.a.position - c.b.position; }),
+      of_changed("the normal were that from B's centre to the contact", normal,
+                 [](Collision& c) { c.normal = c.point - c.b.position; }),
+      of_changed("the contact were half way between the centres", "where the contact point comes from",
+                 [](Collision& c) { c.point = (c.a.position + c.b.position) / 2; }),
+      of_changed("both lever arms were twice as long", "the lever arms",
+                 [](Collision& c) {
+                   point_from(c.a.position, c.point, 2);
+                   point_from(c.b.position, c.point, 2);
+                 }),
+      of_changed("both lever arms were half as long", "the lever arms",
+                 [](Collision& c) {
+                   point_from(c.a.position, c.point, 0.5);
+                   point_from(c.b.position, c.point, 0.5);
+                 }),
+      of_changed("both masses were exchanged", "which body's mass is read",
+                 [](Collision& c) { std::swap(c.a.mass, c.b.mass); }),
+      of_changed("the bodies' moments of inertia were exchanged", "which body's inertia is read",
+                 [](Collision& c) { std::swap(c.a.principal_inertia, c.b.principal_inertia); }),
+      of_changed("the bodies' orientations were exchanged", "which body's orientation is read",
+                 [](Collision& c) { std::swap(c.a.orientation, c.b.orientation); }),
+  };
+  return all;
+}
+
+}  // namespace carom::properties::diagnosis

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/diagnosis/groups.hpp>
+
+namespace carom::properties::diagnosis {
+
+std::vector<Hypothesis> other_laws() {
+  std::vector<Hypothesis> all;
+  for (const Model model : models_with_truth) {
+    all.push_back({"it claimed the law " + std::string(name_of(model)),
+                   "which law is meant: that answer is right for another `model` than the subject says",
+                   [model](const KnownCase& one) -> std::optional<Outcome<double>> {
+                     if (model == one.model) {
+                       return std::nullopt;
+                     }
+                     return law_answer(one.collision, model).outcome;
+                   }});
+  }
+  return all;
+}
+
+}  // namespace carom::properties::diagnosis

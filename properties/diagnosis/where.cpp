@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <carom/properties/diagnosis/where.hpp>
+#include <carom/properties/features/quantities.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// A set of cases, by their numbers in the sample.
+class CaseSet {
+ public:
+  explicit CaseSet(std::size_t size = 0) : words_((size + 63) / 64) {}
+
+  [[nodiscard]] bool has(std::size_t one) const { return (words_[one / 64] >> (one % 64) & 1) != 0; }
+
+  void add(std::size_t one) { words_[one / 64] |= std::uint64_t{1} << (one % 64); }
+
+  [[nodiscard]] std::uint64_t size() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t word : words_) {
+      sum += static_cast<std::uint64_t>(std::popcount(word));
+    }
+    return sum;
+  }
+
+  friend CaseSet operator&(CaseSet x, const CaseSet& y) {
+    std::transform(x.words_.begin(), x.words_.end(), y.words_.begin(), x.words_.begin(), std::bit_and<>());
+    return x;
+  }
+  friend CaseSet operator|(CaseSet x, const CaseSet& y) {
+    std::transform(x.words_.begin(), x.words_.end(), y.words_.begin(), x.words_.begin(), std::bit_or<>());
+    return x;
+  }
+  [[nodiscard]] CaseSet without(const CaseSet& y) const {
+    CaseSet rest = *this;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      rest.words_[i] &= ~y.words_[i];
+    }
+    return rest;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+/// How much a condition tells a reader: of two that fit alike the lower is taken.
+enum class Plainness { feature, either, size, absence, family };
+
+struct Literal {
+  std::string words;
+  Plainness plainness;
+  CaseSet cases;
+};
+
+/// Of what is violated a condition may leave out so much: rounding at the ends of numbers, mostly.
+constexpr double most_left_out = 0.05;
+
+/// A condition is worth its words where it takes away so much of what is not violated.
+constexpr double least_taken_away = 0.3;
+
+/// The sample, and every condition on it.
+class Sample {
+ public:
+  Sample(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) : report_(report) {
+    std::size_t count = 0;
+    for (const auto& of_family : report.sampled) {
+      count += of_family.size();
+    }
+    size_ = count;
+    everything_ = violated_ = CaseSet(count);
+    std::vector<CaseSet> of_feature(all_features().size(), CaseSet(count));
+    std::map<oracles::Approach, CaseSet> of_approach;
+    std::size_t number = 0;
+    for (std::size_t f = 0; f < report.sampled.size(); ++f) {
+      CaseSet of_family(count);
+      for (std::size_t i = 0; i < report.sampled[f].size(); ++i, ++number) {
+        const SampledCase& one = report.sampled[f][i];
+        if (!one.is_valid) {
+          continue;
+        }
+        everything_.add(number);
+        of_family.add(number);
+        of_approach.try_emplace(one.approach, CaseSet(count)).first->second.add(number);
+        for (const std::uint16_t feature : one.features) {
+          of_feature[feature].add(number);
+        }
+        if (std::binary_search(violated[f].begin(), violated[f].end(), i)) {
+          violated_.add(number);
+        }
+      }
+      add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
+    }
+    for (auto& [approach, cases] : of_approach) {
+      approaches_.push_back({words_of(approach), Plainness::feature, std::move(cases)});
+    }
+    add_features(of_feature);
+    add_sizes();
+  }
+
+  [[nodiscard]] const CaseSet& everything() const { return everything_; }
+  [[nodiscard]] const CaseSet& violated() const { return violated_; }
+  [[nodiscard]] const std::vector<Literal>& literals() const { return literals_; }
+  [[nodiscard]] const std::vector<Literal>& approaches() const { return approaches_; }
+
+ private:
+  static std::string words_of(oracles::Approach approach) {
+    switch (approach) {
+      case oracles::Approach::colliding:
+        return "contacts that approach (N·V⁻ < 0)";
+      case oracles::Approach::resting:
+        return "contacts at rest (N·V⁻ = 0)";
+      case oracles::Approach::separating:
+        return "contacts that part (N·V⁻ > 0)";
+      case oracles::Approach::inert:
+        break;
+    }
+    return "contacts of two immovable bodies";
+  }
+
+  void add(std::string words, Plainness plainness, CaseSet cases) {
+    literals_.push_back({std::move(words), plainness, std::move(cases)});
+  }
+
+  void add_with_absence(const std::string& words, const std::string& absence, Plainness plainness,
+                        const CaseSet& cases) {
+    add(words, plainness, cases);
+    add(absence, Plainness::absence, everything_.without(cases));
+  }
+
+  void add_features(const std::vector<CaseSet>& of_feature) {
+    for (std::size_t i = 0; i < of_feature.size(); ++i) {
+      const Feature& feature = all_features()[i];
+      if (feature.kind == FeatureKind::magnitude) {
+        continue;
+      }
+      const bool is_of_body = feature.name.starts_with("a.") || feature.name.starts_with("b.");
+      const std::string body = feature.name.starts_with("a.") ? "A: " : "B: ";
+      const std::string words = (is_of_body ? body : "") + feature.statement;
+      add_with_absence(words, "not (" + words + ')', Plainness::feature, of_feature[i]);
+      if (feature.name.starts_with("a.")) {
+        const Feature* other = feature_named("b." + feature.name.substr(2));
+        const CaseSet either = of_feature[i] | of_feature[static_cast<std::size_t>(other - all_features().data())];
+        add_with_absence("A or B: " + feature.statement, "neither A nor B: " + feature.statement, Plainness::either,
+                         either);
+      }
+    }
+  }
+
+  /// Of each quantity: not above, and not below, what nearly all violated cases have.
+  void add_sizes() {
+    const std::span<const ComparedQuantity> quantities = all_compared_quantities();
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      std::vector<float> of_violated;
+      for_each([&](std::size_t number, const SampledCase& one) {
+        if (violated_.has(number) && !std::isnan(one.quantities[q])) {
+          of_violated.push_back(one.quantities[q]);
+        }
+      });
+      if (of_violated.empty()) {
+        continue;
+      }
+      std::sort(of_violated.begin(), of_violated.end());
+      const auto outside = static_cast<std::size_t>(most_left_out / 2 * static_cast<double>(of_violated.size()));
+      for (const std::size_t left_out : {std::size_t{0}, outside}) {
+        const float highest = of_violated[of_violated.size() - 1 - left_out];
+        const float lowest = of_violated[left_out];
+        CaseSet below(size_);
+        CaseSet above(size_);
+        for_each([&](std::size_t number, const SampledCase& one) {
+          if (one.quantities[q] <= highest) {
+            below.add(number);
+          }
+          if (one.quantities[q] >= lowest) {
+            above.add(number);
+          }
+        });
+        add(fmt::format("{} is at most {:.2g}", quantities[q].name, std::pow(10, highest)), Plainness::size, below);
+        add(fmt::format("{} is at least {:.2g}", quantities[q].name, std::pow(10, lowest)), Plainness::size, above);
+      }
+    }
+  }
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    std::size_t number = 0;
+    for (const auto& of_family : report_.sampled) {
+      for (const SampledCase& one : of_family) {
+        if (one.is_valid) {
+          visit(number, one);
+        }
+        ++number;
+      }
+    }
+  }
+
+  const GateReport& report_;
+  std::size_t size_ = 0;
+  CaseSet everything_;
+  CaseSet violated_;
+  std::vector<Literal> literals_;
+  std::vector<Literal> approaches_;
+};
+
+/// All but one in ten.
+bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
+
+}  // namespace
+
+Where where_violated(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) {
+  const Sample sample(report, violated);
+  Where where;
+  where.violated = where.violated_there = sample.violated().size();
+  where.cases_there = sample.everything().size();
+  if (where.violated == 0) {
+    return where;
+  }
+  constexpr std::size_t most_conditions = 3;
+  CaseSet here = sample.everything();
+  const double needed = static_cast<double>(where.violated) * (1 - most_left_out);
+  for (const Literal& approach : sample.approaches()) {
+    const CaseSet there = here & approach.cases;
+    const std::uint64_t found = (there & sample.violated()).size();
+    if (static_cast<double>(found) >= needed) {
+      where.of = approach.words;
+      where.violated_there = found;
+      where.cases_there = there.size();
+      here = there;
+      break;
+    }
+  }
+  while (where.conditions.size() < most_conditions && !is_nearly_all(where.violated_there, where.cases_there)) {
+    const Literal* best = nullptr;
+    CaseSet best_here;
+    double best_rest = 0;
+    const double rest = static_cast<double>(where.cases_there - where.violated_there);
+    for (const Literal& literal : sample.literals()) {
+      const CaseSet there = here & literal.cases;
+      const std::uint64_t found = (there & sample.violated()).size();
+      if (static_cast<double>(found) < needed) {
+        continue;
+      }
+      const auto others = static_cast<double>(there.size() - found);
+      // One that is plainer is taken though some more is left by it.
+      constexpr double worth_of_plainness = 0.02;
+      const double burden = others + worth_of_plainness * rest * static_cast<double>(literal.plainness);
+      if (best == nullptr || burden < best_rest) {
+        best = &literal;
+        best_here = there;
+        best_rest = burden;
+      }
+    }
+    if (best == nullptr) {
+      break;
+    }
+    const std::uint64_t found = (best_here & sample.violated()).size();
+    if (static_cast<double>(best_here.size() - found) > (1 - least_taken_away) * rest) {
+      break;
+    }
+    where.conditions.push_back({best->words});
+    where.violated_there = found;
+    where.cases_there = best_here.size();
+    here = best_here;
+  }
+  return where;
+}
+
+std::string in_words(const Where& where) {
+  if (where.violated == 0) {
+    return {};
+  }
+  const auto percent = [](std::uint64_t part, std::uint64_t whole) {
+    const std::uint64_t rounded = (100 * part + whole / 2) / whole;
+    return rounded == 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
+  };
+  const std::string of = where.of.empty() ? "cases" : where.of;
+  const std::string share = percent(where.violated_there, where.cases_there);
+  const std::string rest =
+      where.violated_there == where.violated
+          ? std::string()
+          : fmt::format("; {} of {} violated cases are others", where.violated - where.violated_there, where.violated);
+  if (where.conditions.empty()) {
+    return is_nearly_all(where.violated_there, where.cases_there)
+               ? fmt::format("In nearly all {}: {}{}.", of, share, rest)
+               : fmt::format("In {} of the {}; no feature tells them from the others{}.", share, of, rest);
+  }
+  std::string text = fmt::format("Of the {}, where ", of);
+  for (std::size_t i = 0; i < where.conditions.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == where.conditions.size() ? ", and " : ", ") + where.conditions[i].words;
+  }
+  return text + fmt::format(": {} of these are violated, {} cases{}.", share, where.violated_there, rest);
+}
+
+}  // namespace carom::properties::diagnosis

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/restarts.hpp>
+
+namespace carom::properties {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A session, and how to have another.
+class RestartingSession {
+ public:
+  RestartingSession(const Subject& subject, Restarts& restarts, std::stop_token stop)
+      : open_(subject.open), session_(open_()), restarts_(&restarts), stop_(std::move(stop)) {}
+
+  [[nodiscard]] std::vector<Answer> solve(std::span<const Collision> collisions) {
+    if (is_over_) {
+      throw std::runtime_error("a session that failed for good is asked again");
+    }
+    std::vector<Answer> answers;
+    answers.reserve(collisions.size());
+    while (answers.size() < collisions.size()) {
+      const auto start = Clock::now();
+      try {
+        append(answers, answers_of(session_, collisions.subspan(answers.size())));
+      } catch (const SessionFailure& failure) {
+        append(answers, failure.answered());
+        is_over_ = true;
+        if (stop_.stop_requested()) {
+          throw SessionFailure(failure.what(), answers, failure.failed());
+        }
+        const bool may_restart = restarts_->may_restart_after(Clock::now() - start);
+        answers.emplace_back(failure.failed());
+        start_again(failure, answers, may_restart);
+      }
+    }
+    return answers;
+  }
+
+  void close() { session_.close(); }
+
+ private:
+  static void append(std::vector<Answer>& answers, std::vector<Answer> more) {
+    answers.insert(answers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+
+  void start_again(const SessionFailure& failure, const std::vector<Answer>& answers, bool may_restart) {
+    session_ = Session();
+    if (!may_restart) {
+      throw SessionFailure("it failed " + std::to_string(restarts_->most()) +
+                               " times, and is judged no further; the last time: " + failure.what(),
+                           answers, failure.failed());
+    }
+    try {
+      session_ = open_();
+      is_over_ = false;
+    } catch (const std::exception& error) {
+      throw SessionFailure(std::string("after a failure it cannot be started again: ") + error.what(), answers,
+                           failure.failed());
+    }
+  }
+
+  std::function<Session()> open_;
+  Session session_;
+  Restarts* restarts_;
+  std::stop_token stop_;
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+bool Restarts::may_restart_after(std::chrono::nanoseconds took) {
+  const bool is_last = ++failures_ >= most_;
+  nanoseconds_ += took.count();
+  if (is_last || (longest_ && nanoseconds_ >= longest_->count())) {
+    are_spent_ = true;
+  }
+  return !are_spent_;
+}
+
+Session open_restarting(const Subject& subject, Restarts& restarts, std::stop_token stop) {
+  const auto session = std::make_shared<RestartingSession>(subject, restarts, std::move(stop));
+  return {[session](std::span<const Collision> collisions) { return session->solve(collisions); },
+          [session] { session->close(); }};
+}
+
+}  // namespace carom::properties

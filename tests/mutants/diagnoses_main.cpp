@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/gate/gate.hpp>
+
+#include "catalogue.hpp"
+
+/// What the gate's diagnosis says of each planted mutant, beside what is wrong with it; of those named alone.
+int main(int argc, char** argv) {
+  using namespace carom;
+  properties::GateOptions options;
+  options.cases = 1000;
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  for (const properties::Family& family : properties::all_families()) {
+    options.families.push_back(&family);
+  }
+  std::vector<Subject> subjects;
+  std::vector<const mutants::Mutant*> planted;
+  for (const mutants::Mutant& mutant : mutants::all_mutants()) {
+    const bool is_named =
+        argc == 1 || std::any_of(argv + 1, argv + argc, [&](const char* name) { return mutant.name == name; });
+    if (is_named) {
+      subjects.push_back(subject_of(mutant));
+      planted.push_back(&mutant);
+    }
+  }
+  const properties::GateReport report = run_gate(subjects, options);
+  for (std::size_t s = 0; s < planted.size(); ++s) {
+    std::printf("%s (%s): %s\n", std::string(planted[s]->name).c_str(), std::string(name_of(planted[s]->model)).c_str(),
+                std::string(planted[s]->sentence).c_str());
+    if (report.results[s].violated_invariants().empty()) {
+      std::printf("  nothing is violated\n");
+      continue;
+    }
+    const auto found = properties::diagnosis::diagnose(report.results[s], report);
+    std::printf("  %s (%lu of %lu)\n  %s\n  %s\n  look at: %s\n", found.telling.c_str(), found.telling_in,
+                found.violated, found.what.c_str(), found.where.c_str(), found.look_at.c_str());
+  }
+}
