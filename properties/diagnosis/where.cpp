@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -59,8 +60,9 @@ struct Literal {
   CaseSet cases;
 };
 
-/// Of what is violated a condition may leave out so much: rounding at the ends of numbers, mostly.
-constexpr double most_left_out = 0.05;
+/// Of what is violated conditions may leave out so much: rounding at the ends of numbers, mostly. More where nothing is
+/// found so.
+constexpr std::array most_left_out{0.05, 0.2};
 
 /// A condition is worth its words where it takes away so much of what is not violated.
 constexpr double least_taken_away = 0.3;
@@ -68,7 +70,8 @@ constexpr double least_taken_away = 0.3;
 /// The sample, and every condition on it.
 class Sample {
  public:
-  Sample(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) : report_(report) {
+  Sample(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated, double left_out)
+      : report_(report), left_out_(left_out) {
     std::size_t count = 0;
     for (const auto& of_family : report.sampled) {
       count += of_family.size();
@@ -167,7 +170,7 @@ class Sample {
         continue;
       }
       std::sort(of_violated.begin(), of_violated.end());
-      const auto outside = static_cast<std::size_t>(most_left_out / 2 * static_cast<double>(of_violated.size()));
+      const auto outside = static_cast<std::size_t>(left_out_ / 2 * static_cast<double>(of_violated.size()));
       for (const std::size_t left_out : {std::size_t{0}, outside}) {
         const float highest = of_violated[of_violated.size() - 1 - left_out];
         const float lowest = of_violated[left_out];
@@ -201,6 +204,7 @@ class Sample {
   }
 
   const GateReport& report_;
+  double left_out_;  // of the violated cases
   std::size_t size_ = 0;
   CaseSet everything_;
   CaseSet violated_;
@@ -211,10 +215,7 @@ class Sample {
 /// All but one in ten.
 bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
 
-}  // namespace
-
-Where where_violated(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) {
-  const Sample sample(report, violated);
+Where where_in(const Sample& sample, double left_out) {
   Where where;
   where.violated = where.violated_there = sample.violated().size();
   where.cases_there = sample.everything().size();
@@ -223,7 +224,7 @@ Where where_violated(const GateReport& report, const std::vector<std::vector<std
   }
   constexpr std::size_t most_conditions = 3;
   CaseSet here = sample.everything();
-  const double needed = static_cast<double>(where.violated) * (1 - most_left_out);
+  const double needed = static_cast<double>(where.violated) * (1 - left_out);
   for (const Literal& approach : sample.approaches()) {
     const CaseSet there = here & approach.cases;
     const std::uint64_t found = (there & sample.violated()).size();
@@ -267,6 +268,19 @@ Where where_violated(const GateReport& report, const std::vector<std::vector<std
     where.violated_there = found;
     where.cases_there = best_here.size();
     here = best_here;
+  }
+  return where;
+}
+
+}  // namespace
+
+Where where_violated(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) {
+  Where where;
+  for (const double left_out : most_left_out) {
+    where = where_in(Sample(report, violated, left_out), left_out);
+    if (!where.conditions.empty() || is_nearly_all(where.violated_there, where.cases_there)) {
+      break;
+    }
   }
   return where;
 }

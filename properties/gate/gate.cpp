@@ -107,8 +107,8 @@ class Finds {
   std::vector<std::atomic<std::uint64_t>> first_;
 };
 
-/// A program that hangs is waited for each time, and crashes are told apart by the first few.
-constexpr unsigned most_failures = 20;
+/// A program that hangs is waited for each time, and where it fails is seen by a few.
+constexpr unsigned most_failures = 10;
 
 std::deque<Restarts> restarts_of(std::size_t subjects) {
   std::deque<Restarts> restarts;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_shrink_calls = 4000;
 
 /// So long a subject may take to fail, all failures together: one that hangs is waited for each time.
-constexpr std::chrono::seconds longest_failing{10};
+constexpr std::chrono::seconds longest_failing{5};
 
 /// What kind of answer is violated where there is nothing to compare: the detail up to its reason.
 std::string_view kind_of(const Verdict& verdict) {

@@ -28,6 +28,9 @@ auto in_its_name(const Subject& subject, const Task& task) {
   }
 }
 
+/// Each is a finding; what hangs is waited for each time.
+constexpr unsigned most_failures = 100;
+
 bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
 
 /// Whether all answers are the first, as every claimed invariant of sessions has it.
@@ -63,7 +66,8 @@ OpenSubject::OpenSubject(const ReplayArguments& arguments, const std::string& na
     if (!subject.absent.empty()) {
       throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
     }
-    sessions_.push_back(in_its_name(subject, subject.open));
+    sessions_.push_back(in_its_name(
+        subject, [&] { return properties::open_restarting(subject, restarts_->emplace_back(most_failures), stop); }));
     subject_ = std::move(subject);
   }
   claim_ = properties::claim_of(subject_, yardstick);

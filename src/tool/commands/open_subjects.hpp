@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include <carom/properties/search/witness.hpp>
+#include <carom/properties/trial/restarts.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 #include "commands/commands.hpp"
@@ -48,6 +51,8 @@ class OpenSubject {
  private:
   Subject subject_;
   properties::Claim claim_;
+  // Sessions refer to them, and this is moved.
+  std::unique_ptr<std::deque<properties::Restarts>> restarts_ = std::make_unique<std::deque<properties::Restarts>>();
   std::vector<Session> sessions_;  // of a program by spelling; else one
 };
 

@@ -176,6 +176,10 @@ int run(int argc, char** argv) {
       const Collision collision = collision_from_json(request.at("collision"));
       std::string reply =
           subjects::protocol::answer_reply(id, session(std::span(&collision, 1)).at(0), introduction.precision);
+      if (fault == "crash-where-elastic" && collision.restitution > 0.9) {
+        std::cerr << "assertion failed: restitution <= 0.9" << std::endl;
+        std::abort();
+      }
       if (fault == "markup" && id >= faulty_solve) {
         reply = json{{"id", id}, {"error", "<b onclick=alert(3)>refused</b>"}}.dump() + '\n';
       } else if (id == faulty_solve && known != faults().end()) {

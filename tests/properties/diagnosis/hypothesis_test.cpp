@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/hypothesis.hpp>
+#include <carom/properties/families/family.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// Cases of all families whose answer is the law's, as if it were in question.
+std::vector<KnownCase> right_answers(Model model) {
+  std::vector<KnownCase> cases;
+  for (const Family& family : all_families()) {
+    for (std::uint64_t number = 0; number < 6; ++number) {
+      Stream stream = case_stream(1, family.name, number);
+      const Case one = family.generate(stream);
+      if (validate(one.collision).empty()) {
+        const LawAnswer law = law_answer(one.collision, model);
+        const auto wide = map_outcome<long double>(law.outcome, [](double x) { return static_cast<long double>(x); });
+        if (const auto known = known_case({number, one, wide}, model)) {
+          cases.push_back(*known);
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+TEST(Hypotheses, HaveWordsOfTheirOwn) {
+  std::set<std::string> words;
+  for (const Hypothesis& hypothesis : all_hypotheses()) {
+    EXPECT_TRUE(words.insert(hypothesis.as_if).second) << hypothesis.as_if;
+    EXPECT_FALSE(hypothesis.look_at.empty()) << hypothesis.as_if;
+  }
+}
+
+/// Each can be told from what is right: somewhere its answer is visibly another, and there it explains itself.
+TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
+  std::set<std::string> seen;
+  for (const Model model : models_with_truth) {
+    for (KnownCase one : right_answers(model)) {
+      for (const Hypothesis& hypothesis : all_hypotheses()) {
+        const auto answer = hypothesis.answer(one);
+        if (!answer) {
+          continue;
+        }
+        KnownCase wrong = one;
+        wrong.answered = *answer;
+        if (is_visibly_off(wrong, 0x1p-53)) {
+          seen.insert(hypothesis.as_if);
+          EXPECT_TRUE(explains(hypothesis, wrong)) << hypothesis.as_if;
+        }
+      }
+    }
+  }
+  for (const Hypothesis& hypothesis : all_hypotheses()) {
+    EXPECT_TRUE(seen.contains(hypothesis.as_if)) << hypothesis.as_if << " is never wrong";
+  }
+}
+
+/// What is right is no hypothesis's doing.
+TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
+  for (const Model model : models_with_truth) {
+    for (const KnownCase& one : right_answers(model)) {
+      EXPECT_FALSE(is_visibly_off(one, 0x1p-53));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties::diagnosis

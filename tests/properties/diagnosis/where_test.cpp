@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/where.hpp>
+#include <carom/properties/features/coverage.hpp>
+#include <carom/properties/features/quantities.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// What a run of these families samples, and which of it is violated.
+struct Sampled {
+  GateReport report;
+  std::vector<std::vector<std::uint64_t>> violated;
+
+  template <class IsViolated>
+  explicit Sampled(IsViolated is_violated) {
+    for (const char* name : {"generic", "structured", "mass_ratio", "separating"}) {
+      const Family* family = family_named(name);
+      report.options.families.push_back(family);
+      std::vector<SampledCase>& sampled = report.sampled.emplace_back();
+      std::vector<std::uint64_t>& numbers = violated.emplace_back();
+      for (std::uint64_t number = 0; number < 600; ++number) {
+        Stream stream = case_stream(1, family->name, number);
+        const Collision collision = family->generate(stream).collision;
+        SampledCase& one = sampled.emplace_back();
+        if (validate(collision).empty()) {
+          one = {true, oracles::ExactCase(collision).approach(), feature_places_of(collision),
+                 quantities_of(collision)};
+          if (is_violated(collision, one.approach)) {
+            numbers.push_back(number);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::string words() const { return in_words(where_violated(report, violated)); }
+};
+
+constexpr auto colliding = oracles::Approach::colliding;
+
+void expect_in(const std::string& part, const std::string& text) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(Where, NothingIsSaidWhereNothingIsViolated) {
+  EXPECT_EQ(Sampled([](const Collision&, auto) { return false; }).words(), "");
+}
+
+TEST(Where, AllThatApproachAreSaidInOneWord) {
+  expect_in("In nearly all contacts that approach (N·V⁻ < 0): 100 %.",
+            Sampled([](const Collision&, auto approach) { return approach == colliding; }).words());
+  expect_in("contacts that part",
+            Sampled([](const Collision&, auto approach) { return approach == oracles::Approach::separating; }).words());
+}
+
+TEST(Where, AFeatureOfEitherBodyIsFound) {
+  const std::string words = Sampled([](const Collision& c, auto approach) {
+                              return approach == colliding && (c.a.orientation[0] < 0 || c.b.orientation[0] < 0) &&
+                                     !c.a.immovable && !c.b.immovable;
+                            }).words();
+  expect_in("A or B: w < 0", words);
+}
+
+TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
+  const std::string words = Sampled([](const Collision& c, auto approach) {
+                              return approach == colliding && !c.a.immovable && !c.b.immovable &&
+                                     (c.a.mass > 100 * c.b.mass || c.b.mass > 100 * c.a.mass);
+                            }).words();
+  expect_in("where the greater mass over the lesser is at least 1", words);
+  expect_in("100 % of these are violated", words);
+}
+
+TEST(Where, AnAbsenceIsFound) {
+  const std::string words = Sampled([](const Collision& c, auto approach) {
+                              return approach == colliding && !c.a.immovable && !c.b.immovable;
+                            }).words();
+  expect_in("neither A nor B: the body is immovable", words);
+}
+
+/// Nothing is made up where chance alone decides.
+TEST(Where, NothingIsFoundWhereThereIsNothing) {
+  int count = 0;
+  const std::string words =
+      Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 7 == 0; }).words();
+  expect_in("no feature tells them from the others", words);
+}
+
+}  // namespace
+}  // namespace carom::properties::diagnosis
