@@ -11,6 +11,8 @@
 #include <carom/subjects/protocol/command_line.hpp>
 
 #include "commands/commands.hpp"
+#include "compare/comparison_record.hpp"
+#include "merge/shard_record.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -273,7 +275,8 @@ int GateRun::exit_status() const {
   if (failed || !judged) {
     return exit_usage;
   }
-  return violated ? exit_violated : exit_all_hold;
+  const bool is_new = baseline ? baseline->count_new(true) > 0 : violated;
+  return is_new ? exit_violated : exit_all_hold;
 }
 
 json report_record(const GateRun& run) {
@@ -292,6 +295,18 @@ json report_record(const GateRun& run) {
   }
   if (options.fail_fast) {
     record["fail_fast"] = true;
+  }
+  if (options.relations_every > 0) {
+    record["relations_every"] = options.relations_every;
+  }
+  if (!run.deviates.empty()) {
+    record["deviates"] = run.deviates;
+  }
+  if (run.is_shard) {
+    record["shard"] = merge::shard_record(run.report);
+  }
+  if (run.baseline) {
+    record["baseline"] = compare::baseline_record(*run.baseline);
   }
   for (std::size_t f = 0; f < options.families.size(); ++f) {
     record["families"].push_back({{"name", options.families[f]->name},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/gate/gate.hpp>
 
+#include "compare/comparison.hpp"
 #include "report/environment.hpp"
 
 /// The JSON records that the program writes.
@@ -51,7 +53,11 @@ struct GateRun {
   std::vector<bool> counts;
   std::vector<Subject> absent;  // asked for, or part of the default, and not installed
   Environment environment;
+  std::vector<std::string> deviates = {};            // what the command line has no subject claim
+  bool is_shard = false;                             // of a run whose shards are to be merged
+  std::optional<compare::Comparison> baseline = {};  // of this run with an earlier one
   /// 2 something that counts could not be judged to the end, or nothing was; else 1 something violated, 0 all hold.
+  /// Where there is a baseline, what is known from it is not counted.
   [[nodiscard]] int exit_status() const;
 };
 
