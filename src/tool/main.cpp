@@ -126,21 +126,18 @@ int run_command(int argc, char** argv) {
   CLI::Option* cases = gate_command->add_option("--cases", gate.cases, "Cases of each family, times its weight")
                            ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
                            ->capture_default_str();
-  CLI::Option* budget =
-      gate_command
-          ->add_option_function<std::string>(
-              "--budget", [&gate](const std::string& text) { gate.budget = carom::tool::duration_from(text); },
-              "Time to judge for, in place of --cases: 500ms, 10s, 2m or 1h. Families are drawn from in turn, those "
-              "first "
-              "that find most soonest; what was judged is reported. Shrinking what was found comes on top")
-          ->check(is_duration)
-          ->type_name("DURATION")
-          ->excludes(cases);
-  CLI::Option* fail_fast = gate_command->add_flag(
-      "--fail-fast", gate.fail_fast,
-      "Ask a subject nothing more once it has violated an invariant. The run ends where this holds "
-      "of every subject, or there are no more cases; of each subject the first violation is "
-      "reported, shrunk and written, the same with any --jobs");
+  gate_command
+      ->add_option_function<std::string>(
+          "--budget", [&gate](const std::string& text) { gate.budget = carom::tool::duration_from(text); },
+          "Time to judge for, in place of --cases: 500ms, 10s, 2m or 1h. Families are drawn from in turn, those first "
+          "that find most soonest; what was judged is reported. Shrinking what was found comes on top")
+      ->check(is_duration)
+      ->type_name("DURATION")
+      ->excludes(cases);
+  gate_command->add_flag("--fail-fast", gate.fail_fast,
+                         "Ask a subject nothing more once it has violated an invariant. The run ends where this holds "
+                         "of every subject, or there are no more cases; of each subject the first violation is "
+                         "reported, shrunk and written, the same with any --jobs");
   gate_command
       ->add_option("--relations-every", gate.relations_every,
                    "Judge each invariant that relates collisions on every Nth case, the next one on other cases "
@@ -151,10 +148,12 @@ int run_command(int argc, char** argv) {
   gate_command->add_option(
       "--out", gate.out,
       "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
-  CLI::Option* baseline = gate_command->add_option(
-      "--baseline", gate.baseline,
-      "An earlier report.json, or the directory that holds it: what it has violated is known, and "
-      "the exit status is 0 where nothing is new");
+  gate_command
+      ->add_option(
+          "--baseline", gate.baseline,
+          "An earlier report.json, or the directory that holds it: what it has violated is known, and the exit "
+          "status is 0 where nothing is new")
+      ->excludes("--fail-fast");  // what comes first may be known, and hide what is new
   gate_command
       ->add_option_function<std::string>(
           "--shard", [&gate](const std::string& text) { gate.shard = shard_from(text); },
@@ -162,9 +161,9 @@ int run_command(int argc, char** argv) {
           "report of")
       ->check(is_shard)
       ->type_name("I/N")
-      ->excludes(budget)
-      ->excludes(fail_fast)
-      ->excludes(baseline);
+      ->excludes("--budget")
+      ->excludes("--fail-fast")
+      ->excludes("--baseline");
   gate_command
       ->add_option("--deviates", gate.deviates,
                    "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "

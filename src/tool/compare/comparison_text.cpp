@@ -20,23 +20,18 @@ std::string differences_text(const Comparison& comparison) {
   return text;
 }
 
-std::string violation_line(const ComparedViolation& violation) {
-  return fmt::format("    {}: {} in {}: {}\n", in_words(violation.change), violation.invariant, violation.family,
-                     counts_in_words(violation));
-}
-
-/// Known violations, a line an invariant: "restitution in generic (12 of 1000 cases), …".
-std::string known_lines(const ComparedSubject& subject) {
+/// What became of an invariant in the same way, a line an invariant: "new: restitution in generic (12 of 1000), …".
+std::string change_lines(const ComparedSubject& subject, Change change) {
   std::string text;
   std::string last;
   for (const ComparedViolation& violation : subject.violations) {
-    if (violation.change != Change::known) {
+    if (violation.change != change) {
       continue;
     }
     text += violation.invariant == last
                 ? ", "
-                : fmt::format("{}    known: {} in ", text.empty() ? "" : "\n", violation.invariant);
-    text += fmt::format("{} ({})", violation.family, counts_in_words(violation));
+                : fmt::format("{}    {}: {} in ", text.empty() ? "" : "\n", in_words(change), violation.invariant);
+    text += fmt::format("{} ({})", violation.family, counts_in_short(violation));
     last = violation.invariant;
   }
   return text.empty() ? text : text + '\n';
@@ -51,14 +46,10 @@ std::string changes_text(const ComparedSubject& subject, Known known) {
   }
   for (const Change change :
        {Change::newly_violated, Change::violated_unknown, Change::fixed, Change::no_longer_judged}) {
-    for (const ComparedViolation& violation : subject.violations) {
-      if (violation.change == change) {
-        text += violation_line(violation);
-      }
-    }
+    text += change_lines(subject, change);
   }
   if (known == Known::shown) {
-    text += known_lines(subject);
+    text += change_lines(subject, Change::known);
   }
   if (!subject.no_longer_claimed.empty()) {
     text += fmt::format("    no longer claimed: {}\n", fmt::join(subject.no_longer_claimed, ", "));

@@ -8,7 +8,9 @@ namespace {
 
 constexpr const char* none = "–";
 
-std::string of_cases(const ReadCount& count) { return fmt::format("{} of {} cases", count.violated, count.judged()); }
+std::string share_of(const ReadCount& count) { return fmt::format("{} of {}", count.violated, count.judged()); }
+
+std::string of_cases(const ReadCount& count) { return share_of(count) + " cases"; }
 
 std::string in_tenths(const std::optional<double>& digits) { return digits ? fmt::format("{:.1f}", *digits) : none; }
 
@@ -39,6 +41,15 @@ std::string counts_in_words(const ComparedViolation& violation) {
       break;
   }
   return of_cases(violation.before) + " before, not judged now";
+}
+
+std::string counts_in_short(const ComparedViolation& violation) {
+  if (violation.now.violated == 0) {
+    return share_of(violation.before) + " before";
+  }
+  const std::string now = share_of(violation.now);
+  return violation.before.violated == 0 || share_of(violation.before) == now ? now
+                                                                             : share_of(violation.before) + " → " + now;
 }
 
 std::string run_in_words(const ReadReport& report) {

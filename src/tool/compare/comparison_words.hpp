@@ -13,6 +13,10 @@ namespace carom::tool::compare {
 /// "12 of 1000 cases, held in 1000 before", as fits the change.
 [[nodiscard]] std::string counts_in_words(const ComparedViolation& violation);
 
+/// The same where the change is said beside it: "12 of 1000", of what is known "12 of 1000 → 15 of 1000" where it
+/// changed, of what is gone "12 of 1000 before".
+[[nodiscard]] std::string counts_in_short(const ComparedViolation& violation);
+
 /// "Carom 0.1.0, 2026-11-23T18:00:00Z, seed 1, 1000 cases of each of 35 families".
 [[nodiscard]] std::string run_in_words(const ReadReport& report);
 

@@ -116,5 +116,11 @@ TEST_F(Baseline, IsReadBeforeAnythingIsStarted) {
   EXPECT_TRUE(std::filesystem::exists(started)) << "else the test could not fail";
 }
 
+TEST_F(Baseline, WantsAllThatIsViolated) {
+  const RunResult result = run({"--baseline", out_, "--fail-fast"});
+  EXPECT_EQ(result.exit_status, 2) << "the first violation may be a known one";
+  EXPECT_NE(result.errors.find("--fail-fast"), std::string::npos) << result.errors;
+}
+
 }  // namespace
 }  // namespace carom::tests

@@ -80,6 +80,19 @@ TEST_F(CompareCommand, HasTheSameInEachForm) {
   }
 }
 
+TEST_F(CompareCommand, HasALineAnInvariantInItsText) {
+  json now = with_a_violation(real_report());
+  now.at("subjects").at(0).at("families").at(1).at("invariants")["restitution"] = {
+      {"holds", 0}, {"violated", 30}, {"skipped", 0}};
+  const std::string output = compare(real_report(), now).output;
+  EXPECT_NE(output.find("    new: restitution in head_on (1 of 30), generic (30 of 30)\n"), std::string::npos)
+      << output;
+  const std::string back = compare(now, real_report()).output;
+  EXPECT_NE(back.find("    fixed: restitution in head_on (1 of 30 before), generic (30 of 30 before)\n"),
+            std::string::npos)
+      << back;
+}
+
 TEST_F(CompareCommand, TakesDirectories) {
   (void)directory_.write("report.json", real_report().dump());
   const RunResult result = run_carom({"compare", directory_.path().string(), directory_.path().string()});
