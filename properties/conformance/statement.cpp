@@ -64,11 +64,13 @@ std::vector<const Family*> families_of(const Options& options) {
 /// What is not judged of this subject.
 std::set<std::string_view> left_out(const Subject& subject, const Options& options) {
   for (const std::string& name : options.deviates) {
-    if (properties::invariant_named(name) == nullptr) {
-      throw std::invalid_argument("Options::deviates: there is no invariant " + name);
+    try {
+      (void)properties::deviation_from(name);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(std::string("Options::deviates: ") + error.what());
     }
   }
-  std::set<std::string_view> names(options.deviates.begin(), options.deviates.end());
+  std::set<std::string_view> names;
   if (!subject.collision_matrix) {
     // They would then speak of the exact matrix alone, and not of the subject.
     names.insert({"definite", "well_conditioned"});
@@ -83,7 +85,9 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   oracles::Yardstick yardstick;
   yardstick.limit_ulps = options.limit_ulps;
   yardstick.filtered = !judges_exactly(options);
-  properties::Claim claim = properties::claim_of(subject, yardstick);
+  Subject deviating = subject;
+  deviating.deviates.insert(deviating.deviates.end(), options.deviates.begin(), options.deviates.end());
+  properties::Claim claim = properties::claim_of(deviating, yardstick);
   const std::set<std::string_view> unwanted = left_out(subject, options);
   std::erase_if(claim.invariants, [&](const Invariant* invariant) { return unwanted.contains(invariant->name); });
   std::vector<const Family*> families = families_of(options);
@@ -95,6 +99,9 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   std::vector<Statement> all;
   for (const Invariant* invariant : claim.invariants) {
     for (const Family* family : families) {
+      if (!claim.is_made_in(*invariant, *family)) {
+        continue;
+      }
       all.push_back({shared, invariant, family, claim.yardstick, cases});
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/infeasible.hpp>
@@ -35,6 +36,17 @@ void FeatureCoverage::add(std::span<const std::uint16_t> present) {
       ++pairs_[place(*other, *feature)];
     }
   }
+}
+
+FeatureCoverage FeatureCoverage::reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing) {
+  FeatureCoverage coverage;
+  coverage.singles_ = std::move(counts);
+  for_each_feasible_pair([&](std::size_t x, std::size_t y) { coverage.pairs_[place(x, y)] = 1; });
+  const Feature* first = all_features().data();
+  for (const auto& [x, y] : missing) {
+    coverage.pairs_[place(static_cast<std::size_t>(x - first), static_cast<std::size_t>(y - first))] = 0;
+  }
+  return coverage;
 }
 
 FeatureCoverage& FeatureCoverage::operator+=(const FeatureCoverage& other) {

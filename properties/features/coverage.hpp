@@ -14,10 +14,19 @@ namespace carom::properties {
 /// Its size does not depend on how many were added.
 class FeatureCoverage {
  public:
+  struct Pair {
+    const Feature* x;
+    const Feature* y;
+  };
+
   FeatureCoverage();
 
   /// `present`: the places of its features. Precondition: the collision is valid, and colliding.
   void add(std::span<const std::uint16_t> present);
+
+  /// Of what a report says: how many collisions had each feature, and which pairs none had. How many had a pair is not
+  /// known: one is counted. Precondition: a count for each feature.
+  [[nodiscard]] static FeatureCoverage reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
 
@@ -29,10 +38,6 @@ class FeatureCoverage {
   [[nodiscard]] std::uint64_t feasible_pairs() const;
   [[nodiscard]] std::uint64_t met_pairs() const;
 
-  struct Pair {
-    const Feature* x;
-    const Feature* y;
-  };
   /// The feasible pairs that no collision had, in the order of the list.
   [[nodiscard]] std::vector<Pair> missing_pairs() const;
 

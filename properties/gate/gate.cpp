@@ -22,11 +22,14 @@
 namespace carom::properties {
 namespace {
 
-/// Throws std::invalid_argument where the subject deviates from what is no invariant: it would claim all the same.
+/// Throws std::invalid_argument where the subject deviates from what is no invariant, or in no family: it would claim
+/// all the same.
 void require_known_deviations(const Subject& subject) {
-  for (const std::string& name : subject.deviates) {
-    if (invariant_named(name) == nullptr) {
-      throw std::invalid_argument("deviates: there is no invariant \"" + name + '"');
+  for (const std::string& text : subject.deviates) {
+    try {
+      (void)deviation_from(text);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(std::string("deviates: ") + error.what());
     }
   }
 }
@@ -210,8 +213,8 @@ class Worker {
     const std::vector<Subject>& subjects = run_->subjects;
     sessions_.resize(subjects.size());
     for (std::size_t s = 0; s < subjects.size(); ++s) {
-      examinees_.push_back(
-          {subjects[s], run_->claims[s], sessions_[s], relations_every(subjects[s]), run_->options.fail_fast});
+      examinees_.push_back({subjects[s], run_->claims[s], run_->options.families, sessions_[s],
+                            relations_every(subjects[s]), run_->options.fail_fast});
       guarded(s, [&] {
         require_known_deviations(subjects[s]);
         sessions_[s] = open_restarting(subjects[s], run_->restarts[s], run_->options.stop);
@@ -232,12 +235,12 @@ class Worker {
   std::deque<JudgedCase> cases_in(const Task& task) {
     const Family& family = *run_->options.families[task.family];
     std::deque<JudgedCase> cases;
-    for (std::uint64_t index = task.first; index < task.last; ++index) {
-      Stream stream = case_stream(run_->options.seed, family.name, index);
+    for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
+      Stream stream = case_stream(run_->options.seed, family.name, task.case_number(i));
       cases.emplace_back(family.generate(stream), run_->options.yardstick.filtered);
       coverage_[task.family] += coverage_of(cases.back());
       if (cases.back().is_valid()) {
-        look_at(task.family, index, cases.back());
+        look_at(task.family, task.case_number(i), cases.back());
       }
     }
     return cases;

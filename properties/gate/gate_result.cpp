@@ -17,8 +17,11 @@ constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum"
 }  // namespace
 
 std::uint64_t cases_of(const GateOptions& options, const Family& family) {
-  return options.budget ? std::numeric_limits<std::uint64_t>::max()
-                        : options.cases * static_cast<std::uint64_t>(family.weight);
+  if (options.budget) {
+    return std::numeric_limits<std::uint64_t>::max();
+  }
+  const std::uint64_t all = options.cases * static_cast<std::uint64_t>(family.weight);
+  return (all + options.shard.of - options.shard.number) / options.shard.of;
 }
 
 std::uint64_t sampled_of(const Family& family) {

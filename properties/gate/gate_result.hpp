@@ -17,6 +17,16 @@
 /// What the gate is asked, and what came of it.
 namespace carom::properties {
 
+/// One of the parts of a run: of each family every `of`-th case, from the `number`-th on. All parts together have each
+/// case once, by its own number.
+struct Shard {
+  std::uint64_t number = 1;  // from 1
+  std::uint64_t of = 1;
+
+  /// The number of the case that is the shard's `place`-th, from 0.
+  [[nodiscard]] std::uint64_t case_number(std::uint64_t place) const { return place * of + number - 1; }
+};
+
 struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;           // of each family, times its weight
@@ -34,6 +44,8 @@ struct GateOptions {
   /// In place of `cases`: cases are drawn, families in turn, until so much time was spent. The violations found are
   /// then shrunk as ever.
   std::optional<std::chrono::nanoseconds> budget = {};
+  /// Of all cases these alone. Precondition: without a budget.
+  Shard shard = {};
   /// Where a stop is requested, what was judged until then is reported.
   std::stop_token stop;
   /// Called now and then with the cases done and those there are, with a budget with the milliseconds spent and those

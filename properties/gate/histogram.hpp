@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace carom::properties {
@@ -36,6 +38,24 @@ class Histogram {
     largest_ = std::max(largest_, other.largest_);
     return *this;
   }
+
+  /// As `counts()`, `smallest()` and `largest()` of another had it. Preconditions: at most Scale::bins counts; where
+  /// one is not 0, smallest ≤ largest.
+  [[nodiscard]] static Histogram restored(std::vector<std::uint64_t> counts, double smallest, double largest) {
+    Histogram histogram;
+    histogram.counts_ = std::move(counts);
+    histogram.size_ = std::accumulate(histogram.counts_.begin(), histogram.counts_.end(), std::uint64_t{0});
+    histogram.smallest_ = smallest;
+    histogram.largest_ = largest;
+    return histogram;
+  }
+
+  /// Of each bin, up to the last that holds any.
+  [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
+
+  /// Of the numbers themselves; ∞ and −∞ where there are none.
+  [[nodiscard]] double smallest() const { return smallest_; }
+  [[nodiscard]] double largest() const { return largest_; }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
 

@@ -31,7 +31,7 @@ std::size_t rank_of(std::string_view family) {
 
 }  // namespace
 
-Schedule::Schedule(const GateOptions& options) {
+Schedule::Schedule(const GateOptions& options) : shard_(options.shard) {
   for (std::size_t family = 0; family < options.families.size(); ++family) {
     places_.push_back({family, static_cast<std::uint64_t>(options.families[family]->weight),
                        cases_of(options, *options.families[family])});
@@ -65,7 +65,7 @@ std::optional<Task> Schedule::next() {
   Place& place = places_[turn_];
   const std::uint64_t first = place.drawn;
   place.drawn = std::min(first + most_cases_in_task, place.turn_end);
-  return Task{next_number_++, place.family, first, place.drawn};
+  return Task{next_number_++, place.family, first, place.drawn, shard_};
 }
 
 }  // namespace carom::properties

@@ -15,8 +15,12 @@ namespace carom::properties {
 struct Task {
   std::uint64_t number = 0;  // in the schedule, from 0
   std::size_t family = 0;    // of the options
-  std::uint64_t first = 0;
+  std::uint64_t first = 0;   // in the order of the family's cases, of a shard those that it has
   std::uint64_t last = 0;
+  Shard shard = {};
+
+  /// The number in its family of the task's `i`-th case.
+  [[nodiscard]] std::uint64_t case_number(std::uint64_t i) const { return shard.case_number(first + i); }
 };
 
 /// In which order the cases of a run are put: the families in turn, those first that find most defects soonest, in
@@ -42,6 +46,7 @@ class Schedule {
   void start_turn();
 
   std::mutex mutex_;
+  Shard shard_;
   std::vector<Place> places_;  // in the order of turns
   std::size_t turn_ = 0;       // whose turn it is
   std::uint64_t cases_in_turn_ = 1;

@@ -64,6 +64,14 @@ bool cut_after_violation(Judgement& judgement) {
   return true;
 }
 
+/// Drops the verdicts on what is not claimed in the family of the case.
+void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& family) {
+  if (!claim.deviations.empty()) {
+    std::erase_if(judgement.verdicts,
+                  [&](const NamedVerdict& named) { return !claim.is_made_in(*named.invariant, family); });
+  }
+}
+
 }  // namespace
 
 void FirstViolation::add_to(Tally& tally, const Claim& claim) const {
@@ -99,6 +107,9 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
     const auto* about = std::get_if<AboutSession>(&invariant->about);
     for (std::size_t i = 0; about != nullptr && i < asked.size(); ++i) {
       const Asked& first = asked[asked.size() - 1 - i];
+      if (!examinee.claim.is_made_in(*invariant, *examinee.families[first.family])) {
+        continue;
+      }
       const NamedVerdict named{invariant, about->check(first.answer, again[i + 1])};
       if (examinee.ends_at_first && named.verdict.status == Status::violated) {
         Judgement judgement;
@@ -128,7 +139,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
     std::vector<Trial> trials;
     for (std::size_t i = 0; i < batch.answers.size(); ++i) {
       trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
-                          with_relations ? RelationTurn{examinee.relations_every, task.first + i} : no_relations);
+                          with_relations ? RelationTurn{examinee.relations_every, task.case_number(i)} : no_relations);
     }
     return trials;
   };
@@ -148,10 +159,11 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
   }
   std::vector<Asked> sample;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const std::uint64_t index = task.first + i;
+    const std::uint64_t index = task.case_number(i);
     const std::span<const Answer> replies = rest.first(trials[i].question_count());
     rest = rest.subspan(replies.size());
     Judgement judgement = trials[i].judge(replies, tally.families[task.family].worst_backward_error);
+    drop_unclaimed(judgement, claim, *examinee.families[task.family]);
     const Asked asked{task.family, index, cases[i].generated(), batch.answers[i]};
     if (examinee.ends_at_first && cut_after_violation(judgement)) {
       examinee.first_violation = {task.number, asked, std::move(judgement), true};

@@ -34,6 +34,7 @@ struct FirstViolation {
 struct Examinee {
   const Subject& subject;
   const Claim& claim;
+  const std::vector<const Family*>& families;  // of the options
   Session& session;
   std::uint64_t relations_every;
   bool ends_at_first;                                  // violation

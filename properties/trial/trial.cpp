@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -48,15 +49,34 @@ bool are_held(std::span<const oracles::ExactCase> questions, double unit_roundof
   });
 }
 
+std::vector<Deviation> deviations_of(const Subject& subject) {
+  std::vector<Deviation> deviations;
+  for (const std::string& text : subject.deviates) {
+    try {
+      deviations.push_back(deviation_from(text));
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+  }
+  return deviations;
+}
+
 }  // namespace
+
+bool Claim::is_made_in(const Invariant& invariant, const Family& family) const {
+  return std::none_of(deviations.begin(), deviations.end(), [&](const Deviation& deviation) {
+    return deviation.invariant == &invariant && deviation.family == &family;
+  });
+}
 
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
-  Claim claim{subject.model, yardstick, {}};
+  Claim claim{subject.model, yardstick, {}, deviations_of(subject)};
   for (const Invariant& invariant : all_invariants()) {
-    const bool deviates =
-        std::find(subject.deviates.begin(), subject.deviates.end(), invariant.name) != subject.deviates.end();
+    const bool deviates = std::any_of(
+        claim.deviations.begin(), claim.deviations.end(),
+        [&](const Deviation& deviation) { return deviation.invariant == &invariant && deviation.family == nullptr; });
     if (invariant.claimed_for(subject.model) && !deviates) {
       claim.invariants.push_back(&invariant);
     }

@@ -13,6 +13,7 @@
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/trial/deviation.hpp>
 
 /// One case put to one subject and judged on every invariant that the subject claims.
 namespace carom::properties {
@@ -22,8 +23,12 @@ struct Claim {
   Model model = Model::any;
   oracles::Yardstick yardstick;
   std::vector<const Invariant*> invariants;  // claimed for the model, without those the subject deviates from
+  std::vector<Deviation> deviations = {};  // from these in single families; a trial does not know of which its case is
+
+  [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
 
+/// What the subject is said to deviate from and is no invariant, or in no family, is passed over.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
 
 /// A case, and what is exactly known of it and of the collisions related to it. Shared by the subjects that are judged

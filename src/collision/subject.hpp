@@ -90,7 +90,7 @@ struct Subject {
   Precision precision = Precision::binary64;
   /// Whether its author claims that it is right. One that is kept because it fails is shown, and does not count.
   bool expected_to_pass = true;
-  /// Names of invariants that the subject does not claim.
+  /// What the subject does not claim: "invariant", or "invariant@family" for one family.
   std::vector<std::string> deviates;
   /// Why the subject cannot be run here (an engine that is not installed); empty where it can.
   std::string absent;

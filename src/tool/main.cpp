@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -39,6 +42,25 @@ std::string is_seed(const std::string& text) {
 
 std::string is_duration(const std::string& text) {
   return carom::tool::duration_from(text) ? std::string() : std::string("expected ") + carom::tool::duration_form;
+}
+
+/// "2/3"; none where it is not one of so many.
+std::optional<carom::properties::Shard> shard_from(std::string_view text) {
+  constexpr std::uint64_t most = 1'000'000;
+  carom::properties::Shard shard;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto is_read = [](std::string_view digits, std::uint64_t& number) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const bool is_shard = slash < text.size() && is_read(text.substr(0, slash), shard.number) &&
+                        is_read(text.substr(slash + 1), shard.of) && shard.number >= 1 && shard.number <= shard.of &&
+                        shard.of <= most;
+  return is_shard ? std::optional(shard) : std::nullopt;
+}
+
+std::string is_shard(const std::string& text) {
+  return shard_from(text) ? std::string() : std::string("expected I/N, I from 1 to N, N at most 1000000");
 }
 
 template <class Arguments>
@@ -126,6 +148,27 @@ int run_command(int argc, char** argv) {
   gate_command->add_option(
       "--out", gate.out,
       "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
+  gate_command
+      ->add_option(
+          "--baseline", gate.baseline,
+          "An earlier report.json, or the directory that holds it: what it has violated is known, and the exit "
+          "status is 0 where nothing is new")
+      ->excludes("--fail-fast");  // what comes first may be known, and hide what is new
+  gate_command
+      ->add_option_function<std::string>(
+          "--shard", [&gate](const std::string& text) { gate.shard = shard_from(text); },
+          "I/N: judge every Nth case of each family from the Ith on, a part of the run that carom merge makes one "
+          "report of")
+      ->check(is_shard)
+      ->type_name("I/N")
+      ->excludes("--budget")
+      ->excludes("--fail-fast")
+      ->excludes("--baseline");
+  gate_command
+      ->add_option("--deviates", gate.deviates,
+                   "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "
+                   "family. It is not judged, and shown as not claimed")
+      ->delimiter(',');
   gate_command->add_option("--jobs", gate.jobs, "Threads (default: one for each core)")->check(CLI::Range(1, 1024));
   add_yardstick(*gate_command, gate);
   add_timeout(*gate_command, gate);
@@ -220,6 +263,40 @@ int run_command(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   add_format(*plan_command, plan.format, {"text", "markdown", "json"});
   plan_command->callback([&] { run = [&] { return carom::tool::plan_contacts(plan); }; });
+
+  carom::tool::CompareArguments comparison;
+  CLI::App* compare_command = app.add_subcommand(
+      "compare", "Compare two reports: exit status 0 nothing is new in the second, 1 something is, 2 bad input");
+  compare_command
+      ->add_option("OLD", comparison.before, "report.json of `carom gate --out`, or the directory that holds it")
+      ->required();
+  compare_command->add_option("NEW", comparison.now, "The later one")->required();
+  add_format(*compare_command, comparison.format, {"text", "markdown", "html", "json"});
+  compare_command->callback([&] { run = [&] { return carom::tool::compare_files(comparison); }; });
+
+  carom::tool::MergeArguments merge;
+  CLI::App* merge_command = app.add_subcommand(
+      "merge",
+      "Make one report of those of all shards of a run: exit status as of the whole run, 2 where they do not "
+      "belong together");
+  merge_command->add_option("DIRECTORY", merge.directories, "What `carom gate --shard I/N --out` wrote")->required();
+  merge_command->add_option("--out", merge.out, "Directory for the reports and witnesses/")->required();
+  merge_command->add_option("--baseline", merge.baseline, "An earlier report of the whole, as of carom gate");
+  add_format(*merge_command, merge.format, {"text", "json"});
+  merge_command->callback([&] { run = [&] { return carom::tool::merge_shards(merge); }; });
+
+  carom::tool::TrendsArguments trends;
+  CLI::App* trends_command = app.add_subcommand(
+      "trends",
+      "Show what became of subjects over many reports, in the order of their dates: exit status 2 where one "
+      "could not be read, after the rest was shown");
+  trends_command
+      ->add_option("PATH", trends.paths,
+                   "Reports, or directories: of each every report.json at any depth, and every .json directly in it")
+      ->required();
+  trends_command->add_option("--out", trends.out, "Directory for trends.html and trends.md");
+  add_format(*trends_command, trends.format, {"markdown", "html"});
+  trends_command->callback([&] { run = [&] { return carom::tool::show_trends(trends); }; });
 
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");

@@ -89,6 +89,40 @@ TEST(ReportSchema, DescribesReportsThatWereCutShort) {
   EXPECT_EQ(run_carom({"table", (directory.path() / "report.json").string()}).exit_status, 0);
 }
 
+TEST(ReportSchema, DescribesWhatABaselineAdds) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> arguments{"gate",
+                                           "frictionless-double",
+                                           "reflection-in-basis-double",
+                                           "--families",
+                                           "head_on,near_head_on",
+                                           "--cases",
+                                           "30",
+                                           "--format",
+                                           "json"};
+  json before = json::parse(run_carom(arguments).output);
+  json& count = before.at("subjects").at(1).at("families").at(0).at("invariants").at("restitution");
+  count = {{"holds", 30}, {"violated", 0}, {"skipped", 0}};
+  std::vector<std::string> later = arguments;
+  later.insert(later.end(), {"--baseline", directory.write("before.json", before.dump()), "--relations-every", "2",
+                             "--deviates", "restitution@near_head_on,energy"});
+  const json report = json::parse(run_carom(later).output);
+  for (const char* list : {"new", "known", "no_longer_judged", "differences"}) {
+    EXPECT_FALSE(report.at("baseline").at(list).empty()) << list;
+  }
+  const RunResult result = validate(directory.write("report.json", report.dump()));
+  EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+}
+
+TEST(ReportSchema, DescribesAShard) {
+  const TemporaryDirectory directory;
+  const RunResult run = run_carom({"gate", "frictionless-double", "coulomb-double", "--families", "head_on,invalid",
+                                   "--cases", "6", "--shard", "2/3", "--format", "json"});
+  EXPECT_EQ(json::parse(run.output).at("shard").at("digits").size(), 2U);
+  const RunResult result = validate(directory.write("report.json", run.output));
+  EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
+}
+
 TEST(ReportSchema, RejectsWhatDiffers) {
   const TemporaryDirectory directory;
   const json report = varied_report();

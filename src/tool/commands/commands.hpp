@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/gate/gate_result.hpp>
+
 /// The commands of the program. Each writes to standard output and returns the exit status.
 namespace carom::tool {
 
@@ -37,6 +39,28 @@ struct GateArguments {
   std::uint64_t relations_every = 0;  // 0: as GateOptions says
   double timeout = 5;                 // of each reply of a program [s]
   std::string format = "text";
+  std::string baseline;                         // a report.json, or the directory that holds it; empty for none
+  std::vector<std::string> deviates;            // "invariant" or "invariant@family"
+  std::optional<properties::Shard> shard = {};  // that alone is judged; empty for the whole
+};
+
+struct CompareArguments {
+  std::string before;  // reports, or the directories that hold them
+  std::string now;
+  std::string format = "text";
+};
+
+struct MergeArguments {
+  std::vector<std::string> directories;  // of the shards
+  std::string out;                       // a directory
+  std::string baseline;                  // as of a gate
+  std::string format = "text";
+};
+
+struct TrendsArguments {
+  std::vector<std::string> paths;  // reports, and directories that hold them
+  std::string out;                 // a directory; empty for none
+  std::string format = "markdown";
 };
 
 struct ReplayArguments {
@@ -89,6 +113,12 @@ struct PlanArguments {
 /// Prints the least that serves the contacts of a file, and what the lint finds in them: exit_violated where nothing
 /// serves.
 [[nodiscard]] int plan_contacts(const PlanArguments& arguments);
+/// Prints what differs between two reports: exit_violated where something is new in the second.
+[[nodiscard]] int compare_files(const CompareArguments& arguments);
+/// Makes the report of the whole of those of its shards: the exit status is that of the whole.
+[[nodiscard]] int merge_shards(const MergeArguments& arguments);
+/// Prints what became of the subjects from report to report: exit_usage where one could not be read, after the rest.
+[[nodiscard]] int show_trends(const TrendsArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
 [[nodiscard]] int list_subjects(const std::string& format);

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,13 +18,12 @@
 #include "commands/old_witnesses.hpp"
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
+#include "commands/present_run.hpp"
 #include "commands/progress.hpp"
 #include "commands/subject_argument.hpp"
+#include "compare/read_report.hpp"
 #include "report/environment.hpp"
-#include "report/html_report.hpp"
-#include "report/junit.hpp"
 #include "report/records.hpp"
-#include "report/table.hpp"
 
 namespace carom::tool {
 namespace {
@@ -117,28 +119,44 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   return selection;
 }
 
-void write_reports(const GateRun& run, const std::string& out) {
-  // First of all what lists the witnesses: a later run removes those that are listed.
-  write_file(fs::path(out) / "report.json",
-             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-  for (const properties::SubjectResult& result : run.report.results) {
-    for (const properties::Witness& witness : result.witnesses) {
-      const fs::path path = witness_path(out, result.subject, witness);
-      write_file(path, witness_record(witness, result.subject, run.report.options, path)
-                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                           '\n');
+std::vector<std::string> known_deviations(const GateArguments& arguments) {
+  std::vector<std::string> deviates;
+  for (const std::string& text : arguments.deviates) {
+    try {
+      (void)properties::deviation_from(text);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(compare::shown(std::string("--deviates: ") + error.what()));
+    }
+    if (std::find(deviates.begin(), deviates.end(), text) == deviates.end()) {
+      deviates.push_back(text);
     }
   }
-  write_file(fs::path(out) / "junit.xml", junit_xml(run));
-  write_file(fs::path(out) / "report.html", html_report(run, out));
+  return deviates;
+}
+
+/// Has none of the subjects claim this.
+void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>& deviates) {
+  for (Subject& subject : subjects) {
+    for (const std::string& text : deviates) {
+      if (std::find(subject.deviates.begin(), subject.deviates.end(), text) == subject.deviates.end()) {
+        subject.deviates.push_back(text);
+      }
+    }
+  }
 }
 
 }  // namespace
 
 int gate(const GateArguments& arguments) {
+  const std::vector<std::string> deviates = known_deviations(arguments);
+  std::optional<compare::ReadReport> baseline;
+  if (!arguments.baseline.empty()) {
+    baseline = compare::read_report(arguments.baseline);
+  }
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
+  let_deviate(selection.subjects, deviates);
   properties::GateOptions options;
   options.seed = arguments.seed;
   options.cases = arguments.cases;
@@ -152,23 +170,27 @@ int gate(const GateArguments& arguments) {
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;
+  if (arguments.shard) {
+    if (arguments.cases < arguments.shard->of) {
+      throw UsageError(fmt::format("--shard: {} cases of each family are too few for {} shards", arguments.cases,
+                                   arguments.shard->of));
+    }
+    options.shard = *arguments.shard;
+  }
   if (!arguments.out.empty()) {
     make_directories(fs::path(arguments.out) / "witnesses");
     remove_old_witnesses(arguments.out);
   }
   const Environment environment = this_environment();
-  GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment, {}};
+  GateRun run{properties::run_gate(selection.subjects, options),
+              selection.counts,
+              selection.absent,
+              environment,
+              {},
+              deviates,
+              arguments.shard.has_value()};
   run.diagnoses = properties::diagnosis::diagnose_all(run.report);
-  if (arguments.format == "json") {
-    fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  } else {
-    fmt::print("{}", report_text(run, arguments.out));
-  }
-  if (!arguments.out.empty()) {
-    std::fflush(stdout);  // what was found is not lost where the files cannot be written
-    write_reports(run, arguments.out);
-  }
-  return run.exit_status();
+  return present_run(std::move(run), baseline, arguments.out, arguments.format);
 }
 
 }  // namespace carom::tool

@@ -15,7 +15,9 @@ std::string extent_of(const properties::GateOptions& options) {
   const std::string extent =
       options.budget ? fmt::format("{} on {} families in turn", in_words(*options.budget), options.families.size())
                      : fmt::format("{} cases of each of {} families", options.cases, options.families.size());
-  return extent + (options.fail_fast ? ", each subject to its first violation" : "");
+  const std::string shard =
+      options.shard.of > 1 ? fmt::format(", shard {} of {}", options.shard.number, options.shard.of) : "";
+  return extent + shard + (options.fail_fast ? ", each subject to its first violation" : "");
 }
 
 std::string cases_judged(const properties::SubjectResult& result, const properties::GateOptions& options) {

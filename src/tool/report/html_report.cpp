@@ -9,8 +9,10 @@
 #include <pugixml.hpp>
 
 #include "commands/commands.hpp"
+#include "compare/comparison_html.hpp"
 #include "report/extent.hpp"
 #include "report/html_diagnosis.hpp"
+#include "report/html_deviations.hpp"
 #include "report/html_tables.hpp"
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
@@ -24,12 +26,12 @@ std::string limit_of(const oracles::Yardstick& yardstick) {
   return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
 }
 
-std::string meaning_of(int exit_status) {
-  switch (exit_status) {
+std::string meaning_of(const GateRun& run) {
+  switch (run.exit_status()) {
     case exit_all_hold:
-      return "0: all hold";
+      return run.baseline ? "0: nothing is new" : "0: all hold";
     case exit_violated:
-      return "1: something is violated";
+      return run.baseline ? "1: something is new" : "1: something is violated";
     default:
       return "2: not everything could be judged";
   }
@@ -39,8 +41,9 @@ void add_summary(pugi::xml_node section, const GateRun& run) {
   const properties::GateOptions& options = run.report.options;
   add(section, "p", {{"class", fmt::format("result exit-{}", run.exit_status())}}, summary_of(run));
   add_diagnoses(section, run);
-  add_facts(section, {{"exit status", meaning_of(run.exit_status())},
+  add_facts(section, {{"exit status", meaning_of(run)},
                       {"interrupted", run.report.interrupted ? "yes: what follows was judged until then" : "no"},
+                      {"baseline", run.baseline ? compare::baseline_verdict(*run.baseline) : ""},
                       {"seed", std::to_string(options.seed)},
                       {"cases", extent_of(options)},
                       {"limit", limit_of(options.yardstick)},
@@ -75,7 +78,8 @@ struct Part {
   const char* anchor;
   const char* heading;
 };
-constexpr std::array<Part, 9> parts{{{"summary", "Summary"},
+constexpr std::array<Part, 10> parts{{{"summary", "Summary"},
+                                     {"baseline", "Against the baseline"},
                                      {"subjects", "Subjects"},
                                      {"invariants", "Invariants"},
                                      {"families", "Families"},
@@ -94,9 +98,12 @@ pugi::xml_node add_part(pugi::xml_node main, const char* anchor) {
   return section;
 }
 
-void add_contents(pugi::xml_node body) {
+void add_contents(pugi::xml_node body, const GateRun& run) {
   const pugi::xml_node list = add(add(body, "nav", {{"aria-label", "Contents"}}), "ul");
   for (const Part& part : parts) {
+    if (part.anchor == std::string_view("baseline") && !run.baseline) {
+      continue;
+    }
     add(add(list, "li"), "a", {{"href", std::string("#") + part.anchor}}, part.heading);
   }
 }
@@ -145,11 +152,16 @@ std::string html_report(const GateRun& run, const std::filesystem::path& out_dir
   add(body, "a", {{"class", "skip"}, {"href", "#main"}}, "Skip to the report");
   const pugi::xml_node header = add(body, "header");
   add(header, "h1", {}, "Carom: collision impulses against exact arithmetic");
-  add_contents(header);
+  add_contents(header, run);
   const pugi::xml_node main = add(body, "main", {{"id", "main"}, {"tabindex", "-1"}});
   add_summary(add_part(main, "summary"), run);
+  if (run.baseline) {
+    compare::add_comparison(add_part(main, "baseline"), *run.baseline);
+  }
   add_subjects(add_part(main, "subjects"), run);
-  add_invariants(add_part(main, "invariants"), run);
+  const pugi::xml_node invariants = add_part(main, "invariants");
+  add_invariants(invariants, run);
+  add_deviations(invariants, run);
   add_families(add_part(main, "families"), run);
   add_violation_matrices(add_part(main, "violations"), run);
   add_coverage(add_part(main, "generated"), run);

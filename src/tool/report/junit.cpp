@@ -25,8 +25,32 @@ pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::s
   return add(suite, "testcase", {{"classname", subject}, {"name", name}, {"time", "0"}});
 }
 
+/// What a violation comes to.
+enum class Standing { failure, expected, known };
+
+Standing standing_of(const GateRun& run, std::size_t subject, const std::string& invariant) {
+  if (!run.counts[subject]) {
+    return Standing::expected;
+  }
+  const bool is_known =
+      run.baseline && compare::is_known(*run.baseline, run.report.results[subject].subject.name, invariant);
+  return is_known ? Standing::known : Standing::failure;
+}
+
+const char* said_of(Standing standing) {
+  switch (standing) {
+    case Standing::expected:
+      return "; expected to fail";
+    case Standing::known:
+      return "; known from the baseline";
+    case Standing::failure:
+      break;
+  }
+  return "";
+}
+
 void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,
-              bool counts) {
+              Standing standing) {
   const pugi::xml_node test = add_test(suite, result.subject.name, invariant);
   const properties::Count count = result.count(invariant);
   if (count.violated == 0) {
@@ -37,9 +61,9 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   }
   for (const properties::Witness& witness : result.witnesses) {
     if (witness.invariant == invariant) {
-      const std::string message = fmt::format("{} of {} cases violate it{}", count.violated,
-                                              count.violated + count.holds, counts ? "" : "; expected to fail");
-      if (counts) {
+      const std::string message =
+          fmt::format("{} of {} cases violate it{}", count.violated, count.violated + count.holds, said_of(standing));
+      if (standing == Standing::failure) {
         add(test, "failure", {{"message", message}, {"type", "violated"}}, failure_text(witness));
       } else {
         add(test, "skipped", {{"message", message}}, failure_text(witness));
@@ -97,7 +121,8 @@ Totals add_judged(pugi::xml_node root, const GateRun& run, std::size_t subject) 
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
   for (const properties::Invariant* invariant :
        properties::claim_of(result.subject, run.report.options.yardstick).invariants) {
-    add_case(suite, result, std::string(invariant->name), counts);
+    const std::string name(invariant->name);
+    add_case(suite, result, name, standing_of(run, subject, name));
   }
   const pugi::xml_node session = add_test(suite, result.subject.name, "session");
   if (!result.error.empty() && counts) {

@@ -11,6 +11,8 @@
 #include <carom/subjects/protocol/command_line.hpp>
 
 #include "commands/commands.hpp"
+#include "compare/comparison_record.hpp"
+#include "merge/shard_record.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -273,6 +275,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
 int GateRun::exit_status() const {
   bool judged = false;
   bool violated = false;
+  bool ended_early = false;
   bool failed = report.interrupted;
   for (std::size_t s = 0; s < report.results.size(); ++s) {
     if (!counts[s]) {
@@ -284,12 +287,14 @@ int GateRun::exit_status() const {
     // What was judged, and then could not be judged to the end, is at fault itself.
     const bool is_at_fault = status == "violated" || (status == "error" && result.cases() > 0);
     violated = violated || is_at_fault;
+    ended_early = ended_early || !result.error.empty();
     failed = failed || (status != "sound" && !is_at_fault);
   }
   if (failed || !judged) {
     return exit_usage;
   }
-  return violated ? exit_violated : exit_all_hold;
+  const bool is_new = baseline ? ended_early || baseline->count_new(true) > 0 : violated;
+  return is_new ? exit_violated : exit_all_hold;
 }
 
 json report_record(const GateRun& run) {
@@ -311,6 +316,18 @@ json report_record(const GateRun& run) {
   }
   if (options.fail_fast) {
     record["fail_fast"] = true;
+  }
+  if (options.relations_every > 0) {
+    record["relations_every"] = options.relations_every;
+  }
+  if (!run.deviates.empty()) {
+    record["deviates"] = run.deviates;
+  }
+  if (run.is_shard) {
+    record["shard"] = merge::shard_record(run.report);
+  }
+  if (run.baseline) {
+    record["baseline"] = compare::baseline_record(*run.baseline);
   }
   for (std::size_t f = 0; f < options.families.size(); ++f) {
     record["families"].push_back({{"name", options.families[f]->name},

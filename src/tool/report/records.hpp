@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/gate.hpp>
 
+#include "compare/comparison.hpp"
 #include "report/environment.hpp"
 
 /// The JSON records that the program writes.
@@ -52,9 +54,13 @@ struct GateRun {
   std::vector<bool> counts;
   std::vector<Subject> absent;  // asked for, or part of the default, and not installed
   Environment environment;
-  std::vector<properties::diagnosis::Diagnosis> diagnoses;  // of each result, as diagnose_all gives them
+  std::vector<properties::diagnosis::Diagnosis> diagnoses = {};  // of each result, as diagnose_all gives them; or none
+  std::vector<std::string> deviates = {};                        // what the command line has no subject claim
+  bool is_shard = false;                                         // of a run whose shards are to be merged
+  std::optional<compare::Comparison> baseline = {};              // of this run with an earlier one
   /// 2 something that counts could not be judged at all, nothing counts, or the run was interrupted; else 1 something
-  /// is violated or could not be judged to the end; 0 all hold.
+  /// is violated or could not be judged to the end; 0 all hold. Where there is a baseline, what is known from it is not
+  /// counted.
   [[nodiscard]] int exit_status() const;
 };
 

@@ -7,6 +7,7 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "compare/comparison_text.hpp"
 #include "report/extent.hpp"
 #include "report/findings_text.hpp"
 #include "report/html_report.hpp"
@@ -59,7 +60,20 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string subject_line(const SubjectResult& result, const GateReport& report) {
+/// What the subject does not claim, and who said so.
+std::string deviations_text(const Subject& subject, const std::vector<std::string>& of_command_line) {
+  std::vector<std::string> own;
+  std::vector<std::string> others;
+  for (const std::string& deviation : subject.deviates) {
+    const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
+    (is_own ? own : others).push_back(deviation);
+  }
+  return (own.empty() ? "" : "    not claimed, by its own word: " + listed(own) + '\n') +
+         (others.empty() ? "" : "    not claimed, by --deviates: " + listed(others) + '\n');
+}
+
+std::string subject_line(const SubjectResult& result, const GateRun& run) {
+  const GateReport& report = run.report;
   const auto worst = result.worst_backward_error(report.options);
   const std::size_t violated = result.violated_invariants().size();
   const std::string status = status_of(result);
@@ -84,10 +98,7 @@ std::string subject_line(const SubjectResult& result, const GateReport& report) 
   if (report.options.budget && status == "sound") {
     line += "    " + cases_judged(result, report.options) + '\n';
   }
-  if (!result.subject.deviates.empty()) {
-    line += "    not claimed, by its own word: " + listed(result.subject.deviates) + '\n';
-  }
-  return line;
+  return line + deviations_text(result.subject, run.deviates);
 }
 
 /// Of subjects that are kept because they fail, the first line alone.
@@ -95,7 +106,7 @@ std::string subject_table(const GateRun& run, bool counts) {
   std::string lines;
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
     if (run.counts[s] == counts) {
-      const std::string of_subject = subject_line(run.report.results[s], run.report);
+      const std::string of_subject = subject_line(run.report.results[s], run);
       lines += counts ? of_subject : of_subject.substr(0, of_subject.find('\n') + 1);
     }
   }
@@ -131,7 +142,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
       text += '\n' + findings_text(run, s, out_directory);
     }
   }
-  return text + '\n' + summary_of(run) + '\n';
+  return text + (run.baseline ? compare::baseline_text(*run.baseline) : '\n' + summary_of(run) + '\n');
 }
 
 }  // namespace carom::tool

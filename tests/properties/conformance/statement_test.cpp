@@ -95,6 +95,20 @@ TEST(Statements, FollowTheOptions) {
   }
 }
 
+TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
+  const std::vector<Statement> all = statements(idle_callable(Model::frictionless),
+                                                {.families = {"resting", "generic"}, .deviates = {"energy@generic"}});
+  const auto is_stated = [&](std::string_view invariant, std::string_view family) {
+    return std::any_of(all.begin(), all.end(), [&](const Statement& statement) {
+      return statement.invariant->name == invariant && statement.family->name == family;
+    });
+  };
+  EXPECT_FALSE(is_stated("energy", "generic"));
+  EXPECT_TRUE(is_stated("energy", "resting"));
+  EXPECT_TRUE(is_stated("restitution", "generic"));
+  EXPECT_THROW((void)statements(idle_callable(Model::any), {.deviates = {"energy@generics"}}), std::invalid_argument);
+}
+
 TEST(Statements, TakeTheirCasesFromTheEnvironment) {
   const Given given("CAROM_CASES", "3");
   EXPECT_EQ(statements(idle_callable(Model::any)).at(0).cases, 3);

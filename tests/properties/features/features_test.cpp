@@ -135,5 +135,30 @@ TEST(Features, AreMissedWhereNothingHasThem) {
   EXPECT_EQ(twice.met_pairs(), coverage.met_pairs());
 }
 
+TEST(Features, OfAReportAreThoseThatItSays) {
+  FeatureCoverage coverage;
+  std::vector<std::uint64_t> counts;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    Stream stream = case_stream(1, "structured", i);
+    coverage.add(family_named("structured")->generate(stream).collision);
+  }
+  for (std::size_t i = 0; i < all_features().size(); ++i) {
+    counts.push_back(coverage.count(i));
+  }
+  const auto missing = coverage.missing_pairs();
+  ASSERT_FALSE(missing.empty());
+  const FeatureCoverage reported = FeatureCoverage::reported(counts, missing);
+  EXPECT_EQ(reported.met_pairs(), coverage.met_pairs());
+  const auto same = reported.missing_pairs();
+  ASSERT_EQ(same.size(), missing.size());
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    EXPECT_EQ(same[i].x, missing[i].x);
+    EXPECT_EQ(same[i].y, missing[i].y);
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    EXPECT_EQ(reported.count(i), counts[i]);
+  }
+}
+
 }  // namespace
 }  // namespace carom::properties

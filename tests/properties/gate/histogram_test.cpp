@@ -91,5 +91,17 @@ TEST(Histogram, IsTheSameHoweverItsNumbersWereDivided) {
   }
 }
 
+TEST(Histogram, IsRestoredFromItsCounts) {
+  const std::vector<double> digits = some_digits(500);
+  const auto whole = histogram_of<DigitsScale>(digits);
+  const auto restored = Histogram<DigitsScale>::restored(whole.counts(), whole.smallest(), whole.largest());
+  ASSERT_EQ(restored.size(), digits.size());
+  for (std::uint64_t rank = 0; rank < restored.size(); ++rank) {
+    EXPECT_EQ(restored.at(rank), whole.at(rank));
+  }
+  const Histogram<DigitsScale> empty;
+  EXPECT_EQ(Histogram<DigitsScale>::restored(empty.counts(), empty.smallest(), empty.largest()).size(), 0U);
+}
+
 }  // namespace
 }  // namespace carom::properties

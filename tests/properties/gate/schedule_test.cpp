@@ -96,5 +96,27 @@ TEST(Schedule, GoesOnWithoutEndOnABudget) {
 
 TEST(Schedule, IsOverAtOnceWithoutFamilies) { EXPECT_FALSE(Schedule(GateOptions()).next()); }
 
+TEST(Schedule, OfAllShardsHasEveryCaseOnce) {
+  for (const std::uint64_t of_each : {1U, 2U, 7U, 137U}) {
+    GateOptions options = options_to_schedule(of_each);
+    std::map<std::size_t, std::multiset<std::uint64_t>> numbers;
+    for (options.shard = {1, 3}; options.shard.number <= options.shard.of; ++options.shard.number) {
+      for (const Task& task : first_tasks(options, every_task)) {
+        for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
+          EXPECT_EQ(task.case_number(i) % 3, options.shard.number - 1);
+          numbers[task.family].insert(task.case_number(i));
+        }
+      }
+    }
+    options.shard = {};
+    for (std::size_t f = 0; f < options.families.size(); ++f) {
+      const std::uint64_t all = cases_of(options, *options.families[f]);
+      ASSERT_EQ(numbers[f].size(), all);
+      EXPECT_EQ(std::set<std::uint64_t>(numbers[f].begin(), numbers[f].end()).size(), all) << "each once";
+      EXPECT_EQ(*numbers[f].rbegin(), all - 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom::properties

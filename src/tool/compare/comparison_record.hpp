@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "compare/comparison.hpp"
+
+namespace carom::tool::compare {
+
+/// A comparison as JSON.
+[[nodiscard]] nlohmann::json comparison_record(const Comparison& comparison);
+
+/// What report.json says of the baseline.
+[[nodiscard]] nlohmann::json baseline_record(const Comparison& comparison);
+
+}  // namespace carom::tool::compare

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/trend.hpp"
+
+namespace carom::tool::compare {
+
+/// A heading and a table a subject. `unread` says which reports could not be read, and why.
+[[nodiscard]] std::string trends_markdown(const Trends& trends, const std::vector<std::string>& unread);
+
+}  // namespace carom::tool::compare

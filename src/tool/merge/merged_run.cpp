@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "merge/merged_run.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands/commands.hpp"
+#include "compare/read_report.hpp"
+
+namespace carom::tool::merge {
+namespace {
+
+using compare::shown;
+using properties::SubjectResult;
+using properties::Witness;
+
+[[noreturn]] void fail_different(const ReadShard& first, const ReadShard& other, const std::string& field,
+                                 const std::string& of_first, const std::string& of_other) {
+  throw UsageError(fmt::format("the shards do not belong together: {}: {} in {}, {} in {}", field, shown(of_first),
+                               shown(first.file), shown(of_other), shown(other.file)));
+}
+
+/// What has to be the same in all shards, by the name of its field.
+std::vector<std::pair<std::string, std::string>> common_facts(const GateRun& run) {
+  const properties::GateOptions& options = run.report.options;
+  std::vector<std::string> families;
+  for (const properties::Family* family : options.families) {
+    families.emplace_back(family->name);
+  }
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"number of shards", std::to_string(options.shard.of)},
+      {"seed", std::to_string(options.seed)},
+      {"cases of each family", std::to_string(options.cases)},
+      {"families", fmt::format("{}", fmt::join(families, ", "))},
+      {"yardstick", yardstick_record(options.yardstick).dump()},
+      {"relations_every", std::to_string(options.relations_every)},
+      {"deviates", fmt::format("{}", fmt::join(run.deviates, ", "))}};
+  std::vector<std::string> names;
+  for (const SubjectResult& result : run.report.results) {
+    names.push_back(result.subject.name);
+  }
+  for (const Subject& subject : run.absent) {
+    names.push_back(subject.name + " (absent)");
+  }
+  facts.emplace_back("subjects", fmt::format("{}", fmt::join(names, ", ")));
+  for (std::size_t s = 0; s < run.report.results.size(); ++s) {
+    const Subject& subject = run.report.results[s].subject;
+    const std::string of = " of " + subject.name;
+    facts.emplace_back("specification" + of, subject.specification);
+    facts.emplace_back("version" + of, subject.version);
+    facts.emplace_back("law" + of, std::string(name_of(subject.model)));
+    facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
+    facts.emplace_back("deviates" + of, fmt::format("{}", fmt::join(subject.deviates, ", ")));
+    facts.emplace_back("counts" + of, run.counts[s] ? "true" : "false");
+  }
+  return facts;
+}
+
+/// Throws where a shard is not of the same run as the first.
+void require_one_run(const std::vector<ReadShard>& shards) {
+  const auto expected = common_facts(shards[0].run);
+  for (const ReadShard& shard : shards) {
+    const auto facts = common_facts(shard.run);
+    for (std::size_t i = 0; i < std::min(facts.size(), expected.size()); ++i) {
+      if (facts[i] != expected[i]) {
+        fail_different(shards[0], shard, expected[i].first, expected[i].second, facts[i].second);
+      }
+    }
+  }
+}
+
+/// Throws where a shard is missing or there twice.
+void require_all_once(const std::vector<ReadShard>& shards) {
+  const std::uint64_t of = shards[0].run.report.options.shard.of;
+  std::vector<const ReadShard*> by_number(shards.size() + 1);
+  for (const ReadShard& shard : shards) {
+    const std::uint64_t number = shard.run.report.options.shard.number;
+    if (number > shards.size()) {
+      continue;
+    }
+    if (by_number[number] != nullptr) {
+      throw UsageError(fmt::format("shard {} of {} is there twice: {} and {}", number, of,
+                                   shown(by_number[number]->file), shown(shard.file)));
+    }
+    by_number[number] = &shard;
+  }
+  for (std::uint64_t number = 1; number <= of; ++number) {
+    if (number >= by_number.size() || by_number[number] == nullptr) {
+      throw UsageError(fmt::format("shard {} of {} is missing", number, of));
+    }
+  }
+}
+
+void add(properties::FamilyResult& sum, const properties::FamilyResult& part) {
+  sum.cases += part.cases;
+  sum.skipped += part.skipped;
+  sum.not_held += part.not_held;
+  sum.violated += part.violated;
+  sum.worst_backward_error = std::max(sum.worst_backward_error, part.worst_backward_error);
+  for (const auto& [name, count] : part.counts) {
+    properties::Count& all = sum.counts[name];
+    all.holds += count.holds;
+    all.violated += count.violated;
+    all.skipped += count.skipped;
+  }
+}
+
+/// Preconditions: the same subject, on the same families.
+void add(SubjectResult& sum, const SubjectResult& part) {
+  const auto cases = static_cast<double>(sum.cases());
+  const auto more = static_cast<double>(part.cases());
+  if (cases + more > 0) {
+    sum.nanoseconds_per_solve =
+        (sum.nanoseconds_per_solve * cases + part.nanoseconds_per_solve * more) / (cases + more);
+  }
+  if (sum.error.empty()) {
+    sum.error = part.error;
+  }
+  for (std::size_t f = 0; f < sum.families.size(); ++f) {
+    add(sum.families[f], part.families[f]);
+  }
+  sum.digits += part.digits;
+  sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());
+}
+
+/// How many cases of the witness's family violate its invariant.
+std::uint64_t violated_beside(const Witness& witness, const SubjectResult& result,
+                              const std::vector<const properties::Family*>& families) {
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    const auto count = result.families[f].counts.find(witness.invariant);
+    if (families[f]->name == witness.family && count != result.families[f].counts.end()) {
+      return count->second.violated;
+    }
+  }
+  return 0;
+}
+
+/// Of the witnesses of all shards one for each invariant.
+std::vector<Witness> best_witnesses(const SubjectResult& result,
+                                    const std::vector<const properties::Family*>& families) {
+  std::vector<Witness> best;
+  for (const std::string& invariant : result.violated_invariants()) {
+    const Witness* chosen = nullptr;
+    for (const Witness& witness : result.witnesses) {
+      if (witness.invariant != invariant) {
+        continue;
+      }
+      const auto rank = [&](const Witness& one) {
+        return std::pair(violated_beside(one, result, families),
+                         properties::seriousness(one.verdict, one.shrunk.collision));
+      };
+      if (chosen == nullptr || rank(witness) > rank(*chosen)) {
+        chosen = &witness;
+      }
+    }
+    if (chosen == nullptr) {
+      throw UsageError(
+          fmt::format("{} violates {}, and no shard has a witness of it", shown(result.subject.name), invariant));
+    }
+    best.push_back(*chosen);
+  }
+  return best;
+}
+
+}  // namespace
+
+GateRun merged_run(const std::vector<ReadShard>& shards) {
+  if (shards.empty()) {
+    throw UsageError("there is no shard to merge");
+  }
+  require_one_run(shards);
+  require_all_once(shards);
+  std::vector<const ReadShard*> ordered;
+  for (const ReadShard& shard : shards) {
+    ordered.push_back(&shard);
+  }
+  std::sort(ordered.begin(), ordered.end(), [](const ReadShard* x, const ReadShard* y) {
+    return x->run.report.options.shard.number < y->run.report.options.shard.number;
+  });
+  GateRun merged = ordered[0]->run;
+  properties::GateReport& report = merged.report;
+  report.options.shard = {};
+  for (std::size_t i = 1; i < ordered.size(); ++i) {
+    const properties::GateReport& part = ordered[i]->run.report;
+    for (std::size_t f = 0; f < report.coverage.size(); ++f) {
+      report.coverage[f] += part.coverage[f];
+    }
+    report.features += part.features;
+    for (std::size_t s = 0; s < report.results.size(); ++s) {
+      add(report.results[s], part.results[s]);
+    }
+  }
+  for (SubjectResult& result : report.results) {
+    result.witnesses = best_witnesses(result, report.options.families);
+    result.not_judged = properties::why_not_judged(result, report.options.families, report.coverage);
+  }
+  return merged;
+}
+
+}  // namespace carom::tool::merge

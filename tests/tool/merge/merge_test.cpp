@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "support/program.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A run and its three shards; subjects of each precision, sound and faulty.
+class Merge : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    directory_ = new TemporaryDirectory();
+    EXPECT_EQ(gate({"--out", path("whole")}).exit_status, 1);
+    for (const std::string number : {"1", "2", "3"}) {
+      const RunResult result = gate({"--shard", number + "/3", "--out", path("shard" + number)});
+      EXPECT_EQ(result.exit_status, 1) << result.output << result.errors;
+    }
+  }
+
+  static void TearDownTestSuite() {
+    delete directory_;
+    directory_ = nullptr;
+  }
+
+  [[nodiscard]] static std::string path(const std::string& name) { return (directory_->path() / name).string(); }
+
+  [[nodiscard]] static json report_in(const std::string& name) {
+    return json::parse(content_of(directory_->path() / name / "report.json"));
+  }
+
+  [[nodiscard]] static RunResult gate(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"gate",
+                                       "frictionless-float",
+                                       "reflection-in-basis-double",
+                                       "frictionless-long-double",
+                                       "coulomb-double",
+                                       "--families",
+                                       "head_on,invalid,structured,elastic",
+                                       "--cases",
+                                       "20",
+                                       "--seed",
+                                       "3",
+                                       "--deviates",
+                                       "energy@elastic"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_carom(arguments);
+  }
+
+  [[nodiscard]] static RunResult merge(const std::vector<std::string>& directories,
+                                       const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"merge", "--out", path("merged")};
+    arguments.insert(arguments.end(), directories.begin(), directories.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_carom(arguments);
+  }
+
+  [[nodiscard]] static std::vector<std::string> all_shards() {
+    return {path("shard2"), path("shard1"), path("shard3")};
+  }
+
+  /// The second shard with its report changed.
+  [[nodiscard]] static std::string changed_shard(const std::function<void(json&)>& change) {
+    const fs::path changed = directory_->path() / "changed";
+    fs::remove_all(changed);
+    fs::copy(directory_->path() / "shard2", changed, fs::copy_options::recursive);
+    json report = report_in("shard2");
+    change(report);
+    (void)directory_->write("changed/report.json", report.dump());
+    return changed.string();
+  }
+
+ private:
+  static inline TemporaryDirectory* directory_ = nullptr;
+};
+
+/// What the whole and what is merged have in common: all but dates, times, and which case was shrunk.
+json without_what_may_differ(json report) {
+  report.at("environment").erase("date");
+  for (json& subject : report.at("subjects")) {
+    subject.erase("nanoseconds_per_solve");
+    for (json& violation : subject.at("violations")) {
+      violation.erase("case");
+      violation.erase("family");
+    }
+  }
+  return report;
+}
+
+TEST_F(Merge, IsTheReportOfTheWholeRun) {
+  const RunResult result = merge(all_shards());
+  EXPECT_EQ(result.exit_status, 1) << result.errors;
+  const json whole = report_in("whole");
+  const json merged = report_in("merged");
+  EXPECT_EQ(without_what_may_differ(merged), without_what_may_differ(whole))
+      << json::diff(without_what_may_differ(whole), without_what_may_differ(merged)).dump(1);
+  EXPECT_FALSE(merged.contains("shard"));
+  EXPECT_GT(whole.at("subjects").at(0).at("digits").at("p50").get<double>(), 0);
+}
+
+TEST_F(Merge, ShardsShareTheCasesOutAmongThem) {
+  std::uint64_t cases = 0;
+  for (const char* shard : {"shard1", "shard2", "shard3"}) {
+    const json report = report_in(shard);
+    cases += report.at("subjects").at(0).at("cases").get<std::uint64_t>();
+    const std::uint64_t number = report.at("shard").at("number");
+    for (const json& subject : report.at("subjects")) {
+      for (const json& violation : subject.at("violations")) {
+        EXPECT_EQ(violation.at("case").get<std::uint64_t>() % 3, number - 1) << violation;
+      }
+    }
+  }
+  EXPECT_EQ(cases, report_in("whole").at("subjects").at(0).at("cases").get<std::uint64_t>());
+}
+
+TEST_F(Merge, WritesWitnessesThatReplayAndAllForms) {
+  (void)merge(all_shards());
+  const json merged = report_in("merged");
+  std::size_t witnesses = 0;
+  for (const json& subject : merged.at("subjects")) {
+    for (const json& violation : subject.at("violations")) {
+      const std::string file = path("merged") + '/' + violation.at("witness").get<std::string>();
+      const json witness = json::parse(content_of(file));
+      EXPECT_EQ(witness.at("case"), violation.at("case"));
+      EXPECT_EQ(witness.at("family"), violation.at("family"));
+      const RunResult replayed = run_carom({"replay", file, "--exact", "--format", "json"});
+      EXPECT_EQ(json::parse(replayed.output).at("verdicts").at(witness.at("invariant").get<std::string>()),
+                witness.at("verdict"));
+      ++witnesses;
+    }
+  }
+  EXPECT_GT(witnesses, 3U);
+  pugi::xml_document junit;
+  pugi::xml_document whole;
+  ASSERT_TRUE(junit.load_file((path("merged") + "/junit.xml").c_str()));
+  ASSERT_TRUE(whole.load_file((path("whole") + "/junit.xml").c_str()));
+  for (const char* total : {"tests", "failures", "errors", "skipped"}) {
+    EXPECT_EQ(junit.child("testsuites").attribute(total).as_int(-1),
+              whole.child("testsuites").attribute(total).as_int(-2))
+        << total;
+  }
+  pugi::xml_document page;
+  EXPECT_TRUE(page.load_file((path("merged") + "/report.html").c_str()));
+}
+
+TEST_F(Merge, TakesABaseline) {
+  const RunResult result = merge(all_shards(), {"--baseline", path("whole")});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("nothing new"), std::string::npos);
+  EXPECT_TRUE(report_in("merged").at("baseline").at("comparable").get<bool>())
+      << report_in("merged").at("baseline").at("differences");
+}
+
+TEST_F(Merge, WantsEachShardOnce) {
+  const RunResult missing = merge({path("shard1"), path("shard3")});
+  EXPECT_EQ(missing.exit_status, 2);
+  EXPECT_NE(missing.errors.find("shard 2 of 3 is missing"), std::string::npos) << missing.errors;
+  const RunResult twice = merge({path("shard1"), path("shard1"), path("shard2"), path("shard3")});
+  EXPECT_EQ(twice.exit_status, 2);
+  EXPECT_NE(twice.errors.find("shard 1 of 3 is there twice"), std::string::npos) << twice.errors;
+  const RunResult whole = merge({path("whole")});
+  EXPECT_EQ(whole.exit_status, 2);
+  EXPECT_NE(whole.errors.find("the report is of no shard"), std::string::npos) << whole.errors;
+  EXPECT_EQ(merge({}).exit_status, 2);
+}
+
+TEST_F(Merge, SaysInWhichFieldShardsDoNotBelongTogether) {
+  const std::vector<std::pair<std::string, std::function<void(json&)>>> changes{
+      {"seed: 3 in", [](json& r) { r["seed"] = 4; }},
+      {"cases of each family: 20 in", [](json& r) { r["cases_of_each_family"] = 21; }},
+      {"yardstick: ", [](json& r) { r["yardstick"]["limit_ulps"] = 64; }},
+      {"relations_every: ", [](json& r) { r["relations_every"] = 2; }},
+      {"deviates: ", [](json& r) { r["deviates"] = {"push"}; }},
+      {"number of shards: 3 in", [](json& r) { r["shard"]["of"] = 4; }},
+      {"families: ",
+       [](json& r) {
+         r["families"].erase(3);
+         for (json& subject : r["subjects"]) {
+           subject["families"].erase(3);
+         }
+       }},
+      {"subjects: ", [](json& r) { r["subjects"].erase(3); }},
+      {"version of frictionless-float: ", [](json& r) { r["subjects"][0]["version"] = "7"; }},
+  };
+  for (const auto& [field, change] : changes) {
+    const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
+    EXPECT_EQ(result.exit_status, 2) << field;
+    EXPECT_NE(result.errors.find("do not belong together: " + field), std::string::npos) << field << result.errors;
+  }
+}
+
+TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
+  const std::vector<std::pair<std::string, std::function<void(json&)>>> changes{
+      {"/carom: expected", [](json& r) { r["carom"] = "9.9.9"; }},
+      {"/interrupted: expected", [](json& r) { r["interrupted"] = true; }},
+      {"/shard/number: expected", [](json& r) { r["shard"]["number"] = 4; }},
+      {"/shard/digits: expected", [](json& r) { r["shard"]["digits"].erase(3); }},
+      {"/shard/digits/0/bins/0: expected",
+       [](json& r) {
+         r["shard"]["digits"][0]["bins"][0] = {1'000'000'000, 1};
+       }},
+      {"/cases_of_each_family: expected", [](json& r) { r["cases_of_each_family"] = nullptr; }},
+      {"/families/0/name: expected", [](json& r) { r["families"][0]["name"] = "no_such"; }},
+      {"/subjects/0/model: expected", [](json& r) { r["subjects"][0]["model"] = "no_such"; }},
+      {"/subjects/1/violations/0/invariant: expected",
+       [](json& r) { r["subjects"][1]["violations"][0]["invariant"] = "../../etc"; }},
+      {"/features/cases", [](json& r) { r["features"]["cases"] = json::object(); }},
+  };
+  for (const auto& [place, change] : changes) {
+    const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
+    EXPECT_EQ(result.exit_status, 2) << place;
+    EXPECT_NE(result.errors.find("changed/report.json: " + place), std::string::npos) << place << result.errors;
+  }
+  const std::string without_witnesses = changed_shard([](json&) {});
+  fs::remove_all(fs::path(without_witnesses) / "witnesses");
+  const RunResult result = merge({path("shard1"), without_witnesses, path("shard3")});
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.errors.find("there is no such file"), std::string::npos) << result.errors;
+}
+
+TEST_F(Merge, ReplacesNoShard) {
+  const std::string before = content_of(path("shard1") + "/report.json");
+  std::vector<std::string> arguments{"merge", "--out", path("shard1")};
+  for (const std::string& shard : all_shards()) {
+    arguments.push_back(shard);
+  }
+  EXPECT_EQ(run_carom(arguments).exit_status, 2);
+  EXPECT_EQ(content_of(path("shard1") + "/report.json"), before);
+}
+
+TEST(Shard, IsOneOfSoManyAndOfAWholeRun) {
+  for (const char* bad : {"0/3", "4/3", "1", "/3", "1/", "1/0", "-1/3", "1/3/3", "1/3x", "1/9999999999999999999999"}) {
+    const RunResult result = run_carom({"gate", "frictionless-double", "--cases", "5", "--shard", bad});
+    EXPECT_EQ(result.exit_status, 2) << bad;
+    EXPECT_NE(result.errors.find("--shard"), std::string::npos) << result.errors;
+  }
+  EXPECT_EQ(run_carom({"gate", "frictionless-double", "--shard", "1/3", "--cases", "2"}).exit_status, 2);
+  EXPECT_EQ(run_carom({"gate", "frictionless-double", "--shard", "1/3", "--budget", "1s"}).exit_status, 2);
+  EXPECT_EQ(run_carom({"gate", "frictionless-double", "--shard", "1/3", "--fail-fast"}).exit_status, 2);
+}
+
+}  // namespace
+}  // namespace carom::tests
