@@ -3,6 +3,8 @@
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom; this where no COMMAND is given
+#   package   build, then the Debian packages carom and libcarom-dev in build/package
+#   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
@@ -140,6 +142,16 @@ command=${1:-build}
 case "$command" in
 packages) install_packages ;;
 build) build carom_programs ;;
+package)
+  install_packages dpkg-dev file
+  build carom_package
+  ls build/package/*.deb
+  ;;
+package-test)
+  install_packages dpkg-dev file debootstrap python3
+  build carom_package
+  exec python3 tests/package/package_test.py build/package build/tests/package/installed .
+  ;;
 gate)
   build carom_programs
   exec build/carom gate "$@"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -17,10 +18,13 @@
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
 #include "commands/subject_argument.hpp"
+#include "commands/workflow_commands.hpp"
+#include "report/annotations.hpp"
 #include "report/environment.hpp"
 #include "report/html_report.hpp"
 #include "report/junit.hpp"
 #include "report/records.hpp"
+#include "report/summary.hpp"
 #include "report/table.hpp"
 
 namespace carom::tool {
@@ -136,6 +140,16 @@ void write_reports(const GateRun& run, const std::string& out) {
 }  // namespace
 
 int gate(const GateArguments& arguments) {
+  if (!arguments.annotations.empty() && arguments.format != "text") {
+    throw UsageError("--annotations: stand in the text alone, not with --format " + arguments.format);
+  }
+  if (!arguments.summary.empty()) {
+    append_to_file("--summary", arguments.summary, "");
+  }
+  std::optional<WorkflowCommandsStopped> commands_stopped;
+  if (!arguments.annotations.empty()) {
+    commands_stopped.emplace();
+  }
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
@@ -163,9 +177,16 @@ int gate(const GateArguments& arguments) {
   } else {
     fmt::print("{}", report_text(run, arguments.out));
   }
+  if (!arguments.annotations.empty()) {
+    commands_stopped.reset();
+    fmt::print("{}", github_annotations(run, arguments.out));
+  }
   if (!arguments.out.empty()) {
     std::fflush(stdout);  // what was found is not lost where the files cannot be written
     write_reports(run, arguments.out);
+  }
+  if (!arguments.summary.empty()) {
+    append_to_file("--summary", arguments.summary, markdown_summary(run, arguments.out));
   }
   return run.exit_status();
 }
