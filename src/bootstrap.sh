@@ -5,6 +5,8 @@
 #   build     packages, then the program at build/carom; this where no COMMAND is given
 #   package   build, then the Debian packages carom and libcarom-dev in build/package
 #   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   ci-test   [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian 12, as root: an hour on two cores for all
+#             of action, github, gitlab, script and container
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
@@ -82,7 +84,7 @@ build() {
 
 # Of what is ours, the files whose names match.
 sources() {
-  find src oracles properties tests docs/examples .ci -name node_modules -prune -o -type f "$@" -print
+  find src oracles properties tests docs/examples .ci .github -name node_modules -prune -o -type f "$@" -print
 }
 
 lint() {
@@ -151,6 +153,10 @@ package-test)
   install_packages dpkg-dev file debootstrap python3
   build carom_package
   exec python3 tests/package/package_test.py build/package build/tests/package/installed .
+  ;;
+ci-test)
+  install_packages debootstrap git python3 python3-yaml
+  exec python3 tests/package/ci_test.py . build/tests/package/ci "$@"
   ;;
 gate)
   build carom_programs
