@@ -4,6 +4,7 @@ on a solver with a defect, by which the job has to fail and to leave everything 
 is sound, when nothing may be built any more. NAME is one of action, github, gitlab, script, container; all where none is
 given. Of Carom the last commit is taken. Ends in 77 where this machine cannot make a bare Debian."""
 
+import os
 import pathlib
 import re
 import shutil
@@ -39,8 +40,11 @@ class Playground:
         self.base = work.parent / "base"
         shutil.rmtree(work, ignore_errors=True)
         work.mkdir(parents=True)
-        git = ["git", "-C", str(source)]
-        self.revision = subprocess.run([*git, "rev-parse", "HEAD"], check=True, capture_output=True, text=True).stdout.strip()
+        # The tree may belong to another user than root.
+        (work / "gitconfig").write_text("[safe]\n\tdirectory = *\n", encoding="utf-8")
+        os.environ["GIT_CONFIG_GLOBAL"] = str(work / "gitconfig")
+        self.revision = subprocess.run(["git", "-C", str(source), "rev-parse", "HEAD"], check=True, capture_output=True,
+                                       text=True).stdout.strip()
         subprocess.run(["git", "clone", "--quiet", "--bare", str(source), str(work / "origin/carom.git")], check=True)
         (work / "archives").mkdir()
         self.tree("carom")
