@@ -60,7 +60,7 @@ configure() {
 
 # What the tests start besides: the examples' interpreters, a reader of the schema, and a browser for the report.
 install_test_programs() {
-  local programs=(python3 python3-jsonschema)
+  local programs=(python3 python3-jsonschema python3-yaml)
   command -v node >/dev/null || programs+=(nodejs)
   command -v chromium >/dev/null || programs+=(chromium)
   install_packages "${programs[@]}"
