@@ -3,6 +3,10 @@
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom; this where no COMMAND is given
+#   package   build, then the Debian packages carom and libcarom-dev in build/package
+#   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   ci-test   [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian 12, as root: an hour on two cores for all
+#             of action, github, gitlab, script and container
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
@@ -56,7 +60,7 @@ configure() {
 
 # What the tests start besides: the examples' interpreters, a reader of the schema, and a browser for the report.
 install_test_programs() {
-  local programs=(python3 python3-jsonschema)
+  local programs=(python3 python3-jsonschema python3-yaml)
   command -v node >/dev/null || programs+=(nodejs)
   command -v chromium >/dev/null || programs+=(chromium)
   install_packages "${programs[@]}"
@@ -80,7 +84,7 @@ build() {
 
 # Of what is ours, the files whose names match.
 sources() {
-  find src oracles properties tests docs/examples .ci -name node_modules -prune -o -type f "$@" -print
+  find src oracles properties tests docs/examples .ci .github -name node_modules -prune -o -type f "$@" -print
 }
 
 lint() {
@@ -140,6 +144,20 @@ command=${1:-build}
 case "$command" in
 packages) install_packages ;;
 build) build carom_programs ;;
+package)
+  install_packages dpkg-dev file
+  build carom_package
+  ls build/package/*.deb
+  ;;
+package-test)
+  install_packages dpkg-dev file debootstrap python3
+  build carom_package
+  exec python3 tests/package/package_test.py build/package build/tests/package/installed .
+  ;;
+ci-test)
+  install_packages debootstrap git python3 python3-yaml
+  exec python3 tests/package/ci_test.py . build/tests/package/ci "$@"
+  ;;
 gate)
   build carom_programs
   exec build/carom gate "$@"

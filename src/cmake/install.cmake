@@ -3,11 +3,15 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
+# Of the components `program` and `development` what is said of neither is of the latter.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+
 # carom_library(TARGET NAME): an alias carom::NAME, under which it is installed.
 function(carom_library target name)
   add_library(carom::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT carom)
+  set_property(GLOBAL APPEND PROPERTY CAROM_INSTALLED_LIBRARIES ${target})
 endfunction()
 
 # carom_folder(TARGET NAME DIRECTORY SCOPE …): a library, and the spelling <carom/NAME/…> that its folder of the tree has
@@ -33,6 +37,7 @@ function(carom_install_package)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/carom-config.cmake ${PROJECT_BINARY_DIR}/carom-config-version.cmake
           DESTINATION ${directory})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/licences/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/licences/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences
+          COMPONENT program)
   install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${directory})
 endfunction()

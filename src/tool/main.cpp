@@ -169,6 +169,11 @@ int run_command(int argc, char** argv) {
                    "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "
                    "family. It is not judged, and shown as not claimed")
       ->delimiter(',');
+      ->add_option("--annotations", gate.annotations,
+                   "Print what is violated as annotations too, in the form that this service shows beside a commit")
+      ->check(CLI::IsMember({"github"}));
+  gate_command->add_option("--summary", gate.summary, "File to whose end a summary in Markdown is added")
+      ->type_name("FILE");
   gate_command->add_option("--jobs", gate.jobs, "Threads (default: one for each core)")->check(CLI::Range(1, 1024));
   add_yardstick(*gate_command, gate);
   add_timeout(*gate_command, gate);
@@ -302,6 +307,13 @@ int run_command(int argc, char** argv) {
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
   table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();
   table_command->callback([&] { run = [&] { return carom::tool::table(report_file); }; });
+
+  std::string badge_file;
+  std::string badge_out;
+  CLI::App* badge_command = app.add_subcommand("badge", "Draw the verdict of a report.json as a badge, in SVG");
+  badge_command->add_option("FILE", badge_file, "report.json of `carom gate --out`")->required();
+  badge_command->add_option("--out", badge_out, "File to write (default: standard output)")->type_name("FILE");
+  badge_command->callback([&] { run = [&] { return carom::tool::badge(badge_file, badge_out); }; });
 
   ReplayArguments replay;
   CLI::App* replay_command =

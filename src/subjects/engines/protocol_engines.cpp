@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <system_error>
+#include <vector>
 
+#include <carom/subjects/engines/adapters.hpp>
 #include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/engines.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Where this program stands; empty where the system does not tell.
-fs::path program_directory() {
-  std::error_code none;
-  return fs::read_symlink("/proc/self/exe", none).parent_path();
-}
-
-/// The first of these that is there; empty where none is.
-fs::path first_existing(const std::vector<fs::path>& candidates) {
-  std::error_code none;
-  for (const fs::path& candidate : candidates) {
-    if (fs::exists(candidate, none)) {
-      return candidate;
-    }
-  }
-  return {};
-}
 
 std::string specification(const std::vector<std::string>& words) {
   std::string text;
@@ -38,19 +21,16 @@ std::string specification(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The installed tree's folder of adapters for Node, or the source tree's.
-fs::path npm_directory() { return first_existing({program_directory() / "../share/carom/npm", CAROM_NPM_DIRECTORY}); }
-
-/// Sets what starts each of an engine's subjects: `program`, followed by the words of its setting. `why_absent` is
-/// empty where the engine is installed.
+/// Sets what starts each of an engine's subjects: `program`, followed by the words of its setting. `absence` says
+/// why the engine is not installed, and is empty where it is.
 std::vector<Subject> started_by(std::vector<Subject> claims, const std::vector<std::string>& program,
-                                const std::string& why_absent) {
+                                const std::string& absence) {
   for (std::size_t i = 0; i < claims.size(); ++i) {
     std::vector<std::string> words = program;
     const std::vector<std::string> setting = engine_settings[i].words();
     words.insert(words.end(), setting.begin(), setting.end());
     claims[i].specification = specification(words);
-    claims[i].absent = why_absent;
+    claims[i].absent = absence;
   }
   return claims;
 }
@@ -64,23 +44,25 @@ struct NodeEngine {
 };
 
 std::vector<Subject> node_engine(const NodeEngine& engine) {
-  const fs::path directory = npm_directory();
-  const bool installed = !directory.empty() && !first_existing({directory / "node_modules" / engine.package}).empty();
+  const Adapters adapters = find_adapters();
+  const std::string adapter = engine.name + ".mjs";
   return started_by(engine_claims({engine.name, engine.package, engine.configured, engine.friction}, engine.precision),
-                    {"node", (directory / (engine.name + ".mjs")).lexically_normal().string()},
-                    installed ? "" : engine.package + " is not installed: bash src/bootstrap.sh engines");
+                    {"node", (adapters.directory / adapter).string()}, why_absent(adapters, adapter, engine.package));
 }
 
 std::vector<Subject> bullet_float() {
-  const fs::path program = first_existing({program_directory() / "carom-bullet-float"});
+  const std::filesystem::path program = program_directory() / "carom-bullet-float";
+  std::error_code none;
   return started_by(
       engine_claims({"bullet-float", "Bullet's float build",
                      "restitution threshold 0, no gyroscopic torque; drops contacts of bodies of more than about "
                      "1.5e7 kg",
                      "friction along the slip before the impulse"},
                     Precision::binary32),
-      {program.lexically_normal().string()},
-      program.empty() ? "libbullet-dev was not found when this program was built" : "");
+      {program.string()},
+      std::filesystem::exists(program, none)
+          ? ""
+          : program.string() + " is not there: libbullet-dev was not found when this program was built");
 }
 
 }  // namespace

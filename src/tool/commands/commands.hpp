@@ -32,9 +32,11 @@ struct GateArguments {
   bool fail_fast = false;
   double limit_ulps = 32;
   std::optional<int> digits;
-  bool exact = false;  // judged in ℚ alone
-  unsigned jobs = 0;   // 0: one for each core
-  std::string out;     // a directory; empty for none
+  bool exact = false;       // judged in ℚ alone
+  unsigned jobs = 0;        // 0: one for each core
+  std::string out;          // a directory; empty for none
+  std::string annotations;  // "github", or empty for none
+  std::string summary;      // a file to add to; empty for none
   bool engines = false;
   std::uint64_t relations_every = 0;  // 0: as GateOptions says
   double timeout = 5;                 // of each reply of a program [s]
@@ -121,6 +123,8 @@ struct PlanArguments {
 [[nodiscard]] int show_trends(const TrendsArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
+/// Writes the verdict of a report.json as a picture; to standard output where `out` is empty.
+[[nodiscard]] int badge(const std::string& file, const std::string& out);
 [[nodiscard]] int list_subjects(const std::string& format);
 [[nodiscard]] int list_invariants(const std::string& format);
 [[nodiscard]] int list_families(const std::string& format, std::uint64_t seed);

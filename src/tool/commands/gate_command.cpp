@@ -22,6 +22,7 @@
 #include "commands/progress.hpp"
 #include "commands/subject_argument.hpp"
 #include "compare/read_report.hpp"
+#include "commands/workflow_commands.hpp"
 #include "report/environment.hpp"
 #include "report/records.hpp"
 
@@ -153,6 +154,16 @@ int gate(const GateArguments& arguments) {
   if (!arguments.baseline.empty()) {
     baseline = compare::read_report(arguments.baseline);
   }
+  if (!arguments.annotations.empty() && arguments.format != "text") {
+    throw UsageError("--annotations: stand in the text alone, not with --format " + arguments.format);
+  }
+  if (!arguments.summary.empty()) {
+    append_to_file("--summary", arguments.summary, "");
+  }
+  std::optional<WorkflowCommandsStopped> commands_stopped;
+  if (!arguments.annotations.empty()) {
+    commands_stopped.emplace();
+  }
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
@@ -190,7 +201,9 @@ int gate(const GateArguments& arguments) {
               deviates,
               arguments.shard.has_value()};
   run.diagnoses = properties::diagnosis::diagnose_all(run.report);
-  return present_run(std::move(run), baseline, arguments.out, arguments.format);
+  return present_run(std::move(run), baseline,
+                     {arguments.out, arguments.format, !arguments.annotations.empty(), arguments.summary,
+                      [&] { commands_stopped.reset(); }});
 }
 
 }  // namespace carom::tool

@@ -43,7 +43,7 @@ int merge_shards(const MergeArguments& arguments) {
   run.is_shard = false;
   make_directories(fs::path(arguments.out) / "witnesses");
   remove_old_witnesses(arguments.out);
-  return present_run(std::move(run), baseline, arguments.out, arguments.format);
+  return present_run(std::move(run), baseline, {arguments.out, arguments.format, false, {}, {}});
 }
 
 }  // namespace carom::tool

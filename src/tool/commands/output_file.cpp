@@ -18,6 +18,15 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   }
 }
 
+void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file << text;
+  file.close();
+  if (!file) {
+    throw UsageError(fmt::format("{}: {} cannot be written", option, path.string()));
+  }
+}
+
 void make_directories(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);

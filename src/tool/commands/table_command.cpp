@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,9 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/collision/json/json.hpp>
+#include <carom/collision/model.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/report_file.hpp"
 
 namespace carom::tool {
 namespace {
@@ -101,18 +100,6 @@ std::string row(const json& subject) {
                      subject.at("status").get<std::string>(), worst_cell(subject), digits_cell(subject.at("digits")),
                      list(invariants), families_cell(subject.at("families")),
                      subject.at("nanoseconds_per_solve").get<double>());
-}
-
-json report_from(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw UsageError(fmt::format("{}: cannot be read", file));
-  }
-  try {
-    return parse_json(std::string(std::istreambuf_iterator<char>(stream), {}));
-  } catch (const FormatError& error) {
-    throw UsageError(fmt::format("{}: {}", file, error.what()));
-  }
 }
 
 }  // namespace

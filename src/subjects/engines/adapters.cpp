@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <carom/subjects/engines/adapters.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
+
+namespace carom::subjects {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& path) {
+  std::error_code none;
+  return fs::exists(path, none);
+}
+
+/// Whether the search path has a program of this name.
+bool is_on_path(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? std::string_view() : path;
+  while (!rest.empty()) {
+    const std::size_t colon = rest.find(':');
+    const fs::path candidate = fs::path(rest.substr(0, colon)) / program;
+    if (access(candidate.c_str(), X_OK) == 0) {
+      return true;
+    }
+    rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+  }
+  return false;
+}
+
+/// What installs the packages of that folder, or, where it cannot be written, of a copy.
+std::string how_to_install(const fs::path& directory) {
+  const std::string quoted = protocol::quoted(directory.string());
+  if (access(directory.c_str(), W_OK) == 0) {
+    return "npm ci --prefix " + quoted;
+  }
+  return "cp -r " + quoted + " ~/carom-engines && npm ci --prefix ~/carom-engines && export " + adapters_variable +
+         "=~/carom-engines";
+}
+
+}  // namespace
+
+fs::path program_directory() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+Adapters find_adapters() {
+  if (const char* const chosen = std::getenv(adapters_variable); chosen != nullptr && *chosen != '\0') {
+    return {fs::absolute(chosen).lexically_normal(), true};
+  }
+  for (fs::path folder = program_directory(); !folder.empty(); folder = folder.parent_path()) {
+    const fs::path candidate = folder / "share" / "carom" / "npm";
+    if (is_there(candidate)) {
+      std::error_code none;
+      const fs::path real = fs::canonical(candidate, none);
+      return {real.empty() ? candidate : real, false};
+    }
+    if (folder == folder.root_path()) {
+      break;
+    }
+  }
+  return {};
+}
+
+std::string why_absent(const Adapters& adapters, const std::string& adapter, const std::string& package) {
+  if (adapters.directory.empty()) {
+    return std::string("no folder share/carom/npm above this program has the adapters; ") + adapters_variable +
+           " may name one";
+  }
+  if (!is_there(adapters.directory / adapter)) {
+    return (adapters.directory / adapter).string() + " is not there" +
+           (adapters.is_chosen ? std::string(", in the folder that ") + adapters_variable + " names" : "");
+  }
+  if (!is_there(adapters.directory / "node_modules" / package)) {
+    return package + " is not installed: " + how_to_install(adapters.directory);
+  }
+  return is_on_path("node") ? "" : "node, which runs it, is not on the PATH: install nodejs";
+}
+
+}  // namespace carom::subjects

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/output_file.hpp"
+#include "commands/report_file.hpp"
+#include "report/badge.hpp"
+
+namespace carom::tool {
+
+int badge(const std::string& file, const std::string& out) {
+  const nlohmann::json report = report_from(file);
+  std::string picture;
+  try {
+    picture = badge_svg(overall_of(report));
+  } catch (const nlohmann::json::exception& error) {
+    throw UsageError(fmt::format("{}: is not a report.json of carom gate: {}", file, error.what()));
+  }
+  if (out.empty()) {
+    fmt::print("{}", picture);
+  } else {
+    write_file(out, picture);
+  }
+  return exit_all_hold;
+}
+
+}  // namespace carom::tool

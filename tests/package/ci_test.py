@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""ci_test.py SOURCE WORK [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian, twice: at first
+on a solver with a defect, by which the job has to fail and to leave everything behind that explains it; then on one that
+is sound, when nothing may be built any more. NAME is one of action, github, gitlab, script, container; all where none is
+given. Of Carom the last commit is taken. Ends in 77 where this machine cannot make a bare Debian."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import yaml
+
+import containerfile
+import github_job
+import gitlab_job
+from bare_debian import SKIPPED, BareDebian, Unavailable
+
+COMPILED = "Building CXX object"
+PAGE = "docs/guide/ci.md"
+
+
+class Failure(Exception):
+    """What was expected did not come about."""
+
+
+def blocks_of(page, language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+
+
+class Playground:
+    """The folders that the runs share: Carom as git has it, the user's project, sound and not."""
+
+    def __init__(self, source, work):
+        self.source = source
+        self.work = work
+        self.base = work.parent / "base"
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+        # The tree may belong to another user than root.
+        (work / "gitconfig").write_text("[safe]\n\tdirectory = *\n", encoding="utf-8")
+        os.environ["GIT_CONFIG_GLOBAL"] = str(work / "gitconfig")
+        self.revision = subprocess.run(["git", "-C", str(source), "rev-parse", "HEAD"], check=True, capture_output=True,
+                                       text=True).stdout.strip()
+        subprocess.run(["git", "clone", "--quiet", "--bare", str(source), str(work / "origin/carom.git")], check=True)
+        (work / "archives").mkdir()
+        self.tree("carom")
+        example = (source / "docs/examples/solver.py").read_text(encoding="utf-8")
+        sign = "-(1 + "
+        if example.count(sign) != 1:
+            raise Failure(f"docs/examples/solver.py has no single '{sign}' to plant a defect in")
+        for name, text in (("sound", example), ("defective", example.replace(sign, "-(1.001 + "))):
+            (work / name).mkdir()
+            solver = work / name / "my-solver"
+            solver.write_text(text, encoding="utf-8")
+            solver.chmod(0o755)
+        self.page = (source / PAGE).read_text(encoding="utf-8")
+        self.variables = {"CAROM_URL": "file:///origin/carom.git", "CAROM_REVISION": self.revision}
+
+    def tree(self, name):
+        """Carom's tree without its history."""
+        subprocess.run(["git", "clone", "--quiet", "--depth", "1", f"file://{self.work}/origin/carom.git", str(self.work / name)],
+                       check=True)
+        return self.work / name
+
+    def debian(self, name):
+        debian = BareDebian(self.base, self.work / "roots" / name)
+        debian.binds["/origin"] = self.work / "origin"
+        # Packages are fetched once; each system installs its own.
+        debian.binds["/var/cache/apt/archives"] = self.work / "archives"
+        return debian
+
+    def yaml_block(self, is_wanted):
+        (found,) = [block for block in blocks_of(self.page, "yaml") if is_wanted(block)]
+        return found
+
+
+class Run:
+    """One run of something: what it printed, how it ended, how long it took."""
+
+    def __init__(self, playground, name, play):
+        self.log = playground.work / f"{name}.log"
+        began = time.monotonic()
+        with open(self.log, "wb") as log:
+            self.ended_well = play(log)
+        self.text = self.log.read_text(encoding="utf-8", errors="replace")
+        self.compiled = self.text.count(COMPILED)
+        print(f"{time.monotonic() - began:7.1f} s  {name}: {'passed' if self.ended_well else 'failed'}, "
+              f"{self.compiled} files compiled", flush=True)
+
+    def expect(self, is_so, what):
+        if not is_so:
+            raise Failure(f"{what}; {self.log} ends in\n{self.text[-3000:]}")
+
+
+def judge_twice(playground, name, play, keeps):
+    """`play` runs it on a project, into a log; `keeps` says what a run has to leave behind."""
+    first = Run(playground, f"{name}-1", lambda log: play(playground.work / "defective", log))
+    first.expect(not first.ended_well, "a solver with a defect passed")
+    first.expect(first.compiled > 0, "the first run built nothing")
+    first.expect("violates" in first.text, "the first run says nothing of a violation")
+    keeps(first, "violated")
+    second = Run(playground, f"{name}-2", lambda log: play(playground.work / "sound", log))
+    second.expect(second.ended_well, "a sound solver failed")
+    second.expect(second.compiled == 0, "the second run built something")
+    keeps(second, "sound")
+
+
+def expect_report(run, folder, verdict):
+    for file in ("report.html", "report.json", "junit.xml"):
+        run.expect((folder / file).exists(), f"the artefact has no {file}")
+    run.expect(f'"status": "{verdict}"' in (folder / "report.json").read_text(encoding="utf-8"), f"the report is not {verdict}")
+
+
+def play_github(playground, name, is_wanted):
+    workflow = github_job.read_yaml(playground.yaml_block(is_wanted))
+    store = playground.work / name
+    job = None
+
+    def play(project, log):
+        nonlocal job
+        debian = playground.debian(name)
+        job = github_job.Job(workflow, debian, project, playground.work / "carom", store, playground.variables)
+        return job.play(log)
+
+    def keeps(run, verdict):
+        (artefact,) = (store / "artefacts").iterdir()
+        expect_report(run, artefact, verdict)
+        run.expect(verdict in job.summary.read_text(encoding="utf-8"), "the job's summary does not say the verdict")
+        annotations = github_job.annotations_in(run.log)
+        run.expect(any(kind == "notice" for kind, _ in annotations), "there is no notice with the verdict")
+        run.expect(any(kind == "error" for kind, _ in annotations) == (verdict == "violated"), "errors are not as the verdict")
+        job.debian.remove()
+
+    judge_twice(playground, name, play, keeps)
+
+
+def play_action(playground):
+    play_github(playground, "action", lambda block: "jobs:" in block and github_job.ACTION in block)
+
+
+def play_workflow(playground):
+    play_github(playground, "github", lambda block: "jobs:" in block and github_job.ACTION not in block)
+
+
+def play_gitlab(playground):
+    (job,) = yaml.safe_load(playground.yaml_block(lambda block: "jobs:" not in block)).values()
+    store = playground.work / "gitlab"
+
+    def play(project, log):
+        debian = playground.debian("gitlab")
+        ended_well = gitlab_job.Job(job, debian, project, store, playground.variables).play(log)
+        debian.remove()
+        return ended_well
+
+    judge_twice(playground, "gitlab", play, lambda run, verdict: expect_report(run, store / "artefacts/report", verdict))
+
+
+def play_script(playground):
+    """On a machine that stays: what the first run built is there in the second."""
+    (script,) = blocks_of(playground.page, "sh")
+    debian = playground.debian("script")
+    debian.binds["/carom"] = playground.tree("carom-of-the-script")
+    for command in ("apt-get update -qq", "apt-get install -y -qq python3 >/dev/null"):
+        if debian.run(["sh", "-c", command]) != 0:
+            raise Failure(f"{command}: failed")
+    folder = debian.root / "home/project"
+
+    def play(project, log):
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(project, folder)
+        (folder / "judge.sh").write_text(script, encoding="utf-8")
+        return debian.run(["sh", "judge.sh", "exec:./my-solver"], {"CAROM": "/carom"}, "/home/project", log) == 0
+
+    judge_twice(playground, "script", play, lambda run, verdict: expect_report(run, folder / "report", verdict))
+    debian.remove()
+
+
+def play_container(playground):
+    """An image is what is kept: it is built once and run twice."""
+    text = (playground.source / "docs/examples/Containerfile").read_text(encoding="utf-8")
+    image = None
+    entry_point = None
+
+    def play(project, log):
+        nonlocal image, entry_point
+        if image is None:
+            stage = containerfile.build(text, playground.work / "carom", lambda name: playground.debian(f"container-{name}"), log)
+            image, entry_point = stage.debian, stage.entry_point
+            # What the example needs, as an image FROM this one would.
+            image.run(["sh", "-c", "apt-get update -qq && apt-get install -y -qq --no-install-recommends python3"], log=log)
+        image.binds["/work"] = project
+        shutil.rmtree(project / "report", ignore_errors=True)
+        return image.run([*entry_point, "gate", "exec:./my-solver", "--out", "report"], folder="/work", log=log) == 0
+
+    def keeps(run, verdict):
+        expect_report(run, playground.work / ("sound" if verdict == "sound" else "defective") / "report", verdict)
+
+    judge_twice(playground, "container", play, keeps)
+    image.remove()
+
+
+PLAYS = {"action": play_action, "github": play_workflow, "gitlab": play_gitlab, "script": play_script,
+         "container": play_container}
+
+
+def main(source, work, names):
+    unknown = set(names) - set(PLAYS)
+    if unknown:
+        print(f"ci_test: there is no {', '.join(sorted(unknown))}; there are {', '.join(PLAYS)}", file=sys.stderr)
+        return 2
+    try:
+        playground = Playground(source, work)
+        for name in names or PLAYS:
+            PLAYS[name](playground)
+            shutil.rmtree(work / "roots", ignore_errors=True)
+    except Unavailable as why:
+        print(f"ci_test: skipped: {why}", file=sys.stderr)
+        return SKIPPED
+    except (Failure, ValueError) as failure:
+        print(f"ci_test: {failure}", file=sys.stderr)
+        return 1
+    print("ci_test: each of these does what it should, and the second time builds nothing")
+    return 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3:]))
