@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -256,8 +258,15 @@ int run_command(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Output that cannot be written is an error to tell, and not the end of a program that has reports to write.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("carom: there is not enough memory\n", stderr);
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "carom: %s%s\n", std::ferror(stdout) != 0 ? "standard output: " : "", error.what());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "carom: %s\n", error.what());  // and where that cannot be written, the status says it
   } catch (...) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,6 +18,7 @@
 #include "commands/commands.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 
 namespace carom::tool {
 namespace {
@@ -156,8 +159,7 @@ std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements)
 
 int chart_methods(const ChartArguments& arguments) {
   const std::vector<Method> methods = methods_of(arguments.methods);
-  const std::filesystem::path out(arguments.out);
-  make_directories(out / "gnuplot");
+  StagedOutput staged(arguments.out);
   const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   const chart::Measurements measurements{this_environment(),
                                          arguments.seed,
@@ -167,13 +169,21 @@ int chart_methods(const ChartArguments& arguments) {
                                          measured_methods(arguments, methods, jobs),
                                          measured_sweeps(arguments, methods, jobs)};
   const std::string tables = chart::tables_markdown(measurements);
+  const std::filesystem::path& stage = staged.stage();
+  write_file(stage / "tables.md", tables);
+  write_file(stage / "work-precision.csv", chart::work_precision_csv(measurements));
+  write_file(stage / "stability.csv", chart::stability_csv(measurements));
+  write_file(stage / "deadline.csv", chart::deadline_csv(measurements));
+  write_file(stage / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
+  // Where gnuplot fails, the numbers are there.
+  const std::exception_ptr undrawn = chart::try_to_draw(pictures_of(measurements), stage);
+  staged.put_in_place("chart.json");
+  remove_abandoned_stages(arguments.out);
   fmt::print("{}", tables);
-  write_file(out / "tables.md", tables);
-  write_file(out / "work-precision.csv", chart::work_precision_csv(measurements));
-  write_file(out / "stability.csv", chart::stability_csv(measurements));
-  write_file(out / "deadline.csv", chart::deadline_csv(measurements));
-  write_file(out / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
-  chart::draw(pictures_of(measurements), out);
+  if (undrawn) {
+    std::fflush(stdout);
+    std::rethrow_exception(undrawn);
+  }
   return exit_all_hold;
 }
 

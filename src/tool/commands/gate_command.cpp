@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,6 +20,7 @@
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 #include "commands/subject_argument.hpp"
 #include "report/environment.hpp"
 #include "report/html_report.hpp"
@@ -117,20 +122,35 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   return selection;
 }
 
-void write_reports(const GateRun& run, const std::string& out) {
-  // First of all what lists the witnesses: a later run removes those that are listed.
-  write_file(fs::path(out) / "report.json",
-             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+/// All of them or none, and at every moment a report with the witnesses that it lists.
+void write_reports(const GateRun& run, const std::string& out, StagedOutput& staged) {
+  const fs::path& stage = staged.stage();
+  make_directories(stage / "witnesses");
   for (const properties::SubjectResult& result : run.report.results) {
     for (const properties::Witness& witness : result.witnesses) {
-      const fs::path path = witness_path(out, result.subject, witness);
-      write_file(path, witness_record(witness, result.subject, run.report.options, path)
-                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                           '\n');
+      write_file(witness_path(stage, result.subject, witness),
+                 witness_record(witness, result.subject, run.report.options, witness_path(out, result.subject, witness))
+                         .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                     '\n');
     }
   }
-  write_file(fs::path(out) / "junit.xml", junit_xml(run));
-  write_file(fs::path(out) / "report.html", html_report(run, out));
+  write_file(stage / "junit.xml", junit_xml(run));
+  write_file(stage / "report.html", html_report(run, out));
+  write_file(stage / "report.json",
+             report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  const std::vector<fs::path> old = old_witnesses(out);
+  staged.put_in_place("report.json");
+  remove_old_witnesses(out, old);
+  remove_abandoned_stages(out);
+}
+
+void print_reports(const GateRun& run, const GateArguments& arguments) {
+  if (arguments.format == "json") {
+    fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", report_text(run, arguments.out));
+  }
+  std::fflush(stdout);  // before anything is said on standard error
 }
 
 }  // namespace
@@ -152,20 +172,32 @@ int gate(const GateArguments& arguments) {
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;
+  std::optional<StagedOutput> staged;
   if (!arguments.out.empty()) {
     make_directories(fs::path(arguments.out) / "witnesses");
-    remove_old_witnesses(arguments.out);
+    staged.emplace(arguments.out);
   }
   const Environment environment = this_environment();
   const GateRun run{properties::run_gate(selection.subjects, options), selection.counts, selection.absent, environment};
-  if (arguments.format == "json") {
-    fmt::print("{}\n", report_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  } else {
-    fmt::print("{}", report_text(run, arguments.out));
+  // First what lasts; and where that cannot be written, what was found is printed all the same.
+  std::exception_ptr unwritten;
+  if (staged) {
+    try {
+      write_reports(run, arguments.out, *staged);
+    } catch (...) {
+      unwritten = std::current_exception();
+    }
+    staged.reset();
   }
-  if (!arguments.out.empty()) {
-    std::fflush(stdout);  // what was found is not lost where the files cannot be written
-    write_reports(run, arguments.out);
+  try {
+    print_reports(run, arguments);
+  } catch (const std::system_error&) {
+    if (!unwritten) {
+      throw;
+    }
+  }
+  if (unwritten) {
+    std::rethrow_exception(unwritten);
   }
   return run.exit_status();
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/output_file.hpp"
 
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -9,12 +11,18 @@
 
 namespace carom::tool {
 
+void fail_to_write(const std::filesystem::path& path, int error) {
+  throw UsageError(
+      fmt::format("--out: {} cannot be written: {}", path.string(), std::generic_category().message(error)));
+}
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
+  errno = 0;
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
   if (!file) {
-    throw UsageError(fmt::format("--out: {} cannot be written", path.string()));
+    fail_to_write(path, errno);
   }
 }
 

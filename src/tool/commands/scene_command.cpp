@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +21,7 @@
 #include "commands/interrupt.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
@@ -50,7 +53,7 @@ class LineFile {
  private:
   void require() const {
     if (!stream_) {
-      throw UsageError(fmt::format("{}: cannot be written", path_.string()));
+      fail_to_write(path_, errno);
     }
   }
 
@@ -76,6 +79,8 @@ std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& 
 struct Written {
   SampledLaw sampled;
   nlohmann::json record;
+  std::string text;  // where text is asked for
+  std::exception_ptr undrawn;
   bool holds = false;
   bool has_failed = false;
 };
@@ -135,13 +140,14 @@ class LawRun {
     run_->run();
   }
 
-  /// All else that is asked for, one law after the other: it prints, and starts programs. Precondition: it has run.
+  /// All other files, one law after the other: it starts programs. Precondition: it has run.
   [[nodiscard]] Written write(const SceneArguments& arguments) {
-    Written written{
-        {std::string(name_of(scene_.law)), run_->samples()}, scene_record(*run_), run_->holds(), run_->has_failed()};
-    if (arguments.format == "text") {
-      fmt::print("{}", scene_text(*run_));
-    }
+    Written written{{std::string(name_of(scene_.law)), run_->samples()},
+                    scene_record(*run_),
+                    arguments.format == "text" ? scene_text(*run_) : std::string(),
+                    nullptr,
+                    run_->holds(),
+                    run_->has_failed()};
     if (out_) {
       events_->close();
       write_file(*out_ / "series.csv", series_csv(*run_));
@@ -152,7 +158,8 @@ class LawRun {
       }
       write_file(*out_ / "report.html", scene_html(*run_, has_page));
       const std::vector laws{written.sampled};
-      chart::draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
+      written.undrawn =
+          chart::try_to_draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
     }
     return written;
   }
@@ -193,16 +200,44 @@ void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& a
   }
 }
 
+/// Draws what shows all laws together, and puts the files of all of them in place.
+void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::vector<Written>& all) {
+  if (all.size() > 1) {
+    std::vector<SampledLaw> sampled;
+    for (const Written& written : all) {
+      sampled.push_back(written.sampled);
+    }
+    const std::exception_ptr undrawn = chart::try_to_draw(
+        std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, staged.stage());
+    all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
+  }
+  staged.put_in_place("scene.json");
+  remove_abandoned_stages(arguments.out);
+}
+
+void print_laws(const SceneArguments& arguments, const std::vector<Written>& all) {
+  if (arguments.format == "json") {
+    nlohmann::json records = nlohmann::json::array();
+    for (const Written& written : all) {
+      records.push_back(written.record);
+    }
+    fmt::print("{}\n", all.size() == 1 ? records[0].dump(1) : records.dump(1));
+  }
+  for (const Written& written : all) {
+    fmt::print("{}", written.text);
+  }
+}
+
 }  // namespace
 
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   scene::Scene scene = scene_of(content_of_file(arguments.file), arguments.file);
   const std::vector<Model> laws = laws_of(arguments, scene);
+  std::optional<StagedOutput> staged;
   std::optional<fs::path> out;
   if (!arguments.out.empty()) {
-    out = arguments.out;
-    make_directories(*out / "gnuplot");
+    out = staged.emplace(arguments.out).stage();
     if (!has_replay()) {
       fmt::print(
           stderr,
@@ -215,7 +250,6 @@ int run_scene_file(const SceneArguments& arguments) {
     std::optional<fs::path> own = out;
     if (out && laws.size() > 1) {
       own = *out / std::string(name_of(law));
-      make_directories(*own / "gnuplot");
     }
     runs.push_back(std::make_unique<LawRun>(scene, own));
   }
@@ -226,19 +260,15 @@ int run_scene_file(const SceneArguments& arguments) {
     all.push_back(run->write(arguments));
     run.reset();
   }
-  if (arguments.format == "json") {
-    nlohmann::json records = nlohmann::json::array();
-    for (const Written& written : all) {
-      records.push_back(written.record);
-    }
-    fmt::print("{}\n", laws.size() == 1 ? records[0].dump(1) : records.dump(1));
+  if (staged) {
+    put_in_place(*staged, arguments, all);
   }
-  if (out && laws.size() > 1) {
-    std::vector<SampledLaw> sampled;
-    for (const Written& written : all) {
-      sampled.push_back(written.sampled);
+  print_laws(arguments, all);
+  for (const Written& written : all) {
+    if (written.undrawn) {
+      std::fflush(stdout);
+      std::rethrow_exception(written.undrawn);
     }
-    chart::draw(std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, *out);
   }
   const auto any = [&](bool Written::*fact) {
     return std::any_of(all.begin(), all.end(), [&](const Written& written) { return written.*fact; });
