@@ -16,6 +16,7 @@
 #include "chart/gnuplot.hpp"
 #include "chart/timing.hpp"
 #include "commands/commands.hpp"
+#include "commands/nearest_name.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
 #include "commands/staged_output.hpp"
@@ -36,11 +37,12 @@ std::vector<Method> methods_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.subject.name == name; });
     if (found == all.end()) {
-      std::string known;
+      std::vector<std::string> known;
       for (const Method& method : all) {
-        known += (known.empty() ? "" : ", ") + method.subject.name;
+        known.push_back(method.subject.name);
       }
-      throw UsageError(fmt::format("there is no method '{}'; there are {}", name, known));
+      throw UsageError(fmt::format("there is no method '{}'; there are {}{}", name, fmt::join(known, ", "),
+                                   did_you_mean(name, known)));
     }
     chosen.push_back(*found);
   }

@@ -16,6 +16,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/nearest_name.hpp"
 #include "commands/old_witnesses.hpp"
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
@@ -56,7 +57,8 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
       for (const properties::Family& known : properties::all_families()) {
         names.emplace_back(known.name);
       }
-      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}", name, known_names(names)));
+      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}{}", name, known_names(names),
+                                   did_you_mean(name, names)));
     }
     if (std::find(families.begin(), families.end(), family) == families.end()) {
       families.push_back(family);

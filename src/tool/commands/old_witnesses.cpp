@@ -12,7 +12,7 @@
 #include <carom/properties/invariants/invariant.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/input_file.hpp"
+#include "commands/json_file.hpp"
 #include "commands/staged_output.hpp"
 
 namespace carom::tool {

@@ -30,6 +30,11 @@ void make_directories(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
+    std::error_code gone;
+    (void)std::filesystem::current_path(gone);
+    if (gone && directory.is_relative()) {
+      throw UsageError(fmt::format("--out: {} cannot be made: the working directory is gone", directory.string()));
+    }
     throw UsageError(fmt::format("--out: {} cannot be made: {}", directory.string(), error.message()));
   }
 }

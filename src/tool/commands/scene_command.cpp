@@ -15,10 +15,13 @@
 
 #include <fmt/format.h>
 
+#include <carom/subjects/protocol/text.hpp>
+
 #include "chart/gnuplot.hpp"
 #include "commands/commands.hpp"
-#include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/json_file.hpp"
+#include "commands/nearest_name.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
 #include "commands/staged_output.hpp"
@@ -62,12 +65,13 @@ class LineFile {
 };
 
 std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& scene) {
+  const std::vector<std::string> known{"frictionless", "reflection", "sticking", "rough", "coulomb"};
   std::vector<Model> laws;
   for (const std::string& name : arguments.laws) {
     const std::optional<Model> law = model_named(name);
     if (!law || *law == Model::any) {
-      throw UsageError(fmt::format(
-          "--laws: there is no law '{}'; there are frictionless, reflection, sticking, rough, coulomb", name));
+      throw UsageError(fmt::format("--laws: there is no law '{}'; there are {}{}", name, fmt::join(known, ", "),
+                                   did_you_mean(name, known)));
     }
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) {
       laws.push_back(*law);
@@ -89,7 +93,7 @@ struct Written {
 class Progress {
  public:
   Progress(const scene::Scene& scene, std::size_t laws)
-      : line_(progress_line("ms of " + scene.title)), duration_(scene.duration), times_(laws, 0) {}
+      : line_(progress_line("ms of " + shown_title(scene))), duration_(scene.duration), times_(laws, 0) {}
 
   [[nodiscard]] bool is_shown() const { return line_ != nullptr; }
   void report(std::size_t law, double time) {
@@ -151,7 +155,8 @@ class LawRun {
     if (out_) {
       events_->close();
       write_file(*out_ / "series.csv", series_csv(*run_));
-      write_file(*out_ / "scene.json", written.record.dump(1) + '\n');
+      write_file(*out_ / "scene.json",
+                 written.record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
       const bool has_page = run_->replayed().has_value();
       if (has_page) {
         write_file(*out_ / "replay.html", replay_html(scene_.title, replay_record(*run_)));
@@ -221,10 +226,11 @@ void print_laws(const SceneArguments& arguments, const std::vector<Written>& all
     for (const Written& written : all) {
       records.push_back(written.record);
     }
-    fmt::print("{}\n", all.size() == 1 ? records[0].dump(1) : records.dump(1));
+    const nlohmann::json& record = all.size() == 1 ? records[0] : records;
+    fmt::print("{}\n", record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   for (const Written& written : all) {
-    fmt::print("{}", written.text);
+    fmt::print("{}", subjects::protocol::printable(written.text, written.text.size()));
   }
 }
 
@@ -232,7 +238,7 @@ void print_laws(const SceneArguments& arguments, const std::vector<Written>& all
 
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  scene::Scene scene = scene_of(content_of_file(arguments.file), arguments.file);
+  scene::Scene scene = scene_of(content_of_file(arguments.file, stop), arguments.file);
   const std::vector<Model> laws = laws_of(arguments, scene);
   std::optional<StagedOutput> staged;
   std::optional<fs::path> out;

@@ -12,6 +12,7 @@
 #include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/nearest_name.hpp"
 
 namespace carom::tool {
 namespace {
@@ -21,9 +22,13 @@ bool is_named_in(const std::vector<Subject>& subjects, const std::string& name) 
 }
 
 [[noreturn]] void fail_unknown(const std::string& argument) {
+  std::vector<std::string> known;
+  for (const Subject& subject : subjects::known_subjects()) {
+    known.push_back(subject.name);
+  }
   throw UsageError(
-      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program",
-                  subjects::protocol::printable_line(argument, 4000)));
+      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program{}",
+                  subjects::protocol::printable_line(argument, 4000), did_you_mean(argument, known)));
 }
 
 }  // namespace
