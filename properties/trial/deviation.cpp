@@ -15,8 +15,8 @@ template <class List>
   for (const auto& one : known) {
     names.emplace_back(one.name);
   }
-  throw std::invalid_argument(std::string("there is no ") + kind + " \"" + std::string(name) + "\"; the nearest is \"" +
-                              nearest_name(name, names) + '"');
+  throw std::invalid_argument(std::string("there is no ") + kind + " \"" + std::string(name) + '"' +
+                              did_you_mean(name, names));
 }
 
 }  // namespace

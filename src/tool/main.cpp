@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <carom/collision/model.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/trial/nearest_name.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/duration.hpp"
@@ -66,7 +71,8 @@ std::string is_shard(const std::string& text) {
 template <class Arguments>
 void add_accuracy(CLI::App& command, Arguments& arguments, const std::string& of_limit, const std::string& of_digits) {
   arguments.limit_ulps = carom::oracles::default_limit_ulps;
-  command.add_option("--limit-ulps", arguments.limit_ulps, of_limit)
+  CLI::Option* limit_ulps = command.add_option("--limit-ulps", arguments.limit_ulps, of_limit);
+  limit_ulps
       ->check([](const std::string& text) {
         // CLI::Range lets NaN pass.
         const double limit = std::strtod(text.c_str(), nullptr);
@@ -75,7 +81,7 @@ void add_accuracy(CLI::App& command, Arguments& arguments, const std::string& of
                    : fmt::format("expected a number from {} to {}", smallest_limit, largest_limit);
       })
       ->capture_default_str();
-  command.add_option("--digits", arguments.digits, of_digits)->check(CLI::Range(1, 18));
+  command.add_option("--digits", arguments.digits, of_digits)->check(CLI::Range(1, 18))->excludes(limit_ulps);
 }
 
 template <class Arguments>
@@ -104,6 +110,33 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
   command.add_option("--format", format, "Form of the output")
       ->check(CLI::IsMember(std::move(formats)))
       ->capture_default_str();
+}
+
+/// Of what was not expected, the command or the option that may have been meant; a line each.
+std::string meant_words(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      options.push_back("--" + name);
+    }
+  }
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+  }
+  std::string lines;
+  for (const std::string& word : app.remaining(true)) {
+    const bool is_option = word.starts_with("--");
+    if (!is_option && !chosen.empty()) {
+      continue;
+    }
+    if (const auto nearest =
+            carom::properties::nearest_name(word.substr(0, word.find('=')), is_option ? options : commands)) {
+      lines += fmt::format("Did you mean '{}'?\n", *nearest);
+    }
+  }
+  return lines;
 }
 
 /// What the command line asks for: the exit status.
@@ -144,7 +177,8 @@ int run_command(int argc, char** argv) {
                    "(default: 1; 4 for programs)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   gate_command->add_option("--families", gate.families, "Families to draw from, separated by commas (default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   gate_command->add_option(
       "--out", gate.out,
       "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
@@ -168,7 +202,9 @@ int run_command(int argc, char** argv) {
       ->add_option("--deviates", gate.deviates,
                    "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "
                    "family. It is not judged, and shown as not claimed")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  gate_command
       ->add_option("--annotations", gate.annotations,
                    "Print what is violated as annotations too, in the form that this service shows beside a commit")
       ->check(CLI::IsMember({"github"}));
@@ -225,7 +261,8 @@ int run_command(int argc, char** argv) {
       "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
   scene_command->add_option("FILE", scene.file, "A scene (docs/reference/schemas/scene.schema.json)")->required();
   scene_command->add_option("--laws", scene.laws, "Laws to run it under, separated by commas (default: the scene's)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   scene_command->add_option("--out", scene.out, "Directory for events, series, pictures, report and replay");
   scene_command->add_option("--judge-every", scene.judge_every, "Judge every Nth impulse; 0: none")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
@@ -328,6 +365,10 @@ int run_command(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    app.exit(error);
+    std::fputs(meant_words(app).c_str(), stderr);
+    return carom::tool::exit_usage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : carom::tool::exit_usage;
   }
@@ -342,15 +383,28 @@ int run_command(int argc, char** argv) {
   return status;
 }
 
+/// What is wrong may be told in words of a file or a program. Where it cannot be written, the exit status says it.
+void complain(const std::string& what) {
+  constexpr std::size_t longest = 20'000;
+  std::fputs(fmt::format("carom: {}\n", carom::subjects::protocol::printable(what, longest)).c_str(), stderr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Output that cannot be written is an error to tell, and not the end of a program that has reports to write.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("carom: there is not enough memory\n", stderr);  // and none is asked for to say it
+  } catch (const std::system_error& error) {
+    complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "carom: %s\n", error.what());  // and where that cannot be written, the status says it
+    complain(error.what());
   } catch (...) {
-    std::fputs("carom: ended by what is no exception\n", stderr);
+    complain("ended by what is no exception");
   }
   return carom::tool::exit_usage;
 }

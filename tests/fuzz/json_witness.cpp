@@ -1,22 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The reader of what `carom replay` is given: witnesses and collisions, one, an array or lines of them. What it does
 // not take is a UsageError; what it takes is valid, unless it says that it is not.
+#include <string>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <carom/collision/validate.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
+#include "commands/json_file.hpp"
 #include "input.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {
 namespace {
 
+/// A file in memory that holds the text.
+class FileOf {
+ public:
+  explicit FileOf(std::string_view text) : descriptor_(memfd_create("input", MFD_CLOEXEC)) {
+    require(write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()), "no file in memory");
+  }
+  ~FileOf() { close(descriptor_); }
+  FileOf(const FileOf&) = delete;
+  FileOf& operator=(const FileOf&) = delete;
+
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
 void read(std::string_view text) {
   try {
-    for (const tool::ReadCollision& read : tool::collisions_of(std::string(text), "input")) {
+    const FileOf file(text);
+    tool::JsonFile input(file.path());
+    tool::for_each_collision(input, tool::OutOfRange::refused, [](const tool::ReadCollision& read) {
       const bool may_be_invalid = read.witness && read.witness->invariant == "invalid_refused";
       require(may_be_invalid || validate(read.one.collision).empty(), "an invalid collision was taken for a valid one");
-    }
+    });
   } catch (const tool::UsageError&) {
     return;
   }

@@ -39,7 +39,8 @@ void print(const std::string& text, std::size_t longest) {
   require(std::none_of(shown.begin(), shown.end(),
                        [](char letter) { return is_control(letter) && letter != '\n' && letter != '\t'; }),
           "a control character is printed");
-  for (const char* turning : {"\u200e", "\u200f", "\u202a", "\u202e", "\u2066", "\u2069", "\u0085", "\u009b"}) {
+  for (const char* turning :
+       {"\u061c", "\u200e", "\u200f", "\u2028", "\u202a", "\u202e", "\u2066", "\u2069", "\u0085", "\u009b"}) {
     require(shown.find(turning) == std::string::npos, "what turns the writing is printed");
   }
   const std::string line = protocol::printable_line(text, longest);

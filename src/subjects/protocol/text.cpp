@@ -16,16 +16,17 @@ std::string valid_utf8(const std::string& text) {
 }
 
 /// The length of the control that begins there, of those that UTF-8 writes in several bytes; 0 for none. C1 (U+0080 to
-/// U+009F) drives terminals as ESC does; U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 turn the writing.
+/// U+009F) drives terminals as ESC does; U+061C, U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 turn the
+/// writing; U+2028 and U+2029 end lines.
 std::size_t long_control(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f) {
+  if ((byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f) || (byte(0) == 0xd8 && byte(1) == 0x9c)) {
     return 2;
   }
   const bool is_mark = byte(2) == 0x8e || byte(2) == 0x8f;
-  const bool is_embedding = byte(2) >= 0xaa && byte(2) <= 0xae;
+  const bool is_embedding_or_end = byte(2) >= 0xa8 && byte(2) <= 0xae;
   const bool is_isolate = byte(2) >= 0xa6 && byte(2) <= 0xa9;
-  const bool turns = (byte(1) == 0x80 && (is_mark || is_embedding)) || (byte(1) == 0x81 && is_isolate);
+  const bool turns = (byte(1) == 0x80 && (is_mark || is_embedding_or_end)) || (byte(1) == 0x81 && is_isolate);
   return byte(0) == 0xe2 && turns ? 3 : 0;
 }
 

@@ -12,6 +12,7 @@ namespace carom::tool::chart {
 
 void draw(std::span<const Picture> pictures, const std::filesystem::path& directory) {
   const std::filesystem::path scripts = directory / "gnuplot";
+  make_directories(scripts);
   for (const Picture& picture : pictures) {
     write_file(scripts / (picture.name() + ".gp"), picture.script());
   }
@@ -33,9 +34,18 @@ void draw(std::span<const Picture> pictures, const std::filesystem::path& direct
         throw UsageError(fmt::format("gnuplot {}: {}", error.what(), gnuplot.standard_error()));
       }
     } catch (const subjects::protocol::ChildError& error) {
-      throw UsageError(fmt::format("{}: the data and the scripts are in {}, but {}.svg was not drawn", error.what(),
-                                   directory.string(), picture.name()));
+      throw UsageError(fmt::format("{}: the data and the scripts are written, but {}.svg was not drawn", error.what(),
+                                   picture.name()));
     }
+  }
+}
+
+std::exception_ptr try_to_draw(std::span<const Picture> pictures, const std::filesystem::path& directory) {
+  try {
+    draw(pictures, directory);
+    return nullptr;
+  } catch (const UsageError&) {
+    return std::current_exception();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <span>
 
@@ -11,5 +12,8 @@ namespace carom::tool::chart {
 /// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and lets gnuplot draw DIRECTORY/NAME.svg. Throws
 /// UsageError where gnuplot is not installed or fails.
 void draw(std::span<const Picture> pictures, const std::filesystem::path& directory);
+
+/// The same, but for that a UsageError is returned, for whoever has yet to put the data in place; nullptr for none.
+[[nodiscard]] std::exception_ptr try_to_draw(std::span<const Picture> pictures, const std::filesystem::path& directory);
 
 }  // namespace carom::tool::chart

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "chart/chart_records.hpp"
@@ -16,6 +19,7 @@
 #include "commands/commands.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 
 namespace carom::tool {
 namespace {
@@ -33,11 +37,12 @@ std::vector<Method> methods_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.subject.name == name; });
     if (found == all.end()) {
-      std::string known;
+      std::vector<std::string> known;
       for (const Method& method : all) {
-        known += (known.empty() ? "" : ", ") + method.subject.name;
+        known.push_back(method.subject.name);
       }
-      throw UsageError(fmt::format("there is no method '{}'; there are {}", name, known));
+      throw UsageError(fmt::format("there is no method '{}'; there are {}{}", name, fmt::join(known, ", "),
+                                   properties::did_you_mean(name, known)));
     }
     chosen.push_back(*found);
   }
@@ -156,8 +161,7 @@ std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements)
 
 int chart_methods(const ChartArguments& arguments) {
   const std::vector<Method> methods = methods_of(arguments.methods);
-  const std::filesystem::path out(arguments.out);
-  make_directories(out / "gnuplot");
+  StagedOutput staged(arguments.out);
   const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   const chart::Measurements measurements{this_environment(),
                                          arguments.seed,
@@ -167,13 +171,21 @@ int chart_methods(const ChartArguments& arguments) {
                                          measured_methods(arguments, methods, jobs),
                                          measured_sweeps(arguments, methods, jobs)};
   const std::string tables = chart::tables_markdown(measurements);
+  const std::filesystem::path& stage = staged.stage();
+  write_file(stage / "tables.md", tables);
+  write_file(stage / "work-precision.csv", chart::work_precision_csv(measurements));
+  write_file(stage / "stability.csv", chart::stability_csv(measurements));
+  write_file(stage / "deadline.csv", chart::deadline_csv(measurements));
+  write_file(stage / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
+  // Where gnuplot fails, the numbers are there.
+  const std::exception_ptr undrawn = chart::try_to_draw(pictures_of(measurements), stage);
+  staged.put_in_place("chart.json");
+  remove_abandoned_stages(arguments.out);
   fmt::print("{}", tables);
-  write_file(out / "tables.md", tables);
-  write_file(out / "work-precision.csv", chart::work_precision_csv(measurements));
-  write_file(out / "stability.csv", chart::stability_csv(measurements));
-  write_file(out / "deadline.csv", chart::deadline_csv(measurements));
-  write_file(out / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
-  chart::draw(pictures_of(measurements), out);
+  if (undrawn) {
+    std::fflush(stdout);
+    std::rethrow_exception(undrawn);
+  }
   return exit_all_hold;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
@@ -20,9 +23,10 @@
 #include "commands/output_file.hpp"
 #include "commands/present_run.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 #include "commands/subject_argument.hpp"
-#include "compare/read_report.hpp"
 #include "commands/workflow_commands.hpp"
+#include "compare/read_report.hpp"
 #include "report/environment.hpp"
 #include "report/records.hpp"
 
@@ -54,7 +58,8 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
       for (const properties::Family& known : properties::all_families()) {
         names.emplace_back(known.name);
       }
-      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}", name, known_names(names)));
+      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}{}", name, known_names(names),
+                                   properties::did_you_mean(name, names)));
     }
     if (std::find(families.begin(), families.end(), family) == families.end()) {
       families.push_back(family);
@@ -188,9 +193,10 @@ int gate(const GateArguments& arguments) {
     }
     options.shard = *arguments.shard;
   }
+  std::optional<StagedOutput> staged;
   if (!arguments.out.empty()) {
     make_directories(fs::path(arguments.out) / "witnesses");
-    remove_old_witnesses(arguments.out);
+    staged.emplace(arguments.out);
   }
   const Environment environment = this_environment();
   GateRun run{properties::run_gate(selection.subjects, options),
@@ -203,7 +209,8 @@ int gate(const GateArguments& arguments) {
   run.diagnoses = properties::diagnosis::diagnose_all(run.report);
   return present_run(std::move(run), baseline,
                      {arguments.out, arguments.format, !arguments.annotations.empty(), arguments.summary,
-                      [&] { commands_stopped.reset(); }});
+                      [&] { commands_stopped.reset(); }},
+                     staged);
 }
 
 }  // namespace carom::tool

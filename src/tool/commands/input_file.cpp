@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/input_file.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
-
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/plan/lint.hpp>
+#include <carom/properties/trial/nearest_name.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 
@@ -20,16 +17,19 @@ namespace {
 
 using nlohmann::json;
 
+/// Of what is wrong with a record, which may be megabytes of it.
+constexpr std::size_t longest_complaint = 4000;
+
+[[noreturn]] void fail(const std::string& place, const std::string& what) {
+  throw UsageError(fmt::format("{}: {}", place, subjects::protocol::printable_line(what, longest_complaint)));
+}
+
 json parsed(const std::string& text, const std::string& place) {
   try {
     return parse_json(text);
   } catch (const FormatError& error) {
-    throw UsageError(fmt::format("{}: {}", place, error.what()));
+    fail(place, error.what());
   }
-}
-
-[[noreturn]] void fail(const std::string& place, const std::string& what) {
-  throw UsageError(fmt::format("{}: {}", place, what));
 }
 
 std::string text_field(const json& record, const char* name, const std::string& place) {
@@ -47,7 +47,12 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
   if (record.contains("invariant")) {
     facts.invariant = text_field(record.at("invariant"), "/invariant", place);
     if (properties::invariant_named(facts.invariant) == nullptr) {
-      fail(place, fmt::format("/invariant: there is no invariant '{}'", facts.invariant));
+      std::vector<std::string> known;
+      for (const properties::Invariant& invariant : properties::all_invariants()) {
+        known.emplace_back(invariant.name);
+      }
+      fail(place, fmt::format("/invariant: there is no invariant '{}'{}", facts.invariant,
+                              properties::did_you_mean(facts.invariant, known)));
     }
   }
   if (record.contains("subject")) {
@@ -102,64 +107,31 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
   return read;
 }
 
-bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
-
-/// JSON Lines where the first of several lines is a whole JSON text by itself.
-bool is_json_lines(const std::string& text) {
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  const std::size_t end = text.find('\n', start);
-  return end != std::string::npos && text.find_first_not_of(" \t\r\n", end) != std::string::npos &&
-         json::accept(text.substr(start, end - start));
-}
-
 }  // namespace
 
-std::string content_of_file(const std::string& file) {
-  if (!std::filesystem::exists(file)) {
-    throw UsageError(fmt::format("{}: there is no such file", file));
-  }
-  if (std::filesystem::is_directory(file)) {
-    throw UsageError(fmt::format("{}: is a directory, expected a file", file));
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw UsageError(fmt::format("{}: cannot be read", file));
-  }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-std::vector<ReadCollision> read_collisions(const std::string& file, OutOfRange out_of_range) {
-  return collisions_of(content_of_file(file), file, out_of_range);
-}
-
-std::vector<ReadCollision> collisions_of(const std::string& text, const std::string& file, OutOfRange out_of_range) {
-  std::vector<ReadCollision> read;
-  if (is_blank(text) || text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    fail(file, "is empty; expected a collision");
-  }
-  if (is_json_lines(text)) {
-    std::istringstream lines(text);
-    std::string line;
-    for (std::size_t number = 1; std::getline(lines, line); ++number) {
-      if (!is_blank(line)) {
-        const std::string place = fmt::format("{}:{}", file, number);
-        read.push_back(read_record(parsed(line, place), place, out_of_range));
-      }
+void for_each_collision(JsonFile& file, OutOfRange out_of_range,
+                        const std::function<void(const ReadCollision&)>& visit) {
+  if (file.is_lines()) {
+    while (const std::optional<JsonFile::Line> line = file.next_line()) {
+      const std::string place = fmt::format("{}:{}", file.file(), line->number);
+      visit(read_record(parsed(line->text, place), place, out_of_range));
     }
-    return read;
+    return;
   }
-  const json whole = parsed(text, file);
-  if (whole.is_array()) {
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-      read.push_back(read_record(whole[i], fmt::format("{}: element {}", file, i), out_of_range));
-    }
-    if (read.empty()) {
-      fail(file, "holds no collision");
-    }
-    return read;
+  if (file.whole().find_first_not_of(" \t\r\n") == std::string::npos) {
+    fail(file.file(), "is empty; expected a collision");
   }
-  read.push_back(read_record(whole, file, out_of_range));
-  return read;
+  const json whole = parsed(file.whole(), file.file());
+  if (!whole.is_array()) {
+    visit(read_record(whole, file.file(), out_of_range));
+    return;
+  }
+  if (whole.empty()) {
+    fail(file.file(), "holds no collision");
+  }
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    visit(read_record(whole[i], fmt::format("{}: element {}", file.file(), i), out_of_range));
+  }
 }
 
 }  // namespace carom::tool

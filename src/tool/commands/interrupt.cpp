@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/interrupt.hpp"
 
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <thread>
 
 #include <unistd.h>
 
 namespace carom::tool {
+namespace {
+
+/// A signal to the program and one to its group, as `timeout` and terminals send them, are one wish.
+constexpr std::chrono::seconds one_wish{1};
+
+/// Takes what comes of them within that time.
+void drop_repeats(const sigset_t& signals) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + one_wish;
+  for (auto now = Clock::now(); now < until; now = Clock::now()) {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(until - now).count();
+    constexpr long second = 1'000'000'000;
+    const timespec patience{left / second, left % second};
+    sigtimedwait(&signals, nullptr, &patience);
+  }
+}
+
+}  // namespace
 
 std::stop_token stop_on_interrupt() {
   static std::stop_source source;
@@ -27,6 +47,7 @@ std::stop_token stop_on_interrupt() {
     if (sigwait(&signals, &signal) == 0) {
       source.request_stop();
     }
+    drop_repeats(signals);
     // This thread takes the next one, and the program ends as programs do.
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     for (;;) {

@@ -5,8 +5,9 @@
 
 namespace carom::tool {
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP request a stop in place of ending the program, once; a second one ends it. To
-/// be called before any other thread is started.
+/// From now on Ctrl-C, SIGTERM and SIGHUP request a stop in place of ending the program, once. What
+/// follows within a second is the same wish; a later one ends the program. To be called before any other thread is
+/// started.
 [[nodiscard]] std::stop_token stop_on_interrupt();
 
 }  // namespace carom::tool

@@ -42,8 +42,8 @@ int merge_shards(const MergeArguments& arguments) {
   GateRun run = merge::merged_run(shards);
   run.is_shard = false;
   make_directories(fs::path(arguments.out) / "witnesses");
-  remove_old_witnesses(arguments.out);
-  return present_run(std::move(run), baseline, {arguments.out, arguments.format, false, {}, {}});
+  std::optional<StagedOutput> staged(std::in_place, arguments.out);
+  return present_run(std::move(run), baseline, {arguments.out, arguments.format, false, {}, {}}, staged);
 }
 
 }  // namespace carom::tool

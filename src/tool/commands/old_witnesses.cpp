@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/old_witnesses.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -13,12 +12,16 @@
 #include <carom/properties/invariants/invariant.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/json_file.hpp"
+#include "commands/staged_output.hpp"
 
 namespace carom::tool {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr const char* report_name = "report.json";
 
 /// The file itself, and not what a symbolic link stands for.
 fs::file_type type_of(const fs::path& path) {
@@ -28,16 +31,20 @@ fs::file_type type_of(const fs::path& path) {
 
 /// What the report lists as its witnesses; nothing where it is no report of this program.
 std::vector<fs::path> listed_witnesses(const fs::path& report_file) {
-  std::ifstream stream(report_file, std::ios::binary);
+  if (type_of(report_file) != fs::file_type::regular) {
+    return {};
+  }
   std::vector<fs::path> listed;
   try {
-    const json report = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}));
+    const json report = parse_json(content_of_file(report_file.string()));
     (void)report.at("carom");
     for (const json& subject : report.at("subjects")) {
       for (const json& violation : subject.value("violations", json::array())) {
         listed.emplace_back(violation.at("witness").get<std::string>());
       }
     }
+  } catch (const UsageError&) {
+    return {};
   } catch (const FormatError&) {
     return {};
   } catch (const json::exception&) {
@@ -55,14 +62,24 @@ bool is_witness_path(const fs::path& path) {
 
 }  // namespace
 
-void remove_old_witnesses(const fs::path& directory) {
-  const fs::path report = directory / "report.json";
-  if (type_of(report) != fs::file_type::regular || type_of(directory / "witnesses") != fs::file_type::directory) {
+std::vector<fs::path> old_witnesses(const fs::path& directory) {
+  std::vector<fs::path> old = listed_witnesses(directory / report_name);
+  for (const fs::path& stage : abandoned_stages(directory)) {
+    const std::vector<fs::path> listed = listed_witnesses(stage / report_name);
+    old.insert(old.end(), listed.begin(), listed.end());
+  }
+  return old;
+}
+
+void remove_old_witnesses(const fs::path& directory, const std::vector<fs::path>& old) {
+  if (old.empty() || type_of(directory / "witnesses") != fs::file_type::directory) {
     return;
   }
-  for (const fs::path& listed : listed_witnesses(report)) {
+  const std::vector<fs::path> current = listed_witnesses(directory / report_name);
+  for (const fs::path& listed : old) {
     const fs::path file = directory / listed;
-    if (!is_witness_path(listed) || type_of(file) != fs::file_type::regular) {
+    const bool is_current = std::find(current.begin(), current.end(), listed) != current.end();
+    if (is_current || !is_witness_path(listed) || type_of(file) != fs::file_type::regular) {
       continue;
     }
     std::error_code error;

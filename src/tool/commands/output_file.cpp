@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/output_file.hpp"
 
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -9,12 +11,18 @@
 
 namespace carom::tool {
 
+void fail_to_write(const std::filesystem::path& path, int error) {
+  throw UsageError(
+      fmt::format("--out: {} cannot be written: {}", path.string(), std::generic_category().message(error)));
+}
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
+  errno = 0;
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
   if (!file) {
-    throw UsageError(fmt::format("--out: {} cannot be written", path.string()));
+    fail_to_write(path, errno);
   }
 }
 
@@ -31,6 +39,11 @@ void make_directories(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
+    std::error_code gone;
+    (void)std::filesystem::current_path(gone);
+    if (gone && directory.is_relative()) {
+      throw UsageError(fmt::format("--out: {} cannot be made: the working directory is gone", directory.string()));
+    }
     throw UsageError(fmt::format("--out: {} cannot be made: {}", directory.string(), error.message()));
   }
 }

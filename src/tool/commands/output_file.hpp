@@ -6,6 +6,9 @@
 
 namespace carom::tool {
 
+/// Throws the UsageError that says so of a file, with the reason that the system gives as errno.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
+
 /// Writes the text as the whole file. Throws UsageError, which names the file, where that cannot be done.
 void write_file(const std::filesystem::path& path, const std::string& text);
 

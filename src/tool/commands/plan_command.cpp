@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <carom/subjects/protocol/text.hpp>
+
 #include "commands/commands.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/progress.hpp"
@@ -17,7 +19,7 @@ namespace carom::tool {
 
 int plan_contacts(const PlanArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file);
+  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file, stop);
   const Model law = arguments.law.empty() ? recorded.law.value_or(Model::rough) : *model_named(arguments.law);
   std::vector<properties::plan::Candidate> candidates;
   for (plan::SpelledCandidate& one : plan::spelled_candidates()) {
@@ -34,7 +36,8 @@ int plan_contacts(const PlanArguments& arguments) {
   if (arguments.format == "json") {
     fmt::print("{}\n", plan_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print("{}", arguments.format == "markdown" ? plan_markdown(run) : plan_text(run));
+    const std::string text = arguments.format == "markdown" ? plan_markdown(run) : plan_text(run);
+    fmt::print("{}", subjects::protocol::printable(text, text.size()));
   }
   return run.exit_status();
 }

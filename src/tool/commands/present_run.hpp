@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "commands/staged_output.hpp"
 #include "compare/read_report.hpp"
 #include "report/records.hpp"
 
@@ -19,9 +20,10 @@ struct Presentation {
   std::function<void()> annotate;  // called before annotations are printed; may be empty
 };
 
-/// Compares the run with its baseline where there is one, prints it, and writes what is to be written. The exit status.
-/// Throws UsageError where a file cannot be written.
+/// Compares the run with its baseline where there is one, writes what is to be written, and prints it. The exit status.
+/// Throws UsageError where a file cannot be written. `staged`: where the reports are written, of the directory
+/// `presentation.out`; none where there is none. It is gone afterwards.
 [[nodiscard]] int present_run(GateRun run, const std::optional<compare::ReadReport>& baseline,
-                              const Presentation& presentation);
+                              const Presentation& presentation, std::optional<StagedOutput>& staged);
 
 }  // namespace carom::tool

@@ -6,10 +6,12 @@
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/json_file.hpp"
 #include "commands/open_subjects.hpp"
 #include "commands/orphans.hpp"
 #include "report/records.hpp"
@@ -164,7 +166,8 @@ int replay(const ReplayArguments& arguments) {
   const Orphanage orphanage;
   OpenSubjects subjects(arguments, stop);
   bool violated = false;
-  for (const ReadCollision& read : read_collisions(arguments.file)) {
+  JsonFile file(arguments.file, stop);
+  for_each_collision(file, OutOfRange::refused, [&](const ReadCollision& read) {
     if (stop.stop_requested()) {
       throw UsageError(fmt::format("stopped by the user before {}", read.place));
     }
@@ -232,9 +235,9 @@ int replay(const ReplayArguments& arguments) {
     if (arguments.format == "json") {
       fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));
     } else {
-      fmt::print("{}\n", text);
+      fmt::print("{}\n", subjects::protocol::printable(text, text.size()));
     }
-  }
+  });
   subjects.close();
   return violated ? exit_violated : exit_all_hold;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -13,12 +15,16 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/nearest_name.hpp>
+#include <carom/subjects/protocol/text.hpp>
+
 #include "chart/gnuplot.hpp"
 #include "commands/commands.hpp"
-#include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
+#include "commands/json_file.hpp"
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
+#include "commands/staged_output.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
@@ -50,7 +56,7 @@ class LineFile {
  private:
   void require() const {
     if (!stream_) {
-      throw UsageError(fmt::format("{}: cannot be written", path_.string()));
+      fail_to_write(path_, errno);
     }
   }
 
@@ -59,12 +65,13 @@ class LineFile {
 };
 
 std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& scene) {
+  const std::vector<std::string> known{"frictionless", "reflection", "sticking", "rough", "coulomb"};
   std::vector<Model> laws;
   for (const std::string& name : arguments.laws) {
     const std::optional<Model> law = model_named(name);
     if (!law || *law == Model::any) {
-      throw UsageError(fmt::format(
-          "--laws: there is no law '{}'; there are frictionless, reflection, sticking, rough, coulomb", name));
+      throw UsageError(fmt::format("--laws: there is no law '{}'; there are {}{}", name, fmt::join(known, ", "),
+                                   properties::did_you_mean(name, known)));
     }
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) {
       laws.push_back(*law);
@@ -76,6 +83,8 @@ std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& 
 struct Written {
   SampledLaw sampled;
   nlohmann::json record;
+  std::string text;  // where text is asked for
+  std::exception_ptr undrawn;
   bool holds = false;
   bool has_failed = false;
 };
@@ -84,7 +93,7 @@ struct Written {
 class Progress {
  public:
   Progress(const scene::Scene& scene, std::size_t laws)
-      : line_(progress_line("ms of " + scene.title)), duration_(scene.duration), times_(laws, 0) {}
+      : line_(progress_line("ms of " + shown_title(scene))), duration_(scene.duration), times_(laws, 0) {}
 
   [[nodiscard]] bool is_shown() const { return line_ != nullptr; }
   void report(std::size_t law, double time) {
@@ -135,24 +144,27 @@ class LawRun {
     run_->run();
   }
 
-  /// All else that is asked for, one law after the other: it prints, and starts programs. Precondition: it has run.
+  /// All other files, one law after the other: it starts programs. Precondition: it has run.
   [[nodiscard]] Written write(const SceneArguments& arguments) {
-    Written written{
-        {std::string(name_of(scene_.law)), run_->samples()}, scene_record(*run_), run_->holds(), run_->has_failed()};
-    if (arguments.format == "text") {
-      fmt::print("{}", scene_text(*run_));
-    }
+    Written written{{std::string(name_of(scene_.law)), run_->samples()},
+                    scene_record(*run_),
+                    arguments.format == "text" ? scene_text(*run_) : std::string(),
+                    nullptr,
+                    run_->holds(),
+                    run_->has_failed()};
     if (out_) {
       events_->close();
       write_file(*out_ / "series.csv", series_csv(*run_));
-      write_file(*out_ / "scene.json", written.record.dump(1) + '\n');
+      write_file(*out_ / "scene.json",
+                 written.record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
       const bool has_page = run_->replayed().has_value();
       if (has_page) {
         write_file(*out_ / "replay.html", replay_html(scene_.title, replay_record(*run_)));
       }
       write_file(*out_ / "report.html", scene_html(*run_, has_page));
       const std::vector laws{written.sampled};
-      chart::draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
+      written.undrawn =
+          chart::try_to_draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
     }
     return written;
   }
@@ -193,16 +205,45 @@ void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& a
   }
 }
 
+/// Draws what shows all laws together, and puts the files of all of them in place.
+void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::vector<Written>& all) {
+  if (all.size() > 1) {
+    std::vector<SampledLaw> sampled;
+    for (const Written& written : all) {
+      sampled.push_back(written.sampled);
+    }
+    const std::exception_ptr undrawn = chart::try_to_draw(
+        std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, staged.stage());
+    all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
+  }
+  staged.put_in_place("scene.json");
+  remove_abandoned_stages(arguments.out);
+}
+
+void print_laws(const SceneArguments& arguments, const std::vector<Written>& all) {
+  if (arguments.format == "json") {
+    nlohmann::json records = nlohmann::json::array();
+    for (const Written& written : all) {
+      records.push_back(written.record);
+    }
+    const nlohmann::json& record = all.size() == 1 ? records[0] : records;
+    fmt::print("{}\n", record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+  for (const Written& written : all) {
+    fmt::print("{}", subjects::protocol::printable(written.text, written.text.size()));
+  }
+}
+
 }  // namespace
 
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  scene::Scene scene = scene_of(content_of_file(arguments.file), arguments.file);
+  scene::Scene scene = scene_of(content_of_file(arguments.file, stop), arguments.file);
   const std::vector<Model> laws = laws_of(arguments, scene);
+  std::optional<StagedOutput> staged;
   std::optional<fs::path> out;
   if (!arguments.out.empty()) {
-    out = arguments.out;
-    make_directories(*out / "gnuplot");
+    out = staged.emplace(arguments.out).stage();
     if (!has_replay()) {
       fmt::print(
           stderr,
@@ -215,7 +256,6 @@ int run_scene_file(const SceneArguments& arguments) {
     std::optional<fs::path> own = out;
     if (out && laws.size() > 1) {
       own = *out / std::string(name_of(law));
-      make_directories(*own / "gnuplot");
     }
     runs.push_back(std::make_unique<LawRun>(scene, own));
   }
@@ -226,19 +266,15 @@ int run_scene_file(const SceneArguments& arguments) {
     all.push_back(run->write(arguments));
     run.reset();
   }
-  if (arguments.format == "json") {
-    nlohmann::json records = nlohmann::json::array();
-    for (const Written& written : all) {
-      records.push_back(written.record);
-    }
-    fmt::print("{}\n", laws.size() == 1 ? records[0].dump(1) : records.dump(1));
+  if (staged) {
+    put_in_place(*staged, arguments, all);
   }
-  if (out && laws.size() > 1) {
-    std::vector<SampledLaw> sampled;
-    for (const Written& written : all) {
-      sampled.push_back(written.sampled);
+  print_laws(arguments, all);
+  for (const Written& written : all) {
+    if (written.undrawn) {
+      std::fflush(stdout);
+      std::rethrow_exception(written.undrawn);
     }
-    chart::draw(std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, *out);
   }
   const auto any = [&](bool Written::*fact) {
     return std::any_of(all.begin(), all.end(), [&](const Written& written) { return written.*fact; });

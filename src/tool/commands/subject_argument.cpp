@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/text.hpp>
@@ -21,9 +22,13 @@ bool is_named_in(const std::vector<Subject>& subjects, const std::string& name) 
 }
 
 [[noreturn]] void fail_unknown(const std::string& argument) {
+  std::vector<std::string> known;
+  for (const Subject& subject : subjects::known_subjects()) {
+    known.push_back(subject.name);
+  }
   throw UsageError(
-      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program",
-                  subjects::protocol::printable_line(argument, 4000)));
+      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program{}",
+                  subjects::protocol::printable_line(argument, 4000), properties::did_you_mean(argument, known)));
 }
 
 }  // namespace

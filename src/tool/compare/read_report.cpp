@@ -12,7 +12,7 @@
 #include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/input_file.hpp"
+#include "commands/json_file.hpp"
 #include "compare/field.hpp"
 
 namespace carom::tool::compare {

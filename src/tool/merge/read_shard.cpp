@@ -14,7 +14,7 @@
 #include <carom/collision/json/json.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/input_file.hpp"
+#include "commands/json_file.hpp"
 #include "compare/field.hpp"
 #include "compare/read_report.hpp"
 #include "merge/read_witness.hpp"

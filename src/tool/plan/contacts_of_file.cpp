@@ -9,6 +9,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/input_file.hpp"
+#include "commands/json_file.hpp"
 #include "scene/scene_file.hpp"
 
 namespace carom::tool::plan {
@@ -53,11 +54,14 @@ class Sampled {
   std::vector<ClassedCollision> contacts_;
 };
 
-RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string& file) {
+RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string& file, const std::stop_token& stop) {
   Sampled contacts;
   try {
     scene::SceneLoop simulation(scene);
     while (const scene::Event* event = simulation.advance()) {
+      if (stop.stop_requested()) {
+        throw UsageError(fmt::format("{}: stopped by the user at t = {} s", file, event->time));
+      }
       if (event->has_impulse) {
         contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});
       }
@@ -74,15 +78,15 @@ RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string&
 
 }  // namespace
 
-RecordedContacts contacts_of_file(const std::string& file) {
-  const std::string text = content_of_file(file);
-  if (is_scene(text)) {
-    return contacts_of_scene(scene_of(text, file), file);
+RecordedContacts contacts_of_file(const std::string& file, const std::stop_token& stop) {
+  JsonFile read_file(file, stop);
+  if (!read_file.is_lines() && is_scene(read_file.whole())) {
+    return contacts_of_scene(scene_of(read_file.whole(), file), file, stop);
   }
   RecordedContacts recorded;
-  for (const ReadCollision& read : collisions_of(text, file, OutOfRange::kept)) {
+  for_each_collision(read_file, OutOfRange::kept, [&](const ReadCollision& read) {
     recorded.contacts.push_back({read.contact_class, read.one.collision, read.place});
-  }
+  });
   return recorded;
 }
 

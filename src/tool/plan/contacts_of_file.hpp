@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ inline constexpr std::size_t most_contacts_of_scene = 10'000;
 
 /// The contacts that a file holds: collisions as `replay` reads them, each with an optional class; or the impacts of a
 /// scene, which is run for that, with the bodies and their materials as classes. One whose ε, μ or e_t alone is out of
-/// range is kept. Throws UsageError that names the file, the place in it, the field, and what was expected.
-[[nodiscard]] RecordedContacts contacts_of_file(const std::string& file);
+/// range is kept. Throws UsageError that names the file, the place in it, the field, and what was expected; or says
+/// that the user stopped it.
+[[nodiscard]] RecordedContacts contacts_of_file(const std::string& file, const std::stop_token& stop);
 
 }  // namespace carom::tool::plan

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <carom/subjects/protocol/text.hpp>
+
 namespace carom::tool::plan {
 namespace {
 
@@ -13,11 +15,16 @@ std::size_t width_of(const std::string& text) {
       std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
 }
 
-/// What would end a cell.
+constexpr std::size_t longest_cell = 400;
+
+/// Cells hold names and places of files.
+std::string one_line(const std::string& text) { return subjects::protocol::printable_line(text, longest_cell); }
+
+/// Without what would end a cell.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char letter : text) {
-    result += letter == '|' ? std::string("\\|") : std::string(1, letter == '\n' ? ' ' : letter);
+  for (const char letter : one_line(text)) {
+    result += letter == '|' ? std::string("\\|") : std::string(1, letter);
   }
   return result;
 }
@@ -37,7 +44,7 @@ std::string grid_text(const Grid& grid) {
   for (std::size_t column = 0; column < grid.heading.size(); ++column) {
     std::size_t width = width_of(grid.heading[column]);
     for (const auto& row : grid.rows) {
-      width = std::max(width, width_of(row[column]));
+      width = std::max(width, width_of(one_line(row[column])));
     }
     widths.push_back(width);
   }
@@ -45,7 +52,8 @@ std::string grid_text(const Grid& grid) {
   const auto write = [&](const std::vector<std::string>& cells) {
     std::string line;
     for (std::size_t column = 0; column < cells.size(); ++column) {
-      line += cells[column] + std::string(widths[column] - width_of(cells[column]) + 2, ' ');
+      const std::string cell = one_line(cells[column]);
+      line += cell + std::string(widths[column] - width_of(cell) + 2, ' ');
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   };

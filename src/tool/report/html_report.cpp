@@ -11,8 +11,8 @@
 #include "commands/commands.hpp"
 #include "compare/comparison_html.hpp"
 #include "report/extent.hpp"
-#include "report/html_diagnosis.hpp"
 #include "report/html_deviations.hpp"
+#include "report/html_diagnosis.hpp"
 #include "report/html_tables.hpp"
 #include "report/html_witness.hpp"
 #include "report/markup.hpp"
@@ -79,15 +79,15 @@ struct Part {
   const char* heading;
 };
 constexpr std::array<Part, 10> parts{{{"summary", "Summary"},
-                                     {"baseline", "Against the baseline"},
-                                     {"subjects", "Subjects"},
-                                     {"invariants", "Invariants"},
-                                     {"families", "Families"},
-                                     {"violations", "What is violated where"},
-                                     {"generated", "What was generated"},
-                                     {"features", "Features"},
-                                     {"witnesses", "Witnesses"},
-                                     {"environment", "Environment"}}};
+                                      {"baseline", "Against the baseline"},
+                                      {"subjects", "Subjects"},
+                                      {"invariants", "Invariants"},
+                                      {"families", "Families"},
+                                      {"violations", "What is violated where"},
+                                      {"generated", "What was generated"},
+                                      {"features", "Features"},
+                                      {"witnesses", "Witnesses"},
+                                      {"environment", "Environment"}}};
 
 pugi::xml_node add_part(pugi::xml_node main, const char* anchor) {
   const auto part =

@@ -11,6 +11,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
+#include <carom/subjects/protocol/text.hpp>
 
 namespace carom::tool {
 namespace {
@@ -260,13 +261,17 @@ std::string scene_verdict(const SceneRun& run) {
   return fmt::format("{}: {}", text, what);
 }
 
+std::string shown_title(const scene::Scene& scene) {
+  constexpr std::size_t longest = 400;
+  return scene.title.empty() ? "scene" : subjects::protocol::printable_line(scene.title, longest);
+}
+
 std::string scene_text(const SceneRun& run) {
   const scene::Counts& counts = run.simulation().counts();
   const properties::Ledger& ledger = run.ledger();
   const std::string polyhedra =
       run.scene().polyhedra.empty() ? "" : count_text(run.scene().polyhedra.size(), "polyhedron", "polyhedra") + ", ";
-  std::string text = fmt::format("{}: {}{}, {}, law {} in {}, {:g} s of {:g} s\n",
-                                 run.scene().title.empty() ? "scene" : run.scene().title, polyhedra,
+  std::string text = fmt::format("{}: {}{}, {}, law {} in {}, {:g} s of {:g} s\n", shown_title(run.scene()), polyhedra,
                                  count_text(run.scene().spheres.size(), "sphere", "spheres"),
                                  count_text(run.scene().planes.size(), "plane", "planes"), name_of(run.scene().law),
                                  name_of(run.scene().precision), run.simulation().time(), run.scene().duration);

@@ -12,6 +12,9 @@ namespace carom::tool {
 /// scene.json: what came of a run (docs/guide/scenes.md).
 [[nodiscard]] nlohmann::json scene_record(const SceneRun& run);
 
+/// The title of a scene, safe to print in a line; "scene" where it has none.
+[[nodiscard]] std::string shown_title(const scene::Scene& scene);
+
 /// What `carom scene` prints.
 [[nodiscard]] std::string scene_text(const SceneRun& run);
 

@@ -174,6 +174,11 @@ TEST(ForeignText, IsMadePrintable) {
                       "b",
                       100),
             "a?b");  // turns the writing
+  for (const char* control :
+       {"\u061c", "\u200e", "\u200f", "\u2028", "\u202a", "\u202c", "\u2066", "\u2069", "\u0080"}) {
+    EXPECT_EQ(printable(control, 100), "?");
+  }
+  EXPECT_EQ(printable("\u2027 \u202f \u2065 \u00a0", 100), "\u2027 \u202f \u2065 \u00a0");
   EXPECT_EQ(printable_line("a\nb\tc", 100), "a b c");
   EXPECT_EQ(printable("ü", 1), "\xef\xbf\xbd…");
 }

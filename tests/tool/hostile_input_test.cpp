@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that try a reader: their size, their text, their having no end.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+#include <carom/collision/json/json.hpp>
+
+#include "support/cases.hpp"
+#include "support/program.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+/// ESC, C1 and what turns the writing, each of which may hide what stands beside it.
+constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
+
+void expect_harmless(const RunResult& run) {
+  for (const std::string& text : {run.output, run.errors}) {
+    for (const char* control : {"\x1b", "\u009b", "\u202e", "\u2066", "\u200f", "\r"}) {
+      EXPECT_EQ(text.find(control), std::string::npos) << text;
+    }
+  }
+}
+
+json ball() { return collision_to_json(unit::ball_on_a_plane(0.5, 1)); }
+
+json report_of_one_subject() {
+  return json::parse(R"({"carom": "0.1.0", "cases_of_each_family": 5, "subjects": [
+    {"name": "mine", "version": "1", "precision": "binary64", "model": "reflection", "status": "violated",
+     "worst_backward_error": {"ulps": "inf"}, "digits": {"p50": 15.2, "p99": "-inf", "worst": "-inf"},
+     "violations": [], "families": [], "nanoseconds_per_solve": 12}]})");
+}
+
+TEST(HostileInput, TableTakesReportsOfWhatIsNotFinite) {
+  const TemporaryDirectory directory;
+  const RunResult run = run_carom({"table", directory.write("report.json", report_of_one_subject().dump())});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("| inf | 15.2 / -inf / -inf | – | – | 12 |"), std::string::npos) << run.output;
+}
+
+TEST(HostileInput, TableSaysWhatIsNoReport) {
+  const TemporaryDirectory directory;
+  for (const char* pointer : {"/subjects/0/name", "/subjects/0/model", "/subjects/0/digits", "/subjects/0/digits/p50",
+                              "/subjects/0/worst_backward_error/ulps", "/subjects/0/families", "/subjects",
+                              "/subjects/0", "/subjects/0/nanoseconds_per_solve", "/cases_of_each_family"}) {
+    for (const json& wrong : std::vector<json>{"text", true, json::array({json::array()})}) {
+      json report = report_of_one_subject();
+      report[json::json_pointer(pointer)] = wrong;
+      const RunResult run = run_carom({"table", directory.write("report.json", report.dump())});
+      EXPECT_TRUE(run.exit_status == 2 || (run.exit_status == 0 && wrong.is_string())) << pointer << wrong;
+      EXPECT_EQ(run.exit_status == 2, run.errors.find("report.json") != std::string::npos) << run.errors;
+    }
+  }
+}
+
+TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
+  const TemporaryDirectory directory;
+  json report = report_of_one_subject();
+  for (const char* field : {"name", "version", "precision", "status"}) {
+    report["subjects"][0][field] = controls;
+  }
+  expect_harmless(run_carom({"table", directory.write("report.json", report.dump())}));
+  report["subjects"][0]["model"] = 3;
+  expect_harmless(run_carom({"table", directory.write("report.json", report.dump())}));
+  report["subjects"][0][controls] = json();
+  expect_harmless(run_carom({"table", directory.write("report.json", report.dump() + controls)}));
+
+  json named = ball();
+  named["class"] = std::string("crate\n") + controls;
+  const std::string contacts = directory.write("contacts.json", named.dump());
+  for (const char* format : {"text", "markdown"}) {
+    const RunResult run = run_carom({"plan", contacts, "--repetitions", "0", "--format", format});
+    EXPECT_NE(run.output.find("crate ?[31m?31m???"), std::string::npos) << run.output << run.errors;
+    expect_harmless(run);
+  }
+  for (const char* field : {"name", "specification"}) {
+    const json witness{{"collision", ball()}, {"subject", {{"name", "x"}, {field, std::string("exec:") + controls}}}};
+    expect_harmless(run_carom({"replay", directory.write("witness.json", witness.dump())}));
+  }
+  for (const char* field : {"invariant", "class", "collision"}) {
+    json witness{{"collision", ball()}};
+    witness[field] = controls;
+    expect_harmless(run_carom({"replay", directory.write(controls, witness.dump())}));
+  }
+  json scene = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json"));
+  scene["title"] = std::string("title\n") + controls;
+  const RunResult run = run_carom({"scene", directory.write("scene.json", scene.dump()), "--events", "3"});
+  EXPECT_TRUE(run.output.starts_with("title ?[31m")) << run.output << run.errors;
+  expect_harmless(run);
+  scene["law"] = controls;
+  expect_harmless(run_carom({"scene", directory.write("scene.json", scene.dump())}));
+}
+
+/// As much memory as a gate takes, and far less than such a file has.
+RunResult in_bounded_memory(const std::string& script) {
+  return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
+}
+
+TEST(HostileInput, FilesWithoutEndAreReadSoFarAndNoFurther) {
+  for (const char* command : {"table", "replay", "scene", "plan"}) {
+    const RunResult run = in_bounded_memory(std::string(R"("$0" )") + command + " /dev/zero");
+    EXPECT_EQ(run.exit_status, 2);
+    EXPECT_NE(run.output.find("/dev/zero: is larger than the 256 MiB"), std::string::npos) << command << run.output;
+  }
+}
+
+TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
+  const TemporaryDirectory directory;
+  const std::string line = directory.write("line.json", ball().dump() + '\n');
+  const std::string invalid = directory.write("invalid.json", "{}\n");
+  // What is bad is told at once, though the file does not end; what came before it is shown.
+  const RunResult bad = run_program(
+      "/bin/sh",
+      {"-c",
+       R"({ cat "$1" "$1"; echo; cat "$2"; while echo; do sleep 0.1; done; } | { "$0" replay /dev/stdin; echo "status $?"; })",
+       carom_program(), line, invalid});
+  EXPECT_NE(bad.errors.find("/dev/stdin:4: /a: is missing"), std::string::npos) << bad.errors;
+  EXPECT_NE(bad.output.find("/dev/stdin:2\n"), std::string::npos) << bad.output;
+  const RunResult long_line =
+      in_bounded_memory("{ cat " + line + " " + line + R"(; head -c 20000000 /dev/zero; } | "$0" replay /dev/stdin)");
+  EXPECT_EQ(long_line.exit_status, 2);
+  EXPECT_NE(long_line.output.find("/dev/stdin:3: the line is longer than 16 MiB"), std::string::npos);
+}
+
+TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
+  const TemporaryDirectory directory;
+  std::string text = "[" + ball().dump() + std::string(17 << 20, ' ') + "]\n";
+  const RunResult run = run_carom({"replay", directory.write("long.json", text), "--format", "json"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_NE(run.output.find("element 0"), std::string::npos);
+}
+
+class WaitingForInput : public testing::TestWithParam<const char*> {};
+
+/// A pipe that nobody has opened for writing yet, and one that nothing is written to.
+TEST_P(WaitingForInput, EndsOnOneSignal) {
+  const TemporaryDirectory directory;
+  const std::string pipe = (directory.path() / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
+  for (const bool is_opened : {false, true}) {
+    const pid_t waiting = start_carom({GetParam(), pipe});
+    const RunResult writer = run_program(
+        "/bin/sh", {"-c", is_opened ? "exec 3> \"$0\"; sleep 0.3; kill -TERM $1; sleep 1" : "sleep 0.3; kill -TERM $1",
+                    pipe, std::to_string(waiting)});
+    EXPECT_EQ(writer.exit_status, 0);
+    EXPECT_EQ(wait_for(waiting), 2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, WaitingForInput, testing::Values("replay", "plan", "scene"),
+                         [](const auto& each) { return std::string(each.param); });
+
+}  // namespace
+}  // namespace carom::tests
