@@ -8,6 +8,7 @@ function(carom_library target name)
   add_library(carom::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT carom)
+  set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES ${name})
 endfunction()
 
 # carom_folder(TARGET NAME DIRECTORY SCOPE …): a library, and the spelling <carom/NAME/…> that its folder of the tree has
@@ -28,6 +29,7 @@ endfunction()
 # The package that find_package(carom) finds, once all of its libraries are known.
 function(carom_install_package)
   set(directory ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+  get_property(carom_libraries GLOBAL PROPERTY CAROM_LIBRARIES)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/carom-config.cmake.in
                                 ${PROJECT_BINARY_DIR}/carom-config.cmake INSTALL_DESTINATION ${directory})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)
