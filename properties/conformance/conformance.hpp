@@ -9,12 +9,14 @@
 ///
 ///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Model::frictionless, my_callable));
 ///
-/// A further argument gives carom::conformance::Options. A test is skipped where no case was in the domain of its
-/// invariant. Not judged are, of callables, `invalid_refused`, because the kit refuses invalid collisions for them, and
-/// `definite` and `well_conditioned` unless Subject::collision_matrix is set.
-#define CAROM_CONFORMANCE(NAME, ...)                                                                \
-  using ::carom::conformance::Conformance;                                                          \
-  INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                       \
-                           ::testing::ValuesIn(::carom::conformance::placed(                        \
-                               __FILE__, __LINE__, ::carom::conformance::statements(__VA_ARGS__))), \
+/// A further argument gives carom::conformance::Options; where one is wrong, or CAROM_CASES, CAROM_EXACT or RC_PARAMS
+/// in the environment, the suite is one test that fails and says so. What is linked for it, the judge and CGAL, is
+/// under the GPL, and so is a program of tests that is handed on. A test is skipped where no case was in the domain of
+/// its invariant. Not judged are, of callables, `invalid_refused`, because the kit refuses invalid collisions for them,
+/// and `definite` and `well_conditioned` unless Subject::collision_matrix is set.
+#define CAROM_CONFORMANCE(NAME, ...)                                                                               \
+  using ::carom::conformance::Conformance;                                                                         \
+  INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                                      \
+                           ::testing::ValuesIn(::carom::conformance::suite(                                        \
+                               __FILE__, __LINE__, [] { return ::carom::conformance::statements(__VA_ARGS__); })), \
                            ::carom::conformance::test_name)

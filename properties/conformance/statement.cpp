@@ -108,19 +108,18 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   return all;
 }
 
-std::vector<Statement> placed(const char* file, int line, std::vector<Statement> all) {
-  for (Statement& statement : all) {
-    statement.file = file;
-    statement.line = line;
-  }
-  return all;
-}
-
 std::string name_of(const Statement& statement) {
+  if (!statement.error.empty()) {
+    return "options";
+  }
   return std::string(statement.invariant->name) + "_in_" + std::string(statement.family->name);
 }
 
 void PrintTo(const Statement& statement, std::ostream* out) {
+  if (!statement.error.empty()) {
+    *out << statement.error;
+    return;
+  }
   *out << statement.invariant->name << " of " << statement.subject->name << " in " << statement.family->name;
 }
 

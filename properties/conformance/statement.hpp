@@ -20,6 +20,7 @@ struct Statement {
   int cases;              // to be drawn
   const char* file = "";  // where the suite stands
   int line = 0;
+  std::string error = {};  // why there is no suite; the fields above but for the place then stand for nothing
 
   /// The claim of the one invariant.
   [[nodiscard]] properties::Claim claim() const { return {subject->model, yardstick, {invariant}}; }
@@ -31,10 +32,7 @@ struct Statement {
 /// or where CAROM_EXACT is neither 0 nor 1.
 [[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
 
-/// The same, of a suite that stands there.
-[[nodiscard]] std::vector<Statement> placed(const char* file, int line, std::vector<Statement> all);
-
-/// "restitution_in_near_head_on".
+/// "restitution_in_near_head_on"; "options" where there is an error.
 [[nodiscard]] std::string name_of(const Statement& statement);
 
 /// How GoogleTest prints it.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,11 @@ namespace carom::conformance {
 
 /// The tests of one statement each; defined in suite.cpp, which every program of tests compiles once.
 class Conformance : public testing::TestWithParam<Statement> {};
+
+/// The statements of a suite that stands there. Where `make` throws, or RC_PARAMS is none of RapidCheck's, there is one
+/// test, `options`, which fails and says why.
+[[nodiscard]] std::vector<Statement> suite(const char* file, int line,
+                                           const std::function<std::vector<Statement>()>& make);
 
 [[nodiscard]] inline std::string test_name(const testing::TestParamInfo<Statement>& test) {
   return name_of(test.param);

@@ -12,6 +12,7 @@ function(carom_library target name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT carom)
   set_property(GLOBAL APPEND PROPERTY CAROM_INSTALLED_LIBRARIES ${target})
+  set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES ${name})
 endfunction()
 
 # carom_folder(TARGET NAME DIRECTORY SCOPE …): a library, and the spelling <carom/NAME/…> that its folder of the tree has
@@ -32,6 +33,7 @@ endfunction()
 # The package that find_package(carom) finds, once all of its libraries are known.
 function(carom_install_package)
   set(directory ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+  get_property(carom_libraries GLOBAL PROPERTY CAROM_LIBRARIES)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/carom-config.cmake.in
                                 ${PROJECT_BINARY_DIR}/carom-config.cmake INSTALL_DESTINATION ${directory})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -21,10 +21,11 @@ template <class S, class Inertia>
 }  // namespace detail
 
 /// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
-/// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
+/// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp, Ldlt where none is
+/// named.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve, class S, class Inertia>
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
@@ -38,13 +39,13 @@ template <class Solve, class S, class Inertia>
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }
-template <class Solve, class S, class Inertia>
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact) {
   return reflection_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> reflection(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, reflection_impulse<Solve>(contact));
 }

@@ -38,8 +38,9 @@ template <class S>
 ///
 ///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t where ‖N × F‖ ≤ μ N·F then, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
 ///
-/// Solve is one of solve3.hpp. Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve, class S, class Inertia>
+/// Solve is one of solve3.hpp, Ldlt where none is named. Preconditions: the contact was made from a valid collision;
+/// `approach` is N·V⁻.
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const NormalImpulse<S> normal = frictionless_impulse(contact, approach);
@@ -63,7 +64,7 @@ template <class Solve, class S, class Inertia>
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};
 }
-template <class Solve, class S, class Inertia>
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact) {
   return rough_impulse<Solve, S>(contact, normal_velocity(contact));
 }
@@ -86,7 +87,7 @@ template <class S, class Inertia>
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> rough(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, rough_impulse<Solve>(contact));
 }

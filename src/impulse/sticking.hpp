@@ -41,10 +41,11 @@ template <class S, class Inertia>
 }
 
 /// The law that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0, so
-/// K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp.
+/// K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp, Ldlt where none
+/// is named.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve, class S, class Inertia>
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
@@ -56,13 +57,13 @@ template <class Solve, class S, class Inertia>
   const Vector3<S> velocity_change = -(velocity + n * factor);
   return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
 }
-template <class Solve, class S, class Inertia>
+template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact) {
   return sticking_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
 /// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
-template <class Solve, class S, class Inertia = PrincipalInertia<S>>
+template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> sticking(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, sticking_impulse<Solve>(contact));
 }

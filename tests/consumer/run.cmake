@@ -6,14 +6,50 @@ include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
 
+# README.md shows ten lines of C++, and what they print.
+file(READ ${CONSUMER}/../../README.md readme)
+if(NOT readme MATCHES "    (#include <carom/impulse/reflection.hpp>\n.*\n    }\n)\nprints\n\n    ([^\n]*\n)")
+  message(FATAL_ERROR "README.md shows no C++ and what it prints")
+endif()
+set(printed "${CMAKE_MATCH_2}")
+string(REPLACE "\n    " "\n" example "${CMAKE_MATCH_1}")
+file(WRITE ${WORK}/readme.cpp "${example}")
+
 # The solvers and the gate ask for neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
-    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
+    -DCMAKE_BUILD_TYPE=Debug -DREADME_EXAMPLE=${WORK}/readme.cpp -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/solve)
+run(${WORK}/build/readme)
+if(NOT output STREQUAL printed)
+  message(FATAL_ERROR "README.md says that its example prints\n${printed}it prints\n${output}")
+endif()
 run(${WORK}/build/batch)
 run(${WORK}/build/judge)
 run(${WORK}/installed/bin/carom subjects)
+
+# Every library is a component, and what there is not is said. Bounds in the headers of oracles and scenes rest on each
+# product being rounded by itself; no other library, the conformance kit among them, changes how its user is compiled.
+set(components collision impulse batch collision_json protocol subjects scene scene_json scene_polyhedra oracles
+               properties conformance)
+list(JOIN components "," names)
+run(${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/components -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
+    -DCOMPONENTS=${names})
+foreach(component IN LISTS components)
+  file(READ ${WORK}/components/${component}.options options)
+  set(expected "")
+  if(component MATCHES "^(scene.*|oracles|properties)$")
+    set(expected "-ffp-contract=off")
+  endif()
+  list(REMOVE_DUPLICATES options)
+  list(FILTER options EXCLUDE REGEX "^-D") # GoogleTest's own
+  if(NOT "${options}" STREQUAL "${expected}")
+    message(FATAL_ERROR "carom::${component} asks its users for the options: ${options}")
+  endif()
+endforeach()
+run_expecting(1 ${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/unknown -G Ninja
+              -DCMAKE_PREFIX_PATH=${WORK}/installed -DCOMPONENTS=juggling)
+expect_output("its component juggling is not installed here" "scene_polyhedra" "conformance")
 
 run(${CMAKE_COMMAND} -S ${CONSUMER}/conformance -B ${WORK}/conformance -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
     -DCMAKE_BUILD_TYPE=Debug)
@@ -24,3 +60,25 @@ run_expecting(1 ${WORK}/conformance/mutant_test)
 expect_output("mutant violates restitution in generic" "The normal velocity is reversed and multiplied by ε."
               "B: immovable, at (0, 0, 0)" "  answered" "N·V⁺ and −ε N·V⁻: 2 and 1, apart by 1, allowed" "RC_PARAMS="
               "[       OK ] Mutant/Conformance.Holds/restitution_in_inelastic")
+# What holds in one file alone, and what was skipped, is not listed at the end; what failed is.
+expect_output("[  SKIPPED ] " " tests, each with its reason above.")
+string(FIND "${output}" "[==========] " start REVERSE)
+string(SUBSTRING "${output}" ${start} -1 closing)
+if(NOT closing MATCHES "\\[  FAILED  \\] Mutant/Conformance.Holds/[a-z_]*\n$" OR closing MATCHES "SKIPPED \\] Mutant")
+  message(FATAL_ERROR "the closing lines are\n${closing}")
+endif()
+
+# A wrong option is a test that fails.
+foreach(variable "CAROM_CASES=many" "CAROM_EXACT=maybe" "RC_PARAMS=seed=x")
+  run_expecting(1 ${CMAKE_COMMAND} -E env ${variable} ${WORK}/conformance/sound_test)
+  string(REGEX REPLACE "=.*" "" name ${variable})
+  expect_output("${name}: expected" "[  FAILED  ] Textbook/Conformance.Holds/options")
+endforeach()
+
+# Nothing that the judge's bounds rest on is compiled in a file of the user's: their flags may be anything.
+find_program(nm nm REQUIRED)
+file(GLOB_RECURSE objects ${WORK}/conformance/*.o)
+run(${nm} --demangle --defined-only ${objects})
+if(NOT output MATCHES "carom::conformance::" OR output MATCHES "[WVu] [^\n]*carom::oracles::[A-Za-z_]*(<|\\()")
+  message(FATAL_ERROR "a user's file defines functions of carom::oracles\n${CMAKE_MATCH_0}")
+endif()

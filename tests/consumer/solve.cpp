@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solvers alone: a ball of 2 kg meets a fixed floor at 3 m/s, ε = 1/2.
+#include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
+#include <carom/impulse/rough.hpp>
+#include <carom/impulse/sticking.hpp>
 
 int main() {
   carom::Collision collision;
@@ -12,6 +15,11 @@ int main() {
   collision.restitution = 0.5;
   const auto contact = carom::impulse::make_contact<double>(collision);
   const bool frictionless = carom::impulse::frictionless(contact).a.velocity[1] == 1.5;
+  // Without a name, the solve is that of Ldlt.
+  const bool defaults = carom::impulse::reflection(contact).a.velocity[1] == 1.5 &&
+                        carom::impulse::sticking(contact).a.velocity[1] == 1.5 &&
+                        carom::impulse::rough(contact).a.velocity[1] == 1.5 &&
+                        carom::impulse::coulomb(contact).a.velocity[1] == 1.5;
   const bool reflection = carom::impulse::reflection<carom::impulse::Ldlt>(contact).a.velocity[1] == 1.5;
-  return frictionless && reflection ? 0 : 1;
+  return frictionless && defaults && reflection ? 0 : 1;
 }

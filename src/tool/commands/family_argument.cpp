@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/family_argument.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <carom/properties/trial/nearest_name.hpp>
+
+#include "commands/commands.hpp"
+
+namespace carom::tool {
+
+const properties::Family& family_from_argument(const std::string& option, const std::string& name) {
+  if (const properties::Family* family = properties::family_named(name)) {
+    return *family;
+  }
+  std::vector<std::string> names;
+  for (const properties::Family& known : properties::all_families()) {
+    names.emplace_back(known.name);
+  }
+  throw UsageError(fmt::format("{}: there is no family '{}'; there are {}{}", option, name, fmt::join(names, ", "),
+                               properties::did_you_mean(name, names)));
+}
+
+}  // namespace carom::tool

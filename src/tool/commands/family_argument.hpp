@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <carom/properties/families/family.hpp>
+
+namespace carom::tool {
+
+/// The family that the command line names by this option. Throws UsageError, which names those there are, where there
+/// is none.
+[[nodiscard]] const properties::Family& family_from_argument(const std::string& option, const std::string& name);
+
+}  // namespace carom::tool
