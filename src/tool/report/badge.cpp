@@ -48,7 +48,7 @@ std::string badge_svg(const Overall& overall) {
   const std::string title = fmt::format("{}: {}", label, verdict);
   const std::string width = fmt::format("{}", width_of(label) + width_of(verdict));
   pugi::xml_document document;
-  const pugi::xml_node picture = add(document, "svg",
+  const pugi::xml_node picture = add(document.root(), "svg",
                                      {{"xmlns", "http://www.w3.org/2000/svg"},
                                       {"width", width},
                                       {"height", fmt::format("{}", height)},
