@@ -395,7 +395,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     SubjectResult& result = report.results[places[i].subject];
     Witness& witness = result.witnesses[places[i].witness];
     try {
-      if (!options.stop.stop_requested()) {
+      if (options.shrinks && !options.stop.stop_requested()) {
         witness = shrunk_witness(result.subject, claims[places[i].subject], witness);
       }
     } catch (const std::exception&) {

@@ -46,6 +46,8 @@ struct GateOptions {
   std::optional<std::chrono::nanoseconds> budget = {};
   /// Of all cases these alone. Precondition: without a budget.
   Shard shard = {};
+  /// Whether witnesses are made as simple as can be; else each stands as it was found.
+  bool shrinks = true;
   /// Where a stop is requested, what was judged until then is reported.
   std::stop_token stop;
   /// Called now and then with the cases done and those there are, with a budget with the milliseconds spent and those

@@ -355,13 +355,32 @@ int run_command(int argc, char** argv) {
   ReplayArguments replay;
   CLI::App* replay_command =
       app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
-  replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions")->required();
+  CLI::Option* replayed_file =
+      replay_command->add_option("FILE", replay.file, "A witness, a vector file, or JSON Lines of collisions");
+  replay_command->add_flag("--drawn", replay.drawn, "Of a witness the collision that was drawn, before it was shrunk")
+      ->needs(replayed_file);
+  CLI::Option* replayed_family =
+      replay_command->add_option("--family", replay.family, "In place of FILE: the family whose case is meant")
+          ->excludes(replayed_file);
+  CLI::Option* replayed_case =
+      replay_command->add_option("--case", replay.case_number, "The number of that case, from 0")->check(is_seed);
+  replayed_case->needs(replayed_family);
+  replayed_family->needs(replayed_case);
+  replay_command->add_option("--seed", replay.seed, "The seed that it is drawn with")
+      ->check(is_seed)
+      ->capture_default_str()
+      ->needs(replayed_family);
   replay_command->add_option("--subject", replay.subject,
                              "Subject to judge (default: the one that a witness names, where that is no program)");
   add_yardstick(*replay_command, replay);
   add_timeout(*replay_command, replay);
   add_format(*replay_command, replay.format, {"text", "json"});
-  replay_command->callback([&] { run = [&] { return carom::tool::replay(replay); }; });
+  replay_command->callback([&] {
+    if (replay.file.empty() && replay.family.empty()) {
+      throw CLI::RequiredError("FILE, or --family and --case");
+    }
+    run = [&] { return carom::tool::replay(replay); };
+  });
 
   try {
     app.parse(argc, argv);

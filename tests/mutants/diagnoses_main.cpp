@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   using namespace carom;
   properties::GateOptions options;
   options.cases = 1000;
+  options.shrinks = false;
   options.jobs = std::max(1U, std::thread::hardware_concurrency());
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
@@ -39,5 +40,6 @@ int main(int argc, char** argv) {
     const auto found = properties::diagnosis::diagnose(report.results[s], report);
     std::printf("  %s (%lu of %lu)\n  %s\n  %s\n  look at: %s\n", found.telling.c_str(), found.telling_in,
                 found.violated, found.what.c_str(), found.where.c_str(), found.look_at.c_str());
+    std::fflush(stdout);
   }
 }

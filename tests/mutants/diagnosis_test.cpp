@@ -45,7 +45,7 @@ std::vector<Row> rows_of_the_page() {
   return rows;
 }
 
-const Mutant& mutant_named(const std::string& name) {
+const Mutant& planted(const std::string& name) {
   const auto found =
       std::find_if(all_mutants().begin(), all_mutants().end(), [&](const Mutant& one) { return one.name == name; });
   if (found == all_mutants().end()) {
@@ -57,16 +57,17 @@ const Mutant& mutant_named(const std::string& name) {
 /// Of each mutant of the page, all judged in one run, as a default gate judges.
 std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
+  options.shrinks = false;
   options.jobs = std::max(1U, std::thread::hardware_concurrency());
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
   }
   std::vector<Subject> subjects;
   for (const Row& row : rows_of_the_page()) {
-    subjects.push_back(subject_of(mutant_named(row.mutant)));
+    subjects.push_back(subject_of(planted(row.mutant)));
   }
   const properties::GateReport report = run_gate(subjects, options);
-  const std::vector<Diagnosis> all = diagnose_all(report);
+  const std::vector<Diagnosis> all = properties::diagnosis::diagnose_all(report);
   std::map<std::string, Diagnosis> by_name;
   for (std::size_t s = 0; s < all.size(); ++s) {
     by_name[rows_of_the_page()[s].mutant] = all[s];

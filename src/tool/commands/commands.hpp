@@ -66,7 +66,11 @@ struct TrendsArguments {
 };
 
 struct ReplayArguments {
-  std::string file;
+  std::string file;               // empty where a case of a family is meant
+  bool drawn = false;             // of a witness the collision that was drawn
+  std::string family;             // whose case is replayed in place of a file
+  std::uint64_t case_number = 0;  // in the family
+  std::uint64_t seed = 1;
   std::string subject;  // empty: the one that a witness names
   double timeout = 5;   // of each reply of a program [s]
   double limit_ulps = 32;

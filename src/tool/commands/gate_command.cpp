@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/family_argument.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/old_witnesses.hpp"
 #include "commands/orphans.hpp"
@@ -35,14 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string known_names(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
 std::vector<const properties::Family*> families_of(const GateArguments& arguments) {
   std::vector<const properties::Family*> families;
   if (arguments.families.empty()) {
@@ -52,15 +44,7 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
     return families;
   }
   for (const std::string& name : arguments.families) {
-    const properties::Family* family = properties::family_named(name);
-    if (family == nullptr) {
-      std::vector<std::string> names;
-      for (const properties::Family& known : properties::all_families()) {
-        names.emplace_back(known.name);
-      }
-      throw UsageError(fmt::format("--families: there is no family '{}'; there are {}{}", name, known_names(names),
-                                   properties::did_you_mean(name, names)));
-    }
+    const properties::Family* family = &family_from_argument("--families", name);
     if (std::find(families.begin(), families.end(), family) == families.end()) {
       families.push_back(family);
     }

@@ -76,15 +76,18 @@ Collision bare_collision(json record) {
   return collision_from_json(record);
 }
 
-ReadCollision read_record(const json& record, const std::string& place, OutOfRange out_of_range) {
+ReadCollision read_record(const json& record, const std::string& place, OutOfRange out_of_range, OfWitness of_witness) {
   ReadCollision read{place, {}, std::nullopt};
   const bool is_wrapped = record.is_object() && record.contains("collision");
+  const std::string field = of_witness == OfWitness::drawn ? "drawn" : "collision";
+  if (of_witness == OfWitness::drawn && !(is_wrapped && record.contains(field))) {
+    fail(place, "/drawn: is missing; only a witness of carom gate has it");
+  }
   if (record.is_object() && record.contains("class")) {
     read.contact_class = text_field(record.at("class"), "/class", place);
   }
   try {
-    read.one.collision =
-        is_wrapped ? collision_from_json(record.at("collision"), "/collision") : bare_collision(record);
+    read.one.collision = is_wrapped ? collision_from_json(record.at(field), '/' + field) : bare_collision(record);
   } catch (const FormatError& error) {
     fail(place, error.what());
   }
@@ -109,12 +112,12 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
 
 }  // namespace
 
-void for_each_collision(JsonFile& file, OutOfRange out_of_range,
-                        const std::function<void(const ReadCollision&)>& visit) {
+void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::function<void(const ReadCollision&)>& visit,
+                        OfWitness of_witness) {
   if (file.is_lines()) {
     while (const std::optional<JsonFile::Line> line = file.next_line()) {
       const std::string place = fmt::format("{}:{}", file.file(), line->number);
-      visit(read_record(parsed(line->text, place), place, out_of_range));
+      visit(read_record(parsed(line->text, place), place, out_of_range, of_witness));
     }
     return;
   }
@@ -123,14 +126,14 @@ void for_each_collision(JsonFile& file, OutOfRange out_of_range,
   }
   const json whole = parsed(file.whole(), file.file());
   if (!whole.is_array()) {
-    visit(read_record(whole, file.file(), out_of_range));
+    visit(read_record(whole, file.file(), out_of_range, of_witness));
     return;
   }
   if (whole.empty()) {
     fail(file.file(), "holds no collision");
   }
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    visit(read_record(whole[i], fmt::format("{}: element {}", file.file(), i), out_of_range));
+    visit(read_record(whole[i], fmt::format("{}: element {}", file.file(), i), out_of_range, of_witness));
   }
 }
 

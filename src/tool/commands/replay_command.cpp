@@ -9,6 +9,7 @@
 #include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/family_argument.hpp"
 #include "commands/input_file.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/json_file.hpp"
@@ -159,6 +160,14 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   return text;
 }
 
+/// The case that the gate draws of the family with this seed and this number.
+ReadCollision drawn_case(const ReplayArguments& arguments) {
+  const properties::Family& family = family_from_argument("--family", arguments.family);
+  properties::Stream stream = properties::case_stream(arguments.seed, family.name, arguments.case_number);
+  return {fmt::format("{} #{} of seed {}", family.name, arguments.case_number, arguments.seed), family.generate(stream),
+          std::nullopt};
+}
+
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
@@ -166,8 +175,7 @@ int replay(const ReplayArguments& arguments) {
   const Orphanage orphanage;
   OpenSubjects subjects(arguments, stop);
   bool violated = false;
-  JsonFile file(arguments.file, stop);
-  for_each_collision(file, OutOfRange::refused, [&](const ReadCollision& read) {
+  const auto replay_one = [&](const ReadCollision& read) {
     if (stop.stop_requested()) {
       throw UsageError(fmt::format("stopped by the user before {}", read.place));
     }
@@ -237,7 +245,13 @@ int replay(const ReplayArguments& arguments) {
     } else {
       fmt::print("{}\n", subjects::protocol::printable(text, text.size()));
     }
-  });
+  };
+  if (!arguments.family.empty()) {
+    replay_one(drawn_case(arguments));
+  } else {
+    JsonFile file(arguments.file, stop);
+    for_each_collision(file, OutOfRange::refused, replay_one, arguments.drawn ? OfWitness::drawn : OfWitness::shrunk);
+  }
   subjects.close();
   return violated ? exit_violated : exit_all_hold;
 }

@@ -98,7 +98,7 @@ TEST(Features, AreAllThereInPairs) {
       Stream stream = case_stream(defaults.seed, family.name, i);
       const Collision collision = family.generate(stream).collision;
       if (is_colliding(collision)) {
-        coverage.add(collision);
+        coverage.add(feature_places_of(collision));
       }
     }
   }
@@ -121,7 +121,7 @@ TEST(Features, AreMissedWhereNothingHasThem) {
   Collision collision;
   collision.b.immovable = true;
   collision.a.velocity = {0, -1, 0};
-  coverage.add(collision);
+  coverage.add(feature_places_of(collision));
   const auto place_of = [](std::string_view name) {
     return static_cast<std::size_t>(feature_named(name) - all_features().data());
   };
@@ -140,7 +140,7 @@ TEST(Features, OfAReportAreThoseThatItSays) {
   std::vector<std::uint64_t> counts;
   for (std::uint64_t i = 0; i < 20; ++i) {
     Stream stream = case_stream(1, "structured", i);
-    coverage.add(family_named("structured")->generate(stream).collision);
+    coverage.add(feature_places_of(family_named("structured")->generate(stream).collision));
   }
   for (std::size_t i = 0; i < all_features().size(); ++i) {
     counts.push_back(coverage.count(i));
