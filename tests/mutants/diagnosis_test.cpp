@@ -35,8 +35,8 @@ std::vector<Row> rows_of_the_page() {
   std::ifstream page(CAROM_PLUG_IN_PAGE);
   std::vector<Row> rows;
   for (std::string line; std::getline(page, line);) {
-    const std::size_t name_end = line.find("`:");
-    if (!line.starts_with("| `") || name_end == std::string::npos) {
+    const std::size_t name_end = line.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", 3);
+    if (!line.starts_with("| `") || name_end == std::string::npos || line.substr(name_end, 2) != "`:") {
       continue;
     }
     const std::size_t bar = line.find('|', name_end);
