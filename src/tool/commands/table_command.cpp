@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/model.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
 #include "commands/commands.hpp"
