@@ -114,6 +114,13 @@ TEST(HostileInput, FilesWithoutEndAreReadSoFarAndNoFurther) {
   }
 }
 
+TEST(HostileInput, WhereMemoryEndsAMessageSaysSo) {
+  const RunResult run =
+      run_program("/bin/sh", {"-c", R"(ulimit -v 200000; exec "$0" replay /dev/zero)", carom_program()});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
+}
+
 TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   const TemporaryDirectory directory;
   const std::string line = directory.write("line.json", ball().dump() + '\n');
