@@ -53,6 +53,15 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
+/// A subject that was judged no further was judged on the first cases of each family.
+std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
+  std::vector<std::uint64_t> judged;
+  for (const FamilyResult& family : result.families) {
+    judged.push_back(result.error.empty() ? family.sampled : std::min(family.sampled, family.cases));
+  }
+  return judged;
+}
+
 std::uint64_t cases_that_violate(const SubjectResult& result, const std::string& invariant) {
   std::uint64_t sum = 0;
   for (const FamilyResult& family : result.families) {
@@ -172,12 +181,22 @@ std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   return faults;
 }
 
+/// What is wrong with the first invalid collision that was not refused.
+std::string first_invalid(const std::vector<ViolatedCase>& examples) {
+  for (const ViolatedCase& one : examples) {
+    if (const std::vector<Defect> defects = validate(one.one.collision); !defects.empty()) {
+      return ", such as one with " + describe(defects);
+    }
+  }
+  return {};
+}
+
 Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples) {
   std::vector<Fault> faults = without_outcome(examples);
   const auto violates = [&](const char* invariant) { return result.count(invariant).violated > 0; };
   if (violates("invalid_refused")) {
-    faults.push_back(
-        {"It answers invalid collisions in place of refusing them.", "what it takes for a valid collision"});
+    faults.push_back({"It does not refuse invalid collisions" + first_invalid(examples) + ".",
+                      "what it takes for a valid collision"});
   }
   std::vector<ViolatedCase> outcomes;
   std::vector<KnownCase> off;
@@ -193,6 +212,15 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
         off.push_back(*known);
       }
     }
+  }
+  const auto lost = static_cast<std::size_t>(std::count_if(result.witnesses.begin(), result.witnesses.end(),
+                                                           [](const Witness& one) { return !one.is_reproduced; }));
+  if (lost > 0) {
+    faults.push_back(
+        {fmt::format("It remembers something of the collisions before: {} witnesses are answered otherwise "
+                     "when they are asked by themselves.",
+                     counted(lost, result.witnesses.size())),
+         "caches and their keys, warm starts, what is not reset between contacts"});
   }
   const Explanation best = best_explanation(off);
   if (best.hypothesis != nullptr) {
@@ -231,7 +259,7 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
   const Fault fault = what_is_wrong(result, examples_of(result));
   diagnosis.what = fault.what;
   diagnosis.look_at = fault.look_at;
-  diagnosis.where = in_words(where_violated(report, violated));
+  diagnosis.where = in_words(where_violated(report, {violated, judged_of(result)}));
   return diagnosis;
 }
 

@@ -190,6 +190,40 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 }  // namespace
 
+/// Where many wrong outcomes have a speed or a spin of one size that the law does not give them: which.
+std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
+  struct Size {
+    OutcomeVector vector;
+    double computed;
+  };
+  std::vector<Size> sizes;  // that are not the law's
+  for (const ViolatedCase& violated : cases) {
+    const std::optional<KnownCase> known = known_case(violated, model);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      const double computed = known ? vectors(known->answered)[k]->norm() : 0;
+      if (computed > 0 && std::abs(computed - vectors(known->truth)[k]->norm()) > visible * computed) {
+        sizes.push_back({k, computed});
+      }
+    }
+  }
+  constexpr std::size_t least = 5;
+  for (const Size& one : sizes) {
+    const bool is_spin =
+        one.vector == OutcomeVector::angular_velocity_of_a || one.vector == OutcomeVector::angular_velocity_of_b;
+    std::size_t alike = 0;
+    for (const Size& other : sizes) {
+      const bool of_same_kind = is_spin == (other.vector == OutcomeVector::angular_velocity_of_a ||
+                                            other.vector == OutcomeVector::angular_velocity_of_b);
+      alike += of_same_kind && std::abs(other.computed - one.computed) <= visible * visible * one.computed ? 1 : 0;
+    }
+    if (alike >= std::max(least, cases.size() / 4)) {
+      return fmt::format(" {} of the wrong {} are {:.6g} {}, as if that were a limit.", alike,
+                         is_spin ? "spins" : "speeds", one.computed, is_spin ? "rad/s" : "m/s");
+    }
+  }
+  return {};
+}
+
 Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
   std::array<std::size_t, all_steps.size()> counts{};
   std::vector<Shares> shares;
@@ -200,8 +234,15 @@ Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
       shares.push_back(*told.shares);
     }
   }
+  const auto count_of = [&](Step step) -> std::size_t& { return counts[static_cast<std::size_t>(step)]; };
+  const std::size_t of_a = count_of(Step::spin_of_a);
+  const std::size_t of_b = count_of(Step::spin_of_b);
+  const std::size_t of_both = count_of(Step::spin_of_both);
+  count_of(Step::spin_of_both) += of_a + of_b;
+  count_of(Step::spin_of_a) = count_of(Step::spin_of_b) = 0;
   const auto most = std::max_element(counts.begin(), counts.end());
   const std::string share = fmt::format(" ({} of {} outcomes looked at)", *most, cases.size());
+  const std::string limits = limits_in_words(cases, model);
   switch (static_cast<Step>(most - counts.begin())) {
     case Step::immovable_moved:
       return {"An immovable body's velocity or spin changes" + share + '.', "what is done to bodies of infinite mass"};
@@ -211,21 +252,22 @@ Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
       return {"Contacts that approach are left as they were" + share + '.',
               "the condition on which a contact is solved at all: thresholds, sleeping bodies, filters"};
     case Step::reaction:
-      return {"What A receives is not what B loses: the linear momentum of both is not kept" + share + '.',
+      return {"What A receives is not what B loses: the linear momentum of both is not kept" + share + '.' + limits,
               "how the impulse is applied to each body: masses, signs, what is added besides"};
     case Step::spin_of_both:
-      return {"Both bodies get the same impulse, but neither spin follows from it: J Δw is not r × F" + share + '.',
-              "lever arms, the frame of the inertia tensor, what else is added to spins"};
     case Step::spin_of_a:
-      return {
-          "The velocities follow from an impulse, B's spin does too, and A's does not: J Δw is not r × F" + share + '.',
-          "A's lever arm, the frame of its inertia tensor, what else is added to its spin"};
     case Step::spin_of_b:
       return {
-          "The velocities follow from an impulse, A's spin does too, and B's does not: J Δw is not r × F" + share + '.',
-          "B's lever arm, the frame of its inertia tensor, what else is added to its spin"};
+          fmt::format(
+              "The velocities follow from an impulse, and spins do not: J Δw is not r × F, of A in {}, of B in {}, "
+              "of both in {} of {} outcomes looked at.",
+              of_a, of_b, of_both, cases.size()) +
+              limits,
+          limits.empty()
+              ? "lever arms, the frame of the inertia tensor, fast paths for some inertias, what else is added to spins"
+              : "limits on spins"};
     case Step::impulse:
-      return {impulse_in_words(shares) + share,
+      return {impulse_in_words(shares) + share + limits,
               "how the impulse is worked out: the relative velocity, K, the law, limits on either"};
     case Step::none:
       break;

@@ -142,6 +142,14 @@ const std::array misreadings{
                    b.angular_velocity.setZero();
                  }
                }},
+    Misreading{"the spin of {} were crossed with the other body's lever arm in V⁻",
+               "the term w × r: which body's r, and which body's w", false,
+               [](Body& b, const Body& other, const Collision&) {
+                 b.velocity += b.angular_velocity.cross(b.position - other.position);
+               }},
+    Misreading{"the spin of {} were the other body's in V⁻", "the term w × r: which body's r, and which body's w",
+               false,
+               [](Body& b, const Body& other, const Collision&) { b.angular_velocity = other.angular_velocity; }},
     Misreading{"the spin of {} had the other sign in V⁻", "the order of w × r", false,
                [](Body& b, const Body&, const Collision&) { b.angular_velocity = -b.angular_velocity; }},
     Misreading{"the velocity of {} had the other sign in V⁻", "V = V_A − V_B", false,

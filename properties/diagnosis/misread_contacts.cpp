@@ -22,6 +22,11 @@ void point_from(Vector3<double>& place, const Vector3<double>& point, double fac
   place = point - factor * (point - place);
 }
 
+void make_practically_immovable(Body& body) {
+  body.mass *= 0x1p100;
+  body.principal_inertia *= 0x1p100;
+}
+
 /// The component of the normal that is largest alone.
 Vector3<double> nearest_axis(const Vector3<double>& normal) {
   int largest = 0;
@@ -109,6 +114,8 @@ std::vector<Hypothesis> misread_contacts() {
                    point_from(c.a.position, c.point, 0.5);
                    point_from(c.b.position, c.point, 0.5);
                  }),
+      of_changed("the heavier body were immovable", "what is taken for immovable: mass ratios, mass thresholds",
+                 [](Collision& c) { make_practically_immovable(c.a.mass > c.b.mass ? c.a : c.b); }),
       of_changed("both masses were exchanged", "which body's mass is read",
                  [](Collision& c) { std::swap(c.a.mass, c.b.mass); }),
       of_changed("the bodies' moments of inertia were exchanged", "which body's inertia is read",

@@ -70,7 +70,7 @@ constexpr double least_taken_away = 0.3;
 /// The sample, and every condition on it.
 class Sample {
  public:
-  Sample(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated, double left_out)
+  Sample(const GateReport& report, const Violations& violations, double left_out)
       : report_(report), left_out_(left_out) {
     std::size_t count = 0;
     for (const auto& of_family : report.sampled) {
@@ -85,7 +85,7 @@ class Sample {
       CaseSet of_family(count);
       for (std::size_t i = 0; i < report.sampled[f].size(); ++i, ++number) {
         const SampledCase& one = report.sampled[f][i];
-        if (!one.is_valid) {
+        if (!one.is_valid || i >= violations.judged[f]) {
           continue;
         }
         everything_.add(number);
@@ -94,11 +94,14 @@ class Sample {
         for (const std::uint16_t feature : one.features) {
           of_feature[feature].add(number);
         }
-        if (std::binary_search(violated[f].begin(), violated[f].end(), i)) {
+        if (std::binary_search(violations.violated[f].begin(), violations.violated[f].end(), i)) {
           violated_.add(number);
         }
       }
-      add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
+      // That one is put together from features, which say more.
+      if (report.options.families[f]->name != "structured") {
+        add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
+      }
     }
     for (auto& [approach, cases] : of_approach) {
       approaches_.push_back({words_of(approach), Plainness::feature, std::move(cases)});
@@ -195,7 +198,7 @@ class Sample {
     std::size_t number = 0;
     for (const auto& of_family : report_.sampled) {
       for (const SampledCase& one : of_family) {
-        if (one.is_valid) {
+        if (everything_.has(number)) {
           visit(number, one);
         }
         ++number;
@@ -274,10 +277,10 @@ Where where_in(const Sample& sample, double left_out) {
 
 }  // namespace
 
-Where where_violated(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated) {
+Where where_violated(const GateReport& report, const Violations& violations) {
   Where where;
   for (const double left_out : most_left_out) {
-    where = where_in(Sample(report, violated, left_out), left_out);
+    where = where_in(Sample(report, violations, left_out), left_out);
     if (!where.conditions.empty() || is_nearly_all(where.violated_there, where.cases_there)) {
       break;
     }

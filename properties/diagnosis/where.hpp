@@ -23,10 +23,16 @@ struct Where {
   std::uint64_t cases_there = 0;      // sampled cases in which they hold, violated or not
 };
 
-/// Of the sampled cases of a run; `violated` has the numbers of the violated ones of each family, ascending. Looks for
-/// few conditions that nearly all violated cases fulfil and as few others as can be: features, their absence, sizes,
-/// how the contact approaches, the family.
-[[nodiscard]] Where where_violated(const GateReport& report, const std::vector<std::vector<std::uint64_t>>& violated);
+/// Of each family of a run, the numbers of the violated ones among its sampled cases, ascending, and before which
+/// number cases were judged.
+struct Violations {
+  std::vector<std::vector<std::uint64_t>> violated;
+  std::vector<std::uint64_t> judged;
+};
+
+/// Looks for few conditions that nearly all violated cases fulfil and as few others as can be: features, their absence,
+/// sizes, how the contact approaches, the family.
+[[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
 /// In one sentence.
 [[nodiscard]] std::string in_words(const Where& where);

@@ -128,6 +128,7 @@ struct Witness {
   Answer answer;    // to the shrunk collision
   Verdict verdict_as_found;
   Answer answer_as_found;
+  bool is_reproduced = true;  // asked by itself, the original violates it too; true where it was not asked
 };
 
 struct SubjectResult {

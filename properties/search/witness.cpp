@@ -69,6 +69,7 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
       return Verdict{};
     }
   };
+  witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
   const Case simplest =
       simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
   only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified

@@ -41,11 +41,10 @@ class Conversation {
       process_.exchange(requests, collisions.size(), [&](std::string_view line) {
         answers.push_back(answer_from(line, next_id_ + answers.size(), introduction_.precision));
       });
+    } catch (const ChildError& error) {
+      fail(collisions, answers, error, error.what());
     } catch (const std::exception& error) {
-      const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
-      request_ = request(failed, collisions[failed]);
-      throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers,
-                           {printable(error.what(), longest_shown_request), errors_and_request()});
+      fail(collisions, answers, error, std::string("wrote what is no reply: ") + error.what());
     }
     next_id_ += collisions.size();
     ++call_;
@@ -62,6 +61,14 @@ class Conversation {
   [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
     return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
+  }
+
+  [[noreturn]] void fail(std::span<const Collision> collisions, const std::vector<Answer>& answers,
+                         const std::exception& error, const std::string& why) {
+    const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
+    request_ = request(failed, collisions[failed]);
+    throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers,
+                         {printable(why, longest_shown_request), errors_and_request()});
   }
 
   template <class F>

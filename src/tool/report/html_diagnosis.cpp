@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/in_words.hpp>
+
 #include "report/findings_text.hpp"
 #include "report/html_tables.hpp"
 #include "report/markup.hpp"
@@ -49,6 +51,9 @@ void add_diagnosis(pugi::xml_node section, const GateRun& run, std::size_t s) {
     }
   }
   add_line(list, "also violated", others);
+  const properties::Witness& witness = *witnesses_by_telling(run, s).front();
+  add(card, "pre", {{"tabindex", "0"}},
+      properties::violation_in_words(witness.shrunk.collision, witness.answer, witness.verdict));
 }
 
 std::vector<std::string> violated_in_order(const GateRun& run, std::size_t s) {

@@ -38,7 +38,7 @@ struct Sampled {
     }
   }
 
-  [[nodiscard]] std::string words() const { return in_words(where_violated(report, violated)); }
+  [[nodiscard]] std::string words() const { return in_words(where_violated(report, {violated, {600, 600, 600, 600}})); }
 };
 
 constexpr auto colliding = oracles::Approach::colliding;
@@ -63,7 +63,7 @@ TEST(Where, AFeatureOfEitherBodyIsFound) {
                               return approach == colliding && (c.a.orientation[0] < 0 || c.b.orientation[0] < 0) &&
                                      !c.a.immovable && !c.b.immovable;
                             }).words();
-  expect_in("A or B: w < 0", words);
+  expect_in("A or B: the quaternion's w < 0", words);
 }
 
 TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
