@@ -144,6 +144,19 @@ Explanation best_explanation(const std::vector<KnownCase>& cases) {
   return best;
 }
 
+/// The last line of what it wrote on standard error.
+std::string last_words(const Failed& failed) {
+  const std::string mark = "standard error: ";
+  const std::size_t begin = failed.said.find(mark);
+  if (begin == std::string::npos) {
+    return {};
+  }
+  const std::size_t end = failed.said.find_last_not_of(" \n");
+  const std::size_t line = failed.said.find_last_of('\n', end);
+  const std::size_t from = line == std::string::npos || line < begin ? begin + mark.size() : line + 1;
+  return ": " + failed.said.substr(from, end + 1 - from);
+}
+
 /// What the answers are that are no outcomes of finite numbers, or to no valid collisions.
 std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   std::size_t failed = 0;
@@ -154,7 +167,7 @@ std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   for (const ViolatedCase& one : examples) {
     if (const auto* failure = std::get_if<Failed>(&one.answer)) {
       ++failed;
-      how = how.empty() ? failure->why : how;
+      how = how.empty() ? failure->why + last_words(*failure) : how;
     } else if (const auto* refusal = std::get_if<Refused>(&one.answer)) {
       ++refused;
       why = why.empty() ? refusal->why : why;

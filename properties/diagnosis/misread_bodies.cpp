@@ -16,6 +16,7 @@ struct Misreading {
   bool of_mechanics;  // of mass, moments, orientation or lever arm: part of both steps
   /// Of the body as it is, with the other one at hand.
   void (*change)(Body& body, const Body& other, const Collision& collision);
+  bool of_one_body_alone = false;  // of both it changes nothing
 };
 
 constexpr double practically_infinite = 0x1p100;
@@ -113,7 +114,8 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) {
                  b.mass *= practically_infinite;
                  b.principal_inertia *= practically_infinite;
-               }},
+               },
+               true},
     Misreading{"{} had no velocity before", "the relative velocity: v of that body left out", false,
                [](Body& b, const Body&, const Collision&) { b.velocity.setZero(); }},
     Misreading{"{} had no spin before", spin_terms, false,
@@ -224,7 +226,8 @@ std::vector<Hypothesis> misread_bodies() {
   for (const Misreading& misreading : misreadings) {
     for (const Step& step : steps) {
       for (const Who& who : whom) {
-        if (misreading.of_mechanics || !step.of_mechanics_alone) {
+        const bool is_of_both = who.a && who.b;
+        if ((misreading.of_mechanics || !step.of_mechanics_alone) && !(is_of_both && misreading.of_one_body_alone)) {
           all.push_back({filled(misreading.as_if, who.name) + step.where, misreading.look_at,
                          [&misreading, who, answer = step.answer](const KnownCase& one) {
                            return answer(misread(one.collision, misreading, who), one);

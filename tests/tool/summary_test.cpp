@@ -46,7 +46,9 @@ TEST(Summary, HasTheFirstWitnessOfAViolatedSubjectInWordsAndItsReplay) {
     expect_in(text, {"| " + violation.at("invariant").get<std::string>() + " | " +
                      std::to_string(violation.at("count").get<int>()) + " of "});
   }
-  const std::string witness = violations.at(0).at("witness").get<std::string>();
+  const std::string telling = report.at("subjects").at(0).at("diagnosis").at("telling");
+  const std::string witness = "witnesses/reflection-in-basis-double." + telling + ".json";
+  expect_in(text, {"    " + report.at("subjects").at(0).at("diagnosis").at("what").get<std::string>()});
   expect_in(text, {"    carom replay " + (out.path() / witness).string() + " --subject reflection-in-basis-double\n"});
 }
 

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/commands.hpp"
 #include "commands/old_witnesses.hpp"
 #include "commands/output_file.hpp"
 #include "compare/comparison.hpp"
@@ -53,13 +53,19 @@ void write_reports(const GateRun& run, const std::string& out, StagedOutput& sta
   remove_abandoned_stages(out);
 }
 
+void flush_output() {
+  if (std::fflush(stdout) != 0) {
+    throw UsageError("standard output cannot be written");
+  }
+}
+
 void print_run(const GateRun& run, const Presentation& presentation) {
   fmt::print("{}", presentation.format == "json" ? in_json(report_record(run), 2) : report_text(run, presentation.out));
-  std::fflush(stdout);  // before anything is said on standard error
+  flush_output();  // before anything is said on standard error
   if (presentation.has_annotations) {
     presentation.annotate();
     fmt::print("{}", github_annotations(run, presentation.out));
-    std::fflush(stdout);
+    flush_output();
   }
 }
 
@@ -85,7 +91,7 @@ int present_run(GateRun run, const std::optional<compare::ReadReport>& baseline,
   staged.reset();
   try {
     print_run(run, presentation);
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     if (!unwritten) {
       throw;
     }

@@ -308,9 +308,6 @@ json report_record(const GateRun& run) {
               {"interrupted", run.report.interrupted},
               {"families", json::array()},
               {"subjects", json::array()}};
-  if (options.relations_every > 0) {
-    record["relations_every"] = options.relations_every;
-  }
   if (options.budget) {
     record["budget_seconds"] = std::chrono::duration<double>(*options.budget).count();
   }

@@ -18,7 +18,7 @@ struct Sampled {
 
   template <class IsViolated>
   explicit Sampled(IsViolated is_violated) {
-    for (const char* name : {"generic", "structured", "mass_ratio", "separating"}) {
+    for (const char* name : {"generic", "structured", "mass_ratio", "separating", "immovable_a", "driven_wall"}) {
       const Family* family = family_named(name);
       report.options.families.push_back(family);
       std::vector<SampledCase>& sampled = report.sampled.emplace_back();
@@ -38,7 +38,9 @@ struct Sampled {
     }
   }
 
-  [[nodiscard]] std::string words() const { return in_words(where_violated(report, {violated, {600, 600, 600, 600}})); }
+  [[nodiscard]] std::string words() const {
+    return in_words(where_violated(report, {violated, std::vector<std::uint64_t>(6, 600)}));
+  }
 };
 
 constexpr auto colliding = oracles::Approach::colliding;

@@ -126,13 +126,13 @@ TEST(Faults, LoseNoVerdict) {
   EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
 }
 
-/// Also those of a batch that was not answered to its end: two answers, then one failure, as often as it is started.
+/// Also those of a batch that was not answered to its end: two answers before each failure, as often as it is started.
 TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   const Gate gate({misbehaving("signal")});
   const json& finite = gate.subject(0).at("families").at(0).at("invariants").at("finite");
-  EXPECT_EQ(gate.subject(0).at("cases"), 30);
-  EXPECT_EQ(finite.at("holds"), 20);
-  EXPECT_EQ(finite.at("violated"), 10);
+  EXPECT_GT(finite.at("violated"), 1);
+  EXPECT_GE(finite.at("holds"), 2 * finite.at("violated").get<int>());
+  EXPECT_LT(gate.subject(0).at("cases"), 120) << "a subject that fails and fails is judged no further";
 }
 
 /// A crash is a finding like others: with a witness, shrunk, that replays, and all else is judged.
