@@ -52,7 +52,7 @@ class CaseSet {
 };
 
 /// How much a condition tells a reader: of two that fit alike the lower is taken.
-enum class Plainness { feature, either, size, absence, family };
+enum class Plainness { feature, either, absence, size, family };
 
 struct Literal {
   std::string words;
