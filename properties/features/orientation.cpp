@@ -72,7 +72,8 @@ std::vector<Feature> of_orientation() {
          const double angle = stream.between(0.125, 0.875);
          turn_about_axis(stream, b, stream.chance(2) ? 1 : -1, angle);
        }},
-      {"orientation_negative", special, "the quaternion's w < 0", "q and −q are one rotation: a guard on w, or a shortest way", true,
+      {"orientation_negative", special, "the quaternion's w < 0",
+       "q and −q are one rotation: a guard on w, or a shortest way", true,
        [](const Collision&, const Body& b) { return b.orientation[0] < 0; },
        [](Stream&, Collision&, Body& b) {
          if (b.orientation[0] == 0) {
