@@ -91,6 +91,24 @@ TEST(Annotations, AreAnErrorForEachViolationAndANoticeWithTheVerdict) {
   EXPECT_EQ(commands.back().message, "1 of 2 subjects that count are sound; 100 cases of each of 1 families, seed 1");
 }
 
+TEST(Annotations, OfWhatIsKnownFromTheBaselineAreNoErrors) {
+  const TemporaryDirectory out;
+  const std::vector<std::string> arguments{
+      "gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases", "100"};
+  std::vector<std::string> before = arguments;
+  before.insert(before.end(), {"--out", out.path().string()});
+  EXPECT_EQ(run_carom(before).exit_status, 1);
+  std::vector<std::string> after = arguments;
+  after.insert(after.end(), {"--baseline", out.path().string()});
+  const std::vector<Command> commands = commands_of(after);
+  ASSERT_GE(commands.size(), 3U);
+  for (const Command& command : commands) {
+    EXPECT_EQ(command.name, "notice") << command.title;
+  }
+  EXPECT_NE(commands[1].title.find("known from the baseline"), std::string::npos) << commands[1].title;
+  EXPECT_NE(commands.back().message.find("nothing new"), std::string::npos) << commands.back().message;
+}
+
 TEST(Annotations, LeaveOutWhatIsExpectedToFail) {
   const std::vector<Command> commands = commands_of({"gate", "--families", "near_head_on", "--cases", "20"});
   ASSERT_EQ(commands.size(), 1U);

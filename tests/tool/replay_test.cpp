@@ -249,5 +249,38 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
+/// What a witness was shrunk from: in its file, and by its number.
+TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
+  const TemporaryDirectory out;
+  const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",
+                                    "100", "--seed", "5", "--out", out.path().string()});
+  ASSERT_EQ(gate.exit_status, 1) << gate.errors;
+  const std::string file = (out.path() / "witnesses" / "reflection-in-basis-double.restitution.json").string();
+  const json witness = json::parse(content_of(file));
+  const RunResult drawn = run_carom({"replay", file, "--drawn", "--format", "json"});
+  EXPECT_EQ(drawn.exit_status, 1) << drawn.errors;
+  EXPECT_EQ(json::parse(drawn.output).at("collision"), witness.at("drawn"));
+  EXPECT_EQ(json::parse(drawn.output).at("verdicts").at("restitution"), witness.at("drawn_verdict"));
+  const RunResult numbered = run_carom({"replay", "--family", witness.at("family").get<std::string>(), "--case",
+                                        std::to_string(witness.at("case").get<int>()), "--seed", "5", "--subject",
+                                        "reflection-in-basis-double", "--format", "json"});
+  EXPECT_EQ(numbered.exit_status, 1) << numbered.errors;
+  EXPECT_EQ(json::parse(numbered.output).at("collision"), witness.at("drawn"));
+}
+
+TEST(Replay, SaysWhatIsMissingWhereADrawnCaseIsWanted) {
+  const TemporaryDirectory directory;
+  const std::string plain = directory.write("plain.json", json{{"mass", 1}}.dump());
+  const RunResult no_witness = run_carom({"replay", plain, "--drawn"});
+  EXPECT_EQ(no_witness.exit_status, 2);
+  EXPECT_NE(no_witness.errors.find("/drawn: is missing"), std::string::npos) << no_witness.errors;
+  const RunResult misspelt = run_carom({"replay", "--family", "haed_on", "--case", "1"});
+  EXPECT_EQ(misspelt.exit_status, 2);
+  EXPECT_NE(misspelt.errors.find("did you mean 'head_on'?"), std::string::npos) << misspelt.errors;
+  EXPECT_EQ(run_carom({"replay"}).exit_status, 2);
+  EXPECT_EQ(run_carom({"replay", "--family", "head_on"}).exit_status, 2) << "without a number";
+  EXPECT_EQ(run_carom({"replay", plain, "--family", "head_on", "--case", "1"}).exit_status, 2) << "one or the other";
+}
+
 }  // namespace
 }  // namespace carom::tests

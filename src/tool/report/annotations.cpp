@@ -41,7 +41,7 @@ std::string command(std::string_view name, const std::string& title, const std::
                      escaped(printable(message, longest_message), ""));
 }
 
-std::string violation(const SubjectResult& result, const Witness& witness, const properties::GateOptions& options,
+std::string violation(const GateRun& run, const SubjectResult& result, const Witness& witness,
                       const std::string& out_directory) {
   const properties::Count count = result.count(witness.invariant);
   std::string message = fmt::format(
@@ -49,9 +49,13 @@ std::string violation(const SubjectResult& result, const Witness& witness, const
       properties::invariant_named(witness.invariant)->statement, properties::in_words(witness.verdict));
   if (!out_directory.empty()) {
     const auto file = witness_path(out_directory, result.subject, witness);
-    message += '\n' + replay_command(file, result.subject, options.yardstick);
+    message += '\n' + replay_command(file, result.subject, run.report.options.yardstick);
   }
-  return command("error", fmt::format("{} violates {}", result.subject.name, witness.invariant), message);
+  const bool is_known = run.baseline && compare::is_known(*run.baseline, result.subject.name, witness.invariant);
+  return command(is_known ? "notice" : "error",
+                 fmt::format("{} violates {}{}", result.subject.name, witness.invariant,
+                             is_known ? ", known from the baseline" : ""),
+                 message);
 }
 
 }  // namespace
@@ -69,7 +73,7 @@ std::string github_annotations(const GateRun& run, const std::string& out_direct
                       diagnosis.what + '\n' + diagnosis.where + "\nLook at: " + diagnosis.look_at);
     }
     for (const Witness* witness : witnesses_by_telling(run, s)) {
-      text += violation(result, *witness, run.report.options, out_directory);
+      text += violation(run, result, *witness, out_directory);
     }
     const std::string& why = result.error.empty() ? result.not_judged : result.error;
     if (!why.empty()) {
@@ -80,7 +84,8 @@ std::string github_annotations(const GateRun& run, const std::string& out_direct
   return text + command("notice", "carom: " + in_words(overall),
                         fmt::format("{} of {} subjects that count are sound; {}, seed {}{}", overall.sound,
                                     overall.subjects, extent_of(run.report.options), run.report.options.seed,
-                                    overall.interrupted ? "; interrupted" : ""));
+                                    overall.interrupted ? "; interrupted" : "") +
+                            (run.baseline ? "; against the baseline " + compare::baseline_verdict(*run.baseline) : ""));
 }
 
 }  // namespace carom::tool

@@ -121,16 +121,18 @@ std::string summary_of(const GateRun& run) {
     violated += run.counts[s] && status == "violated" ? 1 : 0;
   }
   const std::size_t others = counted - sound - violated;
-  const char* subjects = counted == 1 ? "subject that counts" : "subjects that count";
   std::string text;
   if (counted == 0) {
     text = "No subject that counts was judged";
   } else if (sound == counted) {
-    text =
-        counted == 1 ? "The one subject that counts is sound" : fmt::format("All {} {} are sound", counted, subjects);
+    text = counted == 1 ? "The one subject that counts is sound"
+                        : fmt::format("All {} subjects that count are sound", counted);
+  } else if (counted == 1) {
+    text = violated == 1 ? "The one subject that counts violates something"
+                         : "The one subject that counts could not be judged to the end";
   } else {
-    text = fmt::format("Of {} {}, {} {} sound, {} {} an invariant", counted, subjects, sound, sound == 1 ? "is" : "are",
-                       violated, violated == 1 ? "violates" : "violate");
+    text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
+                       sound == 1 ? "is" : "are", violated, violated == 1 ? "violates" : "violate");
     text += others == 0 ? "" : fmt::format(", and {} could not be judged to the end", others);
   }
   const std::size_t kept = run.counts.size() - counted;

@@ -123,6 +123,9 @@ std::string markdown_summary(const GateRun& run, const std::string& out_director
       overall.sound, overall.subjects, extent_of(report.options), report.options.seed,
       yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps),
       version);
+  if (run.baseline) {
+    text += fmt::format("Against the baseline: {}.\n\n", compare::baseline_verdict(*run.baseline));
+  }
   if (overall.interrupted) {
     text += "**Interrupted**: this is what was judged until then.\n\n";
   }
