@@ -60,11 +60,6 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
   return differ(sides.left, sides.right, size);
 }
 
-struct Impulses {
-  Vector3<Rational> computed;
-  Vector3<Rational> right;
-};
-
 /// How much of the impulse is right: along the normal, as a share of the right one; across it, what is missed, as a
 /// share of the whole.
 struct Shares {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -18,7 +15,6 @@
 #include "commands/commands.hpp"
 #include "commands/family_argument.hpp"
 #include "commands/interrupt.hpp"
-#include "commands/old_witnesses.hpp"
 #include "commands/orphans.hpp"
 #include "commands/output_file.hpp"
 #include "commands/present_run.hpp"
