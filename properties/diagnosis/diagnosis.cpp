@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +11,7 @@
 #include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/where.hpp>
+#include <carom/properties/gate/in_parallel.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -278,20 +277,11 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
 
 std::vector<Diagnosis> diagnose_all(const GateReport& report) {
   std::vector<Diagnosis> diagnoses(report.results.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t s = next++; s < diagnoses.size(); s = next++) {
-      if (!report.results[s].violated_invariants().empty()) {
-        diagnoses[s] = diagnose(report.results[s], report);
-      }
+  in_parallel(report.options.jobs, diagnoses.size(), [&](std::size_t s) {
+    if (!report.results[s].violated_invariants().empty()) {
+      diagnoses[s] = diagnose(report.results[s], report);
     }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::max(1U, report.options.jobs); ++i) {
-    threads.emplace_back(work);
-  }
-  work();
-  threads.clear();
+  });
   return diagnoses;
 }
 

@@ -322,4 +322,9 @@ const Family* family_named(std::string_view name) {
   return nullptr;
 }
 
+Case drawn_case(const Family& family, std::uint64_t seed, std::uint64_t index) {
+  Stream stream = case_stream(seed, family.name, index);
+  return family.generate(stream);
+}
+
 }  // namespace carom::properties

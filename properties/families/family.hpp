@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -29,5 +30,8 @@ struct Family {
 
 /// The family of this name; nullptr where there is none.
 [[nodiscard]] const Family* family_named(std::string_view name);
+
+/// The family's case of this number, from 0: of a seed always the same.
+[[nodiscard]] Case drawn_case(const Family& family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace carom::properties

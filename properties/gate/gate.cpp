@@ -9,10 +9,9 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
-#include <carom/properties/features/quantities.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
 #include <carom/properties/gate/task.hpp>
@@ -236,8 +235,7 @@ class Worker {
     const Family& family = *run_->options.families[task.family];
     std::deque<JudgedCase> cases;
     for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
-      Stream stream = case_stream(run_->options.seed, family.name, task.case_number(i));
-      cases.emplace_back(family.generate(stream), run_->options.yardstick.filtered);
+      cases.emplace_back(drawn_case(family, run_->options.seed, task.case_number(i)), run_->options.yardstick.filtered);
       coverage_[task.family] += coverage_of(cases.back());
       if (cases.back().is_valid()) {
         look_at(task.family, task.case_number(i), cases.back());
@@ -257,8 +255,7 @@ class Worker {
       features_.add(present);
     }
     if (is_sampled) {
-      sampled_.push_back(
-          {family, index, {true, approach, std::move(present), quantities_of(one.generated().collision)}});
+      sampled_.push_back({family, index, sampled_case(one, std::move(present))});
     }
   }
 
@@ -315,28 +312,9 @@ Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Cl
     tally.name_counts();
   }
   for (FamilyResult& family : tally.families) {
-    for (auto& [name, cases] : family.violated_cases) {
-      std::sort(cases.begin(), cases.end());
-      cases.erase(std::unique(cases.begin(), cases.end()), cases.end());
-    }
+    family.order_violated_cases();
   }
   return tally;
-}
-
-/// Runs work(0), …, work(count − 1) on so many threads.
-template <class Work>
-void in_parallel(unsigned jobs, std::size_t count, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      work(i);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < jobs; ++i) {
-    threads.emplace_back(run);
-  }
-  run();
 }
 
 }  // namespace

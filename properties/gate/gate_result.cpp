@@ -24,10 +24,6 @@ std::uint64_t cases_of(const GateOptions& options, const Family& family) {
   return (all + options.shard.of - options.shard.number) / options.shard.of;
 }
 
-std::uint64_t sampled_of(const Family& family) {
-  return sampled_of_each_family * static_cast<std::uint64_t>(family.weight);
-}
-
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
   colliding += other.colliding;

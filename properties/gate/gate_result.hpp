@@ -4,13 +4,14 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include <carom/properties/features/coverage.hpp>
+#include <carom/properties/gate/family_result.hpp>
+#include <carom/properties/gate/sample.hpp>
 #include <carom/properties/gate/scales.hpp>
 #include <carom/properties/trial/trial.hpp>
 
@@ -75,47 +76,6 @@ struct Coverage {
   Coverage& operator+=(const Coverage& other);
 };
 
-struct Count {
-  std::uint64_t holds = 0;
-  std::uint64_t violated = 0;
-  std::uint64_t skipped = 0;
-};
-
-/// The case of a family that violated an invariant most; of equals the first.
-struct WorstViolation {
-  std::uint64_t index;
-  Case original;
-  Verdict verdict;
-  Answer answer;
-};
-
-/// A case whose outcome violated something, and the answer to it.
-struct ViolatedCase {
-  std::uint64_t index;
-  Case one;
-  Answer answer;
-};
-
-/// The first so many violated cases of a family are kept.
-inline constexpr std::size_t most_violated_kept = 12;
-
-struct FamilyResult {
-  std::uint64_t cases = 0;
-  std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
-  std::uint64_t not_held = 0;                   // cases that the subject's precision cannot hold
-  std::uint64_t violated = 0;                   // cases that violated any invariant
-  double worst_backward_error = 0;              // ulps
-  std::map<std::string, Count> counts;          // by invariant
-  std::map<std::string, WorstViolation> worst;  // by invariant
-  std::uint64_t sampled = 0;                    // cases, the first ones
-  // The numbers of the sampled cases that violated an invariant; ascending, each once, when the run is over.
-  std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // By their numbers, at most most_violated_kept of each: those whose answer is wrong by itself, and those that only
-  // further questions show.
-  std::vector<ViolatedCase> first_violated;
-  std::vector<ViolatedCase> first_violated_by_relations;
-};
-
 /// A violation that can be replayed.
 struct Witness {
   std::string invariant;
@@ -163,19 +123,6 @@ struct SubjectResult {
 ///   - a law of the outcomes of colliding contacts is to hold somewhere.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);
-
-/// What a sampled case is like.
-struct SampledCase {
-  bool is_valid = false;
-  oracles::Approach approach = oracles::Approach::inert;  // of a valid one
-  std::vector<std::uint16_t> features = {};               // by their places in all_features(), ascending
-  std::vector<float> quantities = {};                     // decimal logarithms, as all_compared_quantities() has them
-};
-
-/// Of each family the first so many cases, times its weight, are sampled: what they have in common where something is
-/// violated says where a subject is wrong.
-inline constexpr std::uint64_t sampled_of_each_family = 1000;
-[[nodiscard]] std::uint64_t sampled_of(const Family& family);
 
 struct GateReport {
   GateOptions options;

@@ -13,27 +13,6 @@ bool is_isotropic(const Body& body) {
                             body.principal_inertia[1] == body.principal_inertia[2]);
 }
 
-void keep_worst(FamilyResult& result, const std::string& invariant, const WorstViolation& violation) {
-  const auto [known, is_new] = result.worst.emplace(invariant, violation);
-  const double own = seriousness(violation.verdict, violation.original.collision);
-  const double others = seriousness(known->second.verdict, known->second.original.collision);
-  const bool is_worse = own > others || (own == others && violation.index < known->second.index);
-  if (!is_new && is_worse) {
-    known->second = violation;
-  }
-}
-
-/// Cases come in the order of their numbers, but from several threads, and one may come once for each invariant.
-void keep_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated) {
-  const auto place = std::lower_bound(kept.begin(), kept.end(), violated.index,
-                                      [](const ViolatedCase& one, std::uint64_t index) { return one.index < index; });
-  const bool is_known = place != kept.end() && place->index == violated.index;
-  if (!is_known && (place != kept.end() || kept.size() < most_violated_kept)) {
-    kept.insert(place, violated);
-    kept.resize(std::min(kept.size(), most_violated_kept), violated);
-  }
-}
-
 }  // namespace
 
 Coverage coverage_of(const JudgedCase& judged_case) {
@@ -95,10 +74,10 @@ void Tally::add(std::size_t family, std::uint64_t index, const Case& one, const 
       break;
     case Status::violated:
       ++count.violated;
-      keep_worst(families[family], std::string(named.invariant->name), {index, one, named.verdict, answer});
-      keep_first(named.invariant->is_of_one_answer() ? families[family].first_violated
-                                                     : families[family].first_violated_by_relations,
-                 {index, one, answer});
+      families[family].keep_if_worst(std::string(named.invariant->name), {index, one, named.verdict, answer});
+      keep_if_first(named.invariant->is_of_one_answer() ? families[family].first_violated
+                                                        : families[family].first_violated_by_relations,
+                    {index, one, answer});
       if (index < families[family].sampled) {
         families[family].violated_cases[std::string(named.invariant->name)].push_back(index);
       }
@@ -110,10 +89,7 @@ void Tally::name_counts() {
     for (std::size_t i = 0; i < counts[f].size(); ++i) {
       const Count& count = counts[f][i];
       if (count.holds + count.violated + count.skipped > 0) {
-        Count& named = families[f].counts[std::string(all_invariants()[i].name)];
-        named.holds += count.holds;
-        named.violated += count.violated;
-        named.skipped += count.skipped;
+        families[f].counts[std::string(all_invariants()[i].name)] += count;
       }
     }
   }
@@ -125,30 +101,7 @@ Tally& Tally::operator+=(const Tally& other) {
     error = other.error;
   }
   for (std::size_t f = 0; f < families.size(); ++f) {
-    FamilyResult& into = families[f];
-    const FamilyResult& from = other.families[f];
-    into.cases += from.cases;
-    into.skipped += from.skipped;
-    into.not_held += from.not_held;
-    into.violated += from.violated;
-    into.worst_backward_error = std::max(into.worst_backward_error, from.worst_backward_error);
-    for (const auto& [name, count] : from.counts) {
-      into.counts[name].holds += count.holds;
-      into.counts[name].violated += count.violated;
-      into.counts[name].skipped += count.skipped;
-    }
-    for (const auto& [name, violation] : from.worst) {
-      keep_worst(into, name, violation);
-    }
-    for (const ViolatedCase& violated : from.first_violated) {
-      keep_first(into.first_violated, violated);
-    }
-    for (const ViolatedCase& violated : from.first_violated_by_relations) {
-      keep_first(into.first_violated_by_relations, violated);
-    }
-    for (const auto& [name, cases] : from.violated_cases) {
-      into.violated_cases[name].insert(into.violated_cases[name].end(), cases.begin(), cases.end());
-    }
+    families[f] += other.families[f];
   }
   digits += other.digits;
   nanoseconds_per_solve += other.nanoseconds_per_solve;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
+#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/plan.hpp>
@@ -54,23 +53,14 @@ class Judging {
 
   /// One for each class.
   std::vector<Tally> run() {
-    {
-      std::vector<std::jthread> threads;
-      for (std::vector<Tally>& tallies : tallies_) {
-        threads.emplace_back([&] {
-          try {
-            judge_blocks(tallies);
-          } catch (...) {
-            const std::lock_guard lock(mutex_);
-            error_ = error_ ? error_ : std::current_exception();
-            next_ = collisions_.size();
-          }
-        });
+    in_parallel(static_cast<unsigned>(tallies_.size()), tallies_.size(), [&](std::size_t thread) {
+      try {
+        judge_blocks(tallies_[thread]);
+      } catch (...) {
+        next_ = collisions_.size();
+        throw;
       }
-    }
-    if (error_) {
-      std::rethrow_exception(error_);
-    }
+    });
     if (options_.stop.stop_requested()) {
       throw std::runtime_error("stopped by the user");
     }
@@ -132,7 +122,6 @@ class Judging {
   std::vector<std::vector<Tally>> tallies_;  // of each thread, of each class
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
-  std::exception_ptr error_;
   std::uint64_t done_ = 0;
 };
 

@@ -24,6 +24,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/duration.hpp"
+#include "commands/memory_reserve.hpp"
 #include "version.hpp"
 
 namespace {
@@ -396,6 +397,10 @@ int run_command(int argc, char** argv) {
     return carom::tool::exit_usage;
   }
   const int status = run();
+  if (carom::tool::has_run_out_of_memory()) {
+    std::fputs(carom::tool::out_of_memory, stderr);
+    return carom::tool::exit_usage;
+  }
   if (std::fflush(stdout) != 0) {
     throw carom::tool::UsageError("standard output cannot be written");
   }
@@ -404,6 +409,10 @@ int run_command(int argc, char** argv) {
 
 /// What is wrong may be told in words of a file or a program. Where it cannot be written, the exit status says it.
 void complain(const std::string& what) {
+  if (carom::tool::has_run_out_of_memory()) {
+    std::fputs(carom::tool::out_of_memory, stderr);  // whatever came of it
+    return;
+  }
   constexpr std::size_t longest = 20'000;
   std::fputs(fmt::format("carom: {}\n", carom::subjects::protocol::printable(what, longest)).c_str(), stderr);
 }
@@ -417,7 +426,7 @@ int main(int argc, char** argv) {
   try {
     return run_command(argc, argv);
   } catch (const std::bad_alloc&) {
-    std::fputs("carom: there is not enough memory\n", stderr);  // and none is asked for to say it
+    std::fputs(carom::tool::out_of_memory, stderr);
   } catch (const std::system_error& error) {
     complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
   } catch (const std::exception& error) {

@@ -41,8 +41,7 @@ std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;
   for (std::uint64_t i = 0; drawn.size() < cases * frictions.size(); ++i) {
-    properties::Stream stream = properties::case_stream(1, family->name, i);
-    Collision collision = family->generate(stream).collision;
+    Collision collision = properties::drawn_case(*family, 1, i).collision;
     if (!spin) {
       collision.a.angular_velocity.setZero();
       collision.b.angular_velocity.setZero();

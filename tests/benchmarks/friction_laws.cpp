@@ -102,8 +102,7 @@ Map map_of(std::string_view family_name, std::uint64_t cases) {
     for (Map& map : maps) {
       threads.emplace_back([&] {
         for (std::uint64_t i = next++; i < cases; i = next++) {
-          properties::Stream stream = properties::case_stream(1, family->name, i);
-          add_case(i, family->generate(stream).collision, map);
+          add_case(i, properties::drawn_case(*family, 1, i).collision, map);
         }
       });
     }

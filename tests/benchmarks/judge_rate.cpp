@@ -58,8 +58,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
                   std::uint64_t count, bool with_relations) {
   Prepared result{std::move(subjects), {}, {}};
   for (std::uint64_t i = 0; i < count; ++i) {
-    properties::Stream stream = properties::case_stream(seed, family.name, i);
-    result.cases.push_back(family.generate(stream));
+    result.cases.push_back(properties::drawn_case(family, seed, i));
   }
   std::vector<Session> sessions;
   for (const Subject& subject : result.subjects) {
@@ -145,8 +144,7 @@ void generate(benchmark::State& state) {
   std::uint64_t made = 0;
   for ([[maybe_unused]] const auto _ : state) {
     for (const properties::Family& family : properties::all_families()) {
-      properties::Stream stream = properties::case_stream(seed, family.name, made);
-      benchmark::DoNotOptimize(family.generate(stream));
+      benchmark::DoNotOptimize(properties::drawn_case(family, seed, made));
       ++made;
     }
   }

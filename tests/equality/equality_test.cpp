@@ -32,8 +32,7 @@ void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relat
   std::vector<Examined> examined{Examined(subject)};
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t index = 0; index < cases; ++index) {
-      properties::Stream of_family = properties::case_stream(seed, family.name, index);
-      compare_judges(family.generate(of_family), examined, relations,
+      compare_judges(properties::drawn_case(family, seed, index), examined, relations,
                      std::string(family.name) + ' ' + std::to_string(index), agreement);
       if ((index + family.name.size()) % 5 != 0) {
         continue;

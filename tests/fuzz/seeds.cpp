@@ -78,8 +78,7 @@ void write_all(const fs::path& directory) {
   Session session = solver.open();
   const auto families = properties::all_families();
   for (std::size_t i = 0; i < families.size(); ++i) {
-    properties::Stream stream = properties::case_stream(1, families[i].name, 0);
-    const Collision collision = families[i].generate(stream).collision;
+    const Collision collision = properties::drawn_case(families[i], 1, 0).collision;
     write_cases(directory, i, families[i].name, collision);
     write_texts(directory, static_cast<std::uint8_t>(i), std::string(families[i].name), collision, session);
   }

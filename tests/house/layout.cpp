@@ -35,6 +35,7 @@ const std::vector<Rule>& rules() {
        {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/", "fcl/", "gmpxx.h"}},
       {"src/scene/", "", true, {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/"}},
       {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
+      {"src/tool/commands/", "memory_reserve.cpp", true, {"gmp.h", "sys/", "unistd.h"}},
       {"src/tool/",
        "",
        true,

@@ -179,8 +179,7 @@ Detection detect(const DetectionOptions& options) {
     }
   }
   const auto generated = [&](const properties::Family& family, std::uint64_t index) {
-    properties::Stream stream = properties::case_stream(options.seed, family.name, index);
-    return family.generate(stream);
+    return properties::drawn_case(family, options.seed, index);
   };
   std::atomic<std::size_t> next = 0;
   const auto work = [&](Detection& detection) {

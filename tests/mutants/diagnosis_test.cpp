@@ -54,10 +54,11 @@ const Mutant& planted(const std::string& name) {
   return *found;
 }
 
-/// Of each mutant of the page, all judged in one run, as a default gate judges.
+/// Of each mutant of the page, all judged in one run, as a default gate judges programs.
 std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
   options.shrinks = false;
+  options.relations_every = 4;
   options.jobs = std::max(1U, std::thread::hardware_concurrency());
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

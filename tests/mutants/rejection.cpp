@@ -16,8 +16,7 @@ std::set<std::string_view> rejecting_invariants(const Subject& subject, std::spa
   std::vector<std::pair<Collision, Answer>> asked;
   for (const properties::Family& family : families) {
     for (std::uint64_t index = 0; index < cases * static_cast<std::uint64_t>(family.weight); ++index) {
-      properties::Stream stream = properties::case_stream(seed, family.name, index);
-      const properties::JudgedCase judged_case(family.generate(stream));
+      const properties::JudgedCase judged_case(properties::drawn_case(family, seed, index));
       bool is_first = index % asked_again_every == 0;
       const auto solve = [&](const Collision& collision) {
         const Answer answer = ask(collision);

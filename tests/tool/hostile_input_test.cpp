@@ -20,6 +20,7 @@ namespace carom::tests {
 namespace {
 
 using nlohmann::json;
+namespace fs = std::filesystem;
 
 /// ESC, C1 and what turns the writing, each of which may hide what stands beside it.
 constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
@@ -101,6 +102,8 @@ TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
   expect_harmless(run_carom({"scene", directory.write("scene.json", scene.dump())}));
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those take all the addresses that there are
+
 /// As much memory as a gate takes, and far less than such a file has.
 RunResult in_bounded_memory(const std::string& script) {
   return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
@@ -120,6 +123,36 @@ TEST(HostileInput, WhereMemoryEndsAMessageSaysSo) {
   EXPECT_EQ(run.exit_status, 2);
   EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
 }
+
+TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
+  const TemporaryDirectory directory;
+  const std::string out = (directory.path() / "report").string();
+  int reports = 0;
+  // From what is too little to begin with to what is plenty: between the two memory ends in the middle.
+  for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
+    fs::remove_all(out);
+    const RunResult run =
+        run_program("/bin/sh", {"-c", "ulimit -v " + std::to_string(kilobytes) + R"(; exec "$0" "$@")", carom_program(),
+                                "gate", "frictionless-double", "reflection-in-basis-double", "--cases", "400", "--jobs",
+                                "1", "--out", out});
+    if (run.exit_status == 1) {
+      break;
+    }
+    EXPECT_TRUE(run.exit_status == 2 || run.exit_status == 127)  // 127: the system could not even load it
+        << kilobytes << ' ' << run.exit_status << run.errors;
+    if (fs::exists(fs::path(out) / "report.json")) {
+      EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
+      const json report = json::parse(content_of(out + "/report.json"));
+      EXPECT_TRUE(report.at("interrupted").get<bool>());
+      EXPECT_EQ(report.at("exit_status"), 2);
+      EXPECT_GT(report.at("subjects").at(1).at("cases").get<int>(), 0);
+      ++reports;
+    }
+  }
+  EXPECT_GT(reports, 0);
+}
+
+#endif
 
 TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   const TemporaryDirectory directory;

@@ -5,13 +5,13 @@
 #include <atomic>
 #include <limits>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/held.hpp>
 #include <carom/properties/trial/trial.hpp>
@@ -111,12 +111,7 @@ void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const
 }  // namespace
 
 std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed, std::size_t count) {
-  return colliding(
-      [&](std::size_t index) {
-        properties::Stream stream = properties::case_stream(seed, family.name, index);
-        return family.generate(stream).collision;
-      },
-      count);
+  return colliding([&](std::size_t index) { return properties::drawn_case(family, seed, index).collision; }, count);
 }
 
 std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity, std::uint64_t seed,
@@ -141,28 +136,24 @@ std::vector<Exactness> measured_exactness(std::span<const subjects::Method> meth
   // Cases outside, methods inside: the truth of a case is worked out once.
   std::vector<std::vector<ExactnessBuilder>> parts(jobs, std::vector<ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;
-  {
-    std::vector<std::jthread> threads;
-    for (std::vector<ExactnessBuilder>& part : parts) {
-      threads.emplace_back([&] {
-        for (std::size_t i = next++; i < collisions.size(); i = next++) {
-          const oracles::ExactCase exact_case(collisions[i]);
-          std::optional<CoulombCase> coulomb_case;
-          for (std::size_t m = 0; m < methods.size(); ++m) {
-            const Subject& subject = methods[m].subject;
-            if (subject.model == Model::coulomb) {
-              if (!coulomb_case) {
-                coulomb_case.emplace(collisions[i], answers_of_coulomb);
-              }
-              add_coulomb_result(part[m], *coulomb_case, subject, answers[m][i], limit_ulps);
-            } else {
-              add_result(part[m], exact_case, subject, answers[m][i], limit_ulps);
-            }
+  properties::in_parallel(jobs, jobs, [&](std::size_t thread) {
+    std::vector<ExactnessBuilder>& part = parts[thread];
+    for (std::size_t i = next++; i < collisions.size(); i = next++) {
+      const oracles::ExactCase exact_case(collisions[i]);
+      std::optional<CoulombCase> coulomb_case;
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        const Subject& subject = methods[m].subject;
+        if (subject.model == Model::coulomb) {
+          if (!coulomb_case) {
+            coulomb_case.emplace(collisions[i], answers_of_coulomb);
           }
+          add_coulomb_result(part[m], *coulomb_case, subject, answers[m][i], limit_ulps);
+        } else {
+          add_result(part[m], exact_case, subject, answers[m][i], limit_ulps);
         }
-      });
+      }
     }
-  }
+  });
   std::vector<Exactness> result;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     for (std::size_t part = 1; part < parts.size(); ++part) {

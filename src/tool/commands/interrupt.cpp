@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include "commands/memory_reserve.hpp"
+
 namespace carom::tool {
 namespace {
 
@@ -35,6 +37,7 @@ std::stop_token stop_on_interrupt() {
     return source.get_token();
   }
   is_waiting = true;
+  keep_memory_for_the_report(source);
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);

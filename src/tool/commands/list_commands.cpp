@@ -113,8 +113,7 @@ int list_invariants(const std::string& format) {
 int list_families(const std::string& format, std::uint64_t seed) {
   json list = json::array();
   for (const properties::Family& family : properties::all_families()) {
-    properties::Stream stream = properties::case_stream(seed, family.name, 0);
-    const Collision example = family.generate(stream).collision;
+    const Collision example = properties::drawn_case(family, seed, 0).collision;
     if (format == "json") {
       list.push_back({{"name", family.name}, {"summary", family.summary}, {"example", collision_to_json(example)}});
     } else {

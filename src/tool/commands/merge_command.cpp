@@ -41,6 +41,7 @@ int merge_shards(const MergeArguments& arguments) {
   }
   GateRun run = merge::merged_run(shards);
   run.is_shard = false;
+  run.diagnoses = properties::diagnosis::diagnose_all(run.report);
   make_directories(fs::path(arguments.out) / "witnesses");
   std::optional<StagedOutput> staged(std::in_place, arguments.out);
   return present_run(std::move(run), baseline, {arguments.out, arguments.format, false, {}, {}}, staged);

@@ -161,11 +161,10 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
 }
 
 /// The case that the gate draws of the family with this seed and this number.
-ReadCollision drawn_case(const ReplayArguments& arguments) {
+ReadCollision numbered_case(const ReplayArguments& arguments) {
   const properties::Family& family = family_from_argument("--family", arguments.family);
-  properties::Stream stream = properties::case_stream(arguments.seed, family.name, arguments.case_number);
-  return {fmt::format("{} #{} of seed {}", family.name, arguments.case_number, arguments.seed), family.generate(stream),
-          std::nullopt};
+  return {fmt::format("{} #{} of seed {}", family.name, arguments.case_number, arguments.seed),
+          properties::drawn_case(family, arguments.seed, arguments.case_number), std::nullopt};
 }
 
 }  // namespace
@@ -247,7 +246,7 @@ int replay(const ReplayArguments& arguments) {
     }
   };
   if (!arguments.family.empty()) {
-    replay_one(drawn_case(arguments));
+    replay_one(numbered_case(arguments));
   } else {
     JsonFile file(arguments.file, stop);
     for_each_collision(file, OutOfRange::refused, replay_one, arguments.drawn ? OfWitness::drawn : OfWitness::shrunk);

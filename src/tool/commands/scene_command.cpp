@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
@@ -15,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
@@ -181,23 +181,13 @@ void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& a
              Progress& progress) {
   const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::exception_ptr> errors(runs.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < runs.size(); k = next++) {
-      try {
-        runs[k]->run(arguments, stop, k, progress);
-      } catch (...) {
-        errors[k] = std::current_exception();
-      }
+  properties::in_parallel(std::min(jobs, static_cast<unsigned>(runs.size())), runs.size(), [&](std::size_t k) {
+    try {
+      runs[k]->run(arguments, stop, k, progress);
+    } catch (...) {
+      errors[k] = std::current_exception();
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t k = 1; k < std::min<std::size_t>(jobs, runs.size()); ++k) {
-      threads.emplace_back(work);
-    }
-    work();
-  }
+  });
   for (const std::exception_ptr& error : errors) {
     if (error) {
       std::rethrow_exception(error);

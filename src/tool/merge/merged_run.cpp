@@ -96,20 +96,6 @@ void require_all_once(const std::vector<ReadShard>& shards) {
   }
 }
 
-void add(properties::FamilyResult& sum, const properties::FamilyResult& part) {
-  sum.cases += part.cases;
-  sum.skipped += part.skipped;
-  sum.not_held += part.not_held;
-  sum.violated += part.violated;
-  sum.worst_backward_error = std::max(sum.worst_backward_error, part.worst_backward_error);
-  for (const auto& [name, count] : part.counts) {
-    properties::Count& all = sum.counts[name];
-    all.holds += count.holds;
-    all.violated += count.violated;
-    all.skipped += count.skipped;
-  }
-}
-
 /// Preconditions: the same subject, on the same families.
 void add(SubjectResult& sum, const SubjectResult& part) {
   const auto cases = static_cast<double>(sum.cases());
@@ -122,7 +108,8 @@ void add(SubjectResult& sum, const SubjectResult& part) {
     sum.error = part.error;
   }
   for (std::size_t f = 0; f < sum.families.size(); ++f) {
-    add(sum.families[f], part.families[f]);
+    sum.families[f] += part.families[f];
+    sum.families[f].order_violated_cases();
   }
   sum.digits += part.digits;
   sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());
@@ -194,6 +181,11 @@ GateRun merged_run(const std::vector<ReadShard>& shards) {
     for (std::size_t s = 0; s < report.results.size(); ++s) {
       add(report.results[s], part.results[s]);
     }
+  }
+  for (const properties::Family* family : report.options.families) {
+    // Drawn again, for the diagnoses.
+    report.sampled.push_back(properties::drawn_sample(
+        *family, report.options.seed, report.options.cases * static_cast<std::uint64_t>(family->weight)));
   }
   for (SubjectResult& result : report.results) {
     result.witnesses = best_witnesses(result, report.options.families);

@@ -7,10 +7,11 @@
 
 namespace carom::tool::merge {
 
-/// The run that the shards are the parts of: its counts, coverage, worst backward errors and digits are those of a run
-/// without shards. A witness is the worst of those that the shards have of the family that shows most; the time of a
-/// solve is the mean of theirs, by their cases; date and machine are those of the first shard. Throws UsageError, which
-/// says what differs, where the shards do not belong together, one is missing, or one stands there twice.
+/// The run that the shards are the parts of: its counts, coverage, worst backward errors and cases, digits and sample
+/// are those of a run without shards. A witness is the worst of those that the shards have of the family that shows
+/// most; the time of a solve is the mean of theirs, by their cases; date and machine are those of the first shard.
+/// Throws UsageError, which says what differs, where the shards do not belong together, one is missing, or one stands
+/// there twice.
 [[nodiscard]] GateRun merged_run(const std::vector<ReadShard>& shards);
 
 }  // namespace carom::tool::merge

@@ -17,6 +17,7 @@
 #include "commands/json_file.hpp"
 #include "compare/field.hpp"
 #include "compare/read_report.hpp"
+#include "merge/findings.hpp"
 #include "merge/read_witness.hpp"
 #include "version.hpp"
 
@@ -228,8 +229,22 @@ properties::Witness witness_in(const fs::path& directory, const Subject& subject
   }
 }
 
-properties::SubjectResult result_from(const Field& record, const Field& digits, const properties::GateOptions& options,
-                                      const fs::path& directory) {
+void read_findings_of_families(const Field& findings, const properties::GateOptions& options,
+                               std::vector<properties::FamilyResult>& into) {
+  for (std::size_t f = 0; f < into.size(); ++f) {
+    const properties::Family& family = *options.families[f];
+    into[f].sampled = properties::sampled_of(family);
+    const auto& counts = into[f].counts;
+    if (std::any_of(counts.begin(), counts.end(), [](const auto& of_name) { return of_name.second.violated > 0; })) {
+      read_findings(
+          findings.at(std::string(family.name)), options.cases * static_cast<std::uint64_t>(family.weight),
+          [&](std::uint64_t number) { return properties::drawn_case(family, options.seed, number); }, into[f]);
+    }
+  }
+}
+
+properties::SubjectResult result_from(const Field& record, const Field& digits, const Field& findings,
+                                      const properties::GateOptions& options, const fs::path& directory) {
   properties::SubjectResult result;
   result.subject = subject_from(record);
   if (record.at("status").text() == "error") {
@@ -242,6 +257,7 @@ properties::SubjectResult result_from(const Field& record, const Field& digits, 
   for (std::size_t f = 0; f < families.size(); ++f) {
     result.families.push_back(family_result_from(families[f], *options.families[f]));
   }
+  read_findings_of_families(findings, options, result.families);
   result.digits = digits_from(digits);
   result.nanoseconds_per_solve = record.at("nanoseconds_per_solve").number();
   for (const Field& violation : record.at("violations").elements()) {
@@ -271,6 +287,7 @@ GateRun run_from(const Field& record, const fs::path& directory) {
   }
   run.report.features = features_from(record.at("features"));
   const std::vector<Field> digits = record.at("shard").at("digits").elements();
+  const std::vector<Field> findings = record.at("shard").at("findings").elements();
   for (const Field& subject : record.at("subjects").elements()) {
     if (subject.at("status").text() == "absent") {
       run.absent.push_back(subject_from(subject));
@@ -280,8 +297,11 @@ GateRun run_from(const Field& record, const fs::path& directory) {
     if (digits.size() <= run.report.results.size()) {
       record.at("shard").at("digits").fail("an element for each subject that was judged");
     }
-    run.report.results.push_back(
-        result_from(subject, digits[run.report.results.size()], run.report.options, directory));
+    if (findings.size() <= run.report.results.size()) {
+      record.at("shard").at("findings").fail("an element for each subject that was judged");
+    }
+    const std::size_t number = run.report.results.size();
+    run.report.results.push_back(result_from(subject, digits[number], findings[number], run.report.options, directory));
     run.counts.push_back(subject.at("counts").flag());
   }
   return run;

@@ -39,6 +39,16 @@ BodyVelocity<long double> motion_from(const Field& field) {
   return {vector_from(field.at("velocity")), vector_from(field.at("angular_velocity"))};
 }
 
+std::vector<double> numbers_from(const Field& field) {
+  std::vector<double> numbers;
+  for (const Field& element : field.elements()) {
+    numbers.push_back(element.number());
+  }
+  return numbers;
+}
+
+}  // namespace
+
 Answer answer_from(const Field& field) {
   if (const auto refused = field.find("refused")) {
     return Refused{refused->text()};
@@ -46,15 +56,10 @@ Answer answer_from(const Field& field) {
   if (const auto skipped = field.find("skipped")) {
     return Skipped{skipped->text()};
   }
-  return ReportedOutcome{motion_from(field.at("a")), motion_from(field.at("b"))};
-}
-
-std::vector<double> numbers_from(const Field& field) {
-  std::vector<double> numbers;
-  for (const Field& element : field.elements()) {
-    numbers.push_back(element.number());
+  if (const auto failed = field.find("failed")) {
+    return Failed{failed->text(), field.at("said").text()};
   }
-  return numbers;
+  return ReportedOutcome{motion_from(field.at("a")), motion_from(field.at("b"))};
 }
 
 properties::Verdict verdict_from(const Field& field) {
@@ -72,8 +77,6 @@ properties::Verdict verdict_from(const Field& field) {
   return verdict;
 }
 
-}  // namespace
-
 properties::Witness witness_from(const Field& record) {
   const auto collision = [&](const char* name) {
     const Field field = record.at(name);
@@ -88,6 +91,9 @@ properties::Witness witness_from(const Field& record) {
   witness.shrunk = {collision("collision"), convex_uniform};
   witness.verdict = verdict_from(record.at("verdict"));
   witness.answer = answer_from(record.at("outcome"));
+  witness.verdict_as_found = verdict_from(record.at("drawn_verdict"));
+  witness.answer_as_found = answer_from(record.at("drawn_outcome"));
+  witness.is_reproduced = record.at("reproduced").flag();
   return witness;
 }
 

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <carom/collision/json/json.hpp>
+
+#include "merge/findings.hpp"
 
 namespace carom::tool::merge {
 namespace {
@@ -28,9 +31,19 @@ json digits_record(const properties::Histogram<properties::DigitsScale>& digits)
 }  // namespace
 
 json shard_record(const properties::GateReport& report) {
-  json record{{"number", report.options.shard.number}, {"of", report.options.shard.of}, {"digits", json::array()}};
+  json record{{"number", report.options.shard.number},
+              {"of", report.options.shard.of},
+              {"digits", json::array()},
+              {"findings", json::array()}};
   for (const properties::SubjectResult& result : report.results) {
     record["digits"].push_back(digits_record(result.digits));
+    json findings = json::object();
+    for (std::size_t f = 0; f < result.families.size(); ++f) {
+      if (!result.families[f].worst.empty()) {
+        findings[report.options.families[f]->name] = findings_record(result.families[f]);
+      }
+    }
+    record["findings"].push_back(std::move(findings));
   }
   return record;
 }

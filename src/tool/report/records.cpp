@@ -257,6 +257,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
               {"verdict", verdict_record(witness.verdict)},
               {"drawn_outcome", answer_record(witness.answer_as_found)},
               {"drawn_verdict", verdict_record(witness.verdict_as_found)},
+              {"reproduced", witness.is_reproduced},
               {"replay", replay_command(witness_file, subject, options.yardstick)}};
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {

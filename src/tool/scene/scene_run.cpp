@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 
 namespace carom::tool {
 namespace {
@@ -110,6 +111,9 @@ void SceneRun::run() {
     }
   } catch (const scene::SceneError& error) {
     ended_early_ = error.what();
+    has_failed_ = true;
+  } catch (const std::bad_alloc&) {
+    ended_early_ = "there is not enough memory";
     has_failed_ = true;
   }
   ledger_.close(simulation_.state());

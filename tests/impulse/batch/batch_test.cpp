@@ -28,8 +28,7 @@ std::vector<Collision> mixed_collisions(std::size_t count) {
   for (std::uint64_t i = 0; collisions.size() < count; ++i) {
     const properties::Family& family = families[i % families.size()];
     if (family.name != "invalid") {
-      properties::Stream stream = properties::case_stream(20240607, family.name, i);
-      collisions.push_back(family.generate(stream).collision);
+      collisions.push_back(properties::drawn_case(family, 20240607, i).collision);
     }
   }
   return collisions;

@@ -16,8 +16,7 @@ std::vector<KnownCase> right_answers(Model model) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
     for (std::uint64_t number = 0; number < 6; ++number) {
-      Stream stream = case_stream(1, family.name, number);
-      const Case one = family.generate(stream);
+      const Case one = drawn_case(family, 1, number);
       if (validate(one.collision).empty()) {
         const LawAnswer law = law_answer(one.collision, model);
         const auto wide = map_outcome<long double>(law.outcome, [](double x) { return static_cast<long double>(x); });

@@ -24,8 +24,7 @@ struct Sampled {
       std::vector<SampledCase>& sampled = report.sampled.emplace_back();
       std::vector<std::uint64_t>& numbers = violated.emplace_back();
       for (std::uint64_t number = 0; number < 600; ++number) {
-        Stream stream = case_stream(1, family->name, number);
-        const Collision collision = family->generate(stream).collision;
+        const Collision collision = drawn_case(*family, 1, number).collision;
         SampledCase& one = sampled.emplace_back();
         if (validate(collision).empty()) {
           one = {true, oracles::ExactCase(collision).approach(), feature_places_of(collision),

@@ -95,8 +95,7 @@ TEST(Features, AreAllThereInPairs) {
   FeatureCoverage coverage;
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < cases_of(defaults, family); ++i) {
-      Stream stream = case_stream(defaults.seed, family.name, i);
-      const Collision collision = family.generate(stream).collision;
+      const Collision collision = drawn_case(family, defaults.seed, i).collision;
       if (is_colliding(collision)) {
         coverage.add(feature_places_of(collision));
       }

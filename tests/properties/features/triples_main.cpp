@@ -28,8 +28,7 @@ void add_cases(TripleCoverage& coverage, std::uint64_t seed, std::uint64_t first
   for (const Family& family : all_families()) {
     const auto weight = static_cast<std::uint64_t>(family.weight);
     for (std::uint64_t i = first * weight + offset; i < last * weight; i += step) {
-      Stream stream = case_stream(seed, family.name, i);
-      const Collision collision = family.generate(stream).collision;
+      const Collision collision = drawn_case(family, seed, i).collision;
       if (validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
         coverage.add(collision);
       }

@@ -63,8 +63,7 @@ TEST(ExactJudge, DecidesAllByRationalsAndAsTheFilterDoes) {
 TEST(ExactJudge, KnowsTheSameOfACollision) {
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < 20; ++i) {
-      Stream stream = case_stream(3, family.name, i);
-      const Case one = family.generate(stream);
+      const Case one = drawn_case(family, 3, i);
       const JudgedCase filtered(one);
       const JudgedCase exact(one, false);
       ASSERT_EQ(filtered.is_valid(), exact.is_valid());

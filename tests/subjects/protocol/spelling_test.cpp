@@ -78,8 +78,7 @@ std::vector<Collision> many_collisions() {
   std::vector<Collision> collisions;
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t i = 0; i < 40; ++i) {
-      properties::Stream stream = properties::case_stream(1, family.name, i);
-      collisions.push_back(family.generate(stream).collision);
+      collisions.push_back(properties::drawn_case(family, 1, i).collision);
     }
   }
   return collisions;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <carom/properties/gate/family_result.hpp>
+
+namespace carom::properties {
+
+Count& Count::operator+=(const Count& other) {
+  holds += other.holds;
+  violated += other.violated;
+  skipped += other.skipped;
+  return *this;
+}
+
+void FamilyResult::keep_if_worst(const std::string& invariant, const WorstViolation& violation) {
+  const auto [known, is_new] = worst.emplace(invariant, violation);
+  const double own = seriousness(violation.verdict, violation.original.collision);
+  const double others = seriousness(known->second.verdict, known->second.original.collision);
+  const bool is_worse = own > others || (own == others && violation.index < known->second.index);
+  if (!is_new && is_worse) {
+    known->second = violation;
+  }
+}
+
+FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
+  cases += other.cases;
+  skipped += other.skipped;
+  not_held += other.not_held;
+  violated += other.violated;
+  worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
+  for (const auto& [name, count] : other.counts) {
+    counts[name] += count;
+  }
+  for (const auto& [name, violation] : other.worst) {
+    keep_if_worst(name, violation);
+  }
+  for (const ViolatedCase& one : other.first_violated) {
+    keep_if_first(first_violated, one);
+  }
+  for (const ViolatedCase& one : other.first_violated_by_relations) {
+    keep_if_first(first_violated_by_relations, one);
+  }
+  for (const auto& [name, numbers] : other.violated_cases) {
+    violated_cases[name].insert(violated_cases[name].end(), numbers.begin(), numbers.end());
+  }
+  return *this;
+}
+
+void FamilyResult::order_violated_cases() {
+  for (auto& [name, numbers] : violated_cases) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  }
+}
+
+void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated) {
+  const auto place = std::lower_bound(kept.begin(), kept.end(), violated.index,
+                                      [](const ViolatedCase& one, std::uint64_t index) { return one.index < index; });
+  const bool is_known = place != kept.end() && place->index == violated.index;
+  if (!is_known && (place != kept.end() || kept.size() < most_violated_kept)) {
+    kept.insert(place, violated);
+    kept.resize(std::min(kept.size(), most_violated_kept), violated);
+  }
+}
+
+}  // namespace carom::properties
