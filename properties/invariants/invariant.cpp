@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -14,11 +15,30 @@ double Verdict::severity() const {
   return residual > 0 && allowed > 0 ? residual / allowed : std::numeric_limits<double>::infinity();
 }
 
+namespace {
+
+double largest_compared(const Verdict& verdict) {
+  double largest = 0;
+  for (const std::vector<double>* side : {&verdict.left, &verdict.right}) {
+    for (const double number : *side) {
+      largest = std::max(largest, std::abs(number));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+double Verdict::relative_residual() const {
+  const double largest = largest_compared(*this);
+  return status == Status::violated && largest > 0 ? residual / largest : 0;
+}
+
 double seriousness(const Verdict& verdict, const Collision& collision) {
   if (verdict.status != Status::violated || !(verdict.residual > 0) || verdict.allowed > 0) {
     return verdict.severity();
   }
-  double largest = 0;
+  double largest = largest_compared(verdict);
   for (const Body* body : {&collision.a, &collision.b}) {
     largest = std::max({largest, body->velocity.cwiseAbs().maxCoeff(), body->angular_velocity.cwiseAbs().maxCoeff()});
   }

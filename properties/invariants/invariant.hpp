@@ -33,11 +33,15 @@ struct Verdict {
 
   /// Residual over what is allowed where violated; infinite where no number tells, 0 where not violated.
   [[nodiscard]] double severity() const;
+
+  /// The residual, relative to the largest number that was compared; 0 where not violated, or nothing was compared.
+  [[nodiscard]] double relative_residual() const;
 };
 
 /// How badly a case is answered, as one order for all verdicts of an invariant: the severity; where nothing is allowed,
-/// the residual in units of 2⁻⁵³ of the collision's largest velocity or spin, or of 1 where nothing moves. So rounding,
-/// where even that is too much, does not pass for worse than an outcome that is wrong.
+/// the residual in units of 2⁻⁵³ of the largest velocity or spin of the collision and number that was compared, or of 1
+/// where nothing moves. So rounding, where even that is too much, does not pass for worse than an outcome that is
+/// wrong.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
 /// An answer, lifted: an outcome that is not finite cannot be.

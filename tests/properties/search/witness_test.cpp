@@ -34,6 +34,10 @@ TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
   EXPECT_EQ(seriousness(violated(0x1p-52, 0), moving(0)), 2);
   EXPECT_EQ(seriousness(violated(0, 0), moving(1)), infinity) << "no number tells: the outcome is not finite, say";
   EXPECT_EQ(seriousness(Verdict{}, moving(1)), 0);
+  Verdict of_large_outcome = violated(0.125, 0);
+  of_large_outcome.left = {0, 0x1p20};
+  of_large_outcome.right = {0, 0x1p20 + 0.125};
+  EXPECT_LT(seriousness(of_large_outcome, moving(1)), 0x1p53 * 0x1p-22);
 }
 
 /// A subject that is grossly wrong where A moves along x, and off by rounding everywhere else, where nothing is
@@ -56,6 +60,28 @@ TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
     shrunk_cases += simplest.collision.b.velocity.isZero(0) ? 1 : 0;
   }
   EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
+}
+
+/// A subject whose outcome loses all digits where A moves along x, and its last one everywhere else; where it loses
+/// one, less is allowed by far.
+Verdict loses_all_digits_where_a_moves_along_x(const Case& one) {
+  const bool loses_all = one.collision.a.velocity[0] != 0;
+  Verdict verdict = loses_all ? violated(1, 1e-9) : violated(1e-16, 1e-30);
+  verdict.left = {1};
+  verdict.right = {loses_all ? 2 : 1 + 1e-16};
+  return verdict;
+}
+
+TEST(SimplestViolation, LosesTheDigitsThatTheOneFoundLost) {
+  const auto verdict_on = loses_all_digits_where_a_moves_along_x;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Case found = unit::case_of("generic", i);
+    if (found.collision.a.velocity[0] != 0) {
+      const Case simplest =
+          simplest_violation(found, *invariant_named("homogeneous"), verdict_on(found), verdict_on, 4000);
+      EXPECT_NE(simplest.collision.a.velocity[0], 0) << i;
+    }
+  }
 }
 
 /// What is harmless from the first is simplified all the same.
