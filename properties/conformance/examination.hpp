@@ -4,6 +4,7 @@
 #include <string>
 
 #include <carom/properties/conformance/statement.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::conformance {
 

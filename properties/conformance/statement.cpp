@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <carom/properties/conformance/statement.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 namespace carom::conformance {
 namespace {
@@ -79,6 +80,8 @@ std::set<std::string_view> left_out(const Subject& subject, const Options& optio
 }
 
 }  // namespace
+
+properties::Claim Statement::claim() const { return {subject->model, yardstick, {invariant}}; }
 
 std::vector<Statement> statements(const Subject& subject, const Options& options) {
   const auto shared = std::make_shared<const Subject>(subject);

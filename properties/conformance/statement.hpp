@@ -6,8 +6,15 @@
 #include <string>
 #include <vector>
 
+#include <carom/collision/subject.hpp>
 #include <carom/properties/conformance/options.hpp>
-#include <carom/properties/trial/trial.hpp>
+
+// Users compile this: what judges is declared, and not included.
+namespace carom::properties {
+struct Claim;
+struct Family;
+struct Invariant;
+}  // namespace carom::properties
 
 namespace carom::conformance {
 
@@ -23,7 +30,7 @@ struct Statement {
   std::string error = {};  // why there is no suite; the fields above but for the place then stand for nothing
 
   /// The claim of the one invariant.
-  [[nodiscard]] properties::Claim claim() const { return {subject->model, yardstick, {invariant}}; }
+  [[nodiscard]] properties::Claim claim() const;
 };
 
 /// Every statement of a suite: the invariants that are claimed, by all families. Left out are the invariants about the
