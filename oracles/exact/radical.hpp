@@ -60,8 +60,8 @@ class Radical {
   friend std::ostream& operator<<(std::ostream& out, const Radical& number);
 
  private:
-  Radical(Rational rational, Rational coefficient, Rational under_root)
-      : rational_(std::move(rational)), coefficient_(std::move(coefficient)), under_root_(std::move(under_root)) {}
+  Radical(const Rational& rational, const Rational& coefficient, const Rational& under_root)
+      : rational_(rational), coefficient_(coefficient), under_root_(under_root) {}
   friend Radical conjugate(const Radical& number);
 
   Rational rational_;

@@ -43,7 +43,7 @@ class Histogram {
   /// one is not 0, smallest ≤ largest.
   [[nodiscard]] static Histogram restored(std::vector<std::uint64_t> counts, double smallest, double largest) {
     Histogram histogram;
-    histogram.counts_ = std::move(counts);
+    histogram.counts_.swap(counts);
     histogram.size_ = std::accumulate(histogram.counts_.begin(), histogram.counts_.end(), std::uint64_t{0});
     histogram.smallest_ = smallest;
     histogram.largest_ = largest;

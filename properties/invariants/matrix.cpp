@@ -98,9 +98,10 @@ Verdict check_definite(const Evidence& e) {
   return {};
 }
 
+/// `convex_uniform` says less than could be: that a body is star-shaped from the contact point is enough.
 Verdict check_well_conditioned(const Evidence& e) {
   if (!e.convex_uniform || e.exact_case.approach() == oracles::Approach::inert) {
-    return outside_domain("the bodies are not known to be convex and uniform");
+    return outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
   }
   if (e.collision_matrix == nullptr) {
     return outside_domain(no_matrix);
@@ -131,12 +132,16 @@ std::vector<Invariant> matrix_invariants() {
                     R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
                     "note eq. 27, with QᵀJ⁻¹Q positive semidefinite", "a movable body, and a subject that shows its C",
                     every_model(), AboutOutcome{check_definite}},
-          Invariant{"well_conditioned",
-                    "For convex uniform bodies touched inside, the condition number of C is at most 16.",
-                    R"(C \preceq 16\, \lambda I)",
-                    "R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. Geom. 13 (1995), Thm 4.1, with n = 3",
-                    "bodies known to be convex and uniform, and a subject that shows its C", every_model(),
-                    AboutOutcome{check_well_conditioned}}};
+          Invariant{
+              "well_conditioned",
+              "For uniform bodies that are star-shaped from the contact point, as convex ones touched inside are, the "
+              "condition number of C is at most 16.",
+              R"(C \preceq 16\, \lambda I)",
+              "rrᵀ ⪯ 15 S for the second moments S about the centre of mass: Jensen's inequality over the boundary, "
+              "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
+              "Geom. 13 (1995), Thm 4.1, with n = 3",
+              "bodies known to be uniform and star-shaped from the contact point, and a subject that shows its C",
+              every_model(), AboutOutcome{check_well_conditioned}}};
 }
 
 }  // namespace carom::properties

@@ -83,9 +83,10 @@ class Linter {
     }
     if (!oracles::ExactCase(c).is_bounded_by(Rational(largest_condition) * inverse_mass)) {
       add(Lint::condition, Severity::warning, of_bodies,
-          fmt::format("κ(K) > {}: convex bodies of uniform density cannot touch so; a moment of inertia or a lever arm "
-                      "is wrong",
-                      largest_condition));
+          fmt::format(
+              "κ(K) > {}: convex bodies of uniform density cannot touch so, nor others that are star-shaped from "
+              "the contact point; a moment of inertia or a lever arm is wrong",
+              largest_condition));
     } else if (!of_bodies.empty()) {
       add(Lint::lever_arm, Severity::warning, of_bodies,
           fmt::format("[r]ᵀ J⁻¹ [r] exceeds {}/m: the contact point lies too far from the centre of mass for these "

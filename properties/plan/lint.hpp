@@ -10,7 +10,7 @@
 namespace carom::properties::plan {
 
 /// The thresholds. What is compared with them is exact.
-inline constexpr int largest_condition = 16;              // of K, for convex bodies of uniform density that are touched
+inline constexpr int largest_condition = 16;              // of K, for uniform bodies star-shaped from the contact point
 inline constexpr double length_noted = 0x1p-20;           // |‖q‖ − 1| of some ulps of binary32
 inline constexpr double length_warned = 0x1p-10;          // of no rounding
 inline constexpr double moments_noted = 0x1p-50;          // what rounding makes of a flat body's moments in binary64

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/invariants/theorems.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/program.hpp"
@@ -13,10 +20,30 @@
 namespace carom::tests {
 namespace {
 
+const std::string pages = std::string(CAROM_SOURCE_DIR) + "/docs/";
+const std::string proofs = std::string(CAROM_SOURCE_DIR) + "/properties/proofs/";
+
+/// Whether a line of the proofs begins with a statement of this name.
+bool states(const std::string& text, std::string_view name) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    line.erase(0, line.find_first_not_of(' '));
+    for (const char* kind : {"Theorem ", "Lemma ", "Corollary "}) {
+      const std::string statement = kind + std::string(name);
+      const char next = line.size() > statement.size() ? line[statement.size()] : ' ';
+      if (line.starts_with(statement) && std::isalnum(static_cast<unsigned char>(next)) == 0 && next != '_' &&
+          next != '\'') {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 TEST(Documents, InvariantsPageIsWhatTheProgramPrints) {
   const RunResult result = run_carom({"invariants", "--format", "markdown"});
   EXPECT_EQ(result.exit_status, 0);
-  EXPECT_EQ(result.output, content_of(std::string(CAROM_SOURCE_DIR) + "/docs/reference/invariants.md"));
+  EXPECT_EQ(result.output, content_of(pages + "reference/invariants.md"));
 }
 
 TEST(Documents, EveryInvariantSaysWhatItClaims) {
@@ -27,6 +54,74 @@ TEST(Documents, EveryInvariantSaysWhatItClaims) {
     EXPECT_FALSE(invariant.domain.empty()) << invariant.name;
     EXPECT_FALSE(invariant.models.empty()) << invariant.name;
     EXPECT_EQ(properties::invariant_named(invariant.name), &invariant) << "the name stands twice";
+  }
+}
+
+TEST(Documents, FindStatementsByTheirWholeName) {
+  const std::string text = "  Theorem one (x : R) :\nLemma two_of_them: True.\nCorollary three\n(* Theorem four *)\n";
+  for (const char* name : {"one", "two_of_them", "three"}) {
+    EXPECT_TRUE(states(text, name)) << name;
+  }
+  for (const char* name : {"two", "two_of", "on", "four", "five"}) {
+    EXPECT_FALSE(states(text, name)) << name;
+  }
+}
+
+TEST(Documents, TheoremsThatInvariantsNameAreProved) {
+  // Of these the axioms are held against what is permitted, as well.
+  const std::string listed = content_of(proofs + "theorems.txt");
+  for (const properties::Proved& proved : properties::proved_invariants()) {
+    EXPECT_NE(properties::invariant_named(proved.invariant), nullptr) << proved.invariant;
+    EXPECT_FALSE(proved.theorems.empty()) << proved.invariant;
+    EXPECT_EQ(properties::theorems_of(proved.invariant).data(), proved.theorems.data()) << "the name stands twice";
+    for (const properties::Theorem& theorem : proved.theorems) {
+      EXPECT_TRUE(states(content_of(proofs + std::string(theorem.file)), theorem.name)) << theorem.name;
+      const std::string_view file = theorem.file.substr(0, theorem.file.rfind('.'));
+      EXPECT_NE(listed.find(fmt::format("\n{} {}\n", file, theorem.name)), std::string::npos) << theorem.name;
+    }
+  }
+  EXPECT_TRUE(properties::theorems_of("finite").empty());
+  EXPECT_TRUE(properties::theorems_of("no_such").empty());
+}
+
+/// What stands between the first `begin` and the next `end`.
+std::string section(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t at = text.find(begin);
+  return at == std::string::npos ? "" : text.substr(at, text.find(end, at + begin.size()) - at);
+}
+
+/// The page and both lists of the program.
+TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
+  const std::string page = content_of(pages + "reference/invariants.md");
+  std::istringstream text(run_carom({"invariants"}).output);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line);
+  }
+  const auto record = nlohmann::json::parse(run_carom({"invariants", "--format", "json"}).output);
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const auto name = record[i].at("name").get<std::string>();
+    std::string in_text;
+    std::string in_page;
+    nlohmann::json in_record = nlohmann::json::array();
+    for (const properties::Theorem& theorem : properties::theorems_of(name)) {
+      const char* comma = in_text.empty() ? "" : ", ";
+      in_text += fmt::format("{}{} ({})", comma, theorem.name, theorem.file);
+      in_page += fmt::format("{}[`{}`](../../properties/proofs/{})", comma, theorem.name, theorem.file);
+      in_record.push_back({{"name", theorem.name}, {"file", theorem.file}});
+    }
+    const bool is_proved = !in_record.empty();
+    EXPECT_EQ(record[i].at("theorems"), in_record) << name;
+    ASSERT_LT(4 * i + 3, lines.size());
+    EXPECT_EQ(lines[4 * i], name);
+    EXPECT_EQ(lines[4 * i + 3], is_proved ? "    proved of the exact law: " + in_text : "    tested, not proved")
+        << name;
+    const std::string of_row = section(page, "| [`" + name + "`]", "\n");
+    EXPECT_TRUE(of_row.ends_with(is_proved ? "| proof and test |" : "| test |")) << of_row;
+    const std::string of_page = section(page, "\n## " + name + "\n", "\n## ") + '\n';
+    EXPECT_NE(of_page.find(is_proved ? "\n- Proved, and tested: " + in_page + ".\n" : "\n- Tested.\n"),
+              std::string::npos)
+        << of_page;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/invariants/theorems.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
@@ -22,6 +23,29 @@ std::string joined(const std::vector<Model>& models) {
     text += (text.empty() ? "" : ", ") + std::string(name_of(model));
   }
   return text;
+}
+
+/// The theorems of an invariant one after the other, each as `spelled`.
+template <class Spelled>
+std::string theorems_in_text(std::string_view invariant, const Spelled& spelled) {
+  std::string text;
+  for (const properties::Theorem& theorem : properties::theorems_of(invariant)) {
+    text += (text.empty() ? "" : ", ") + spelled(theorem);
+  }
+  return text;
+}
+
+std::string shown_in_text(std::string_view invariant) {
+  const std::string theorems =
+      theorems_in_text(invariant, [](const properties::Theorem& t) { return fmt::format("{} ({})", t.name, t.file); });
+  return theorems.empty() ? "tested, not proved" : "proved of the exact law: " + theorems;
+}
+
+std::string shown_in_markdown(std::string_view invariant) {
+  const std::string theorems = theorems_in_text(invariant, [](const properties::Theorem& t) {
+    return fmt::format("[`{}`](../../properties/proofs/{})", t.name, t.file);
+  });
+  return theorems.empty() ? "Tested" : "Proved, and tested: " + theorems;
 }
 
 std::string expectation(const Subject& subject) {
@@ -48,14 +72,19 @@ void print_markdown() {
       "the "
       "velocity before and a change and is known to u times the larger of both; an inequality likewise, one-sided. "
       "Relations between two collisions allow each outcome its own rounding.\n\n"
-      "| invariant | statement | claimed for | domain |\n| --- | --- | --- | --- |\n");
+      "Every invariant is tested, of solvers that round. *Proved* is one of the exact laws, by theorems that Coq "
+      "checks: "
+      "[proofs.md](../internals/proofs.md) says of which laws, and on what they rest.\n\n"
+      "| invariant | statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
-    fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} |\n", invariant.name, invariant.statement, joined(invariant.models),
-               invariant.domain);
+    fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
+               joined(invariant.models), invariant.domain,
+               properties::theorems_of(invariant.name).empty() ? "test" : "proof and test");
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
-    fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n", invariant.name,
-               invariant.statement, invariant.formula, invariant.source, joined(invariant.models), invariant.domain);
+    fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n- {}.\n", invariant.name,
+               invariant.statement, invariant.formula, invariant.source, joined(invariant.models), invariant.domain,
+               shown_in_markdown(invariant.name));
   }
 }
 
@@ -95,13 +124,17 @@ int list_invariants(const std::string& format) {
                       {"formula", invariant.formula},
                       {"source", invariant.source},
                       {"domain", invariant.domain},
-                      {"models", json::array()}});
+                      {"models", json::array()},
+                      {"theorems", json::array()}});
       for (const Model model : invariant.models) {
         list.back()["models"].push_back(name_of(model));
       }
+      for (const properties::Theorem& theorem : properties::theorems_of(invariant.name)) {
+        list.back()["theorems"].push_back({{"name", theorem.name}, {"file", theorem.file}});
+      }
     } else {
-      fmt::print("{}\n    {}\n    claimed for {}; {}\n", invariant.name, invariant.statement, joined(invariant.models),
-                 invariant.domain);
+      fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
+                 joined(invariant.models), invariant.domain, shown_in_text(invariant.name));
     }
   }
   if (format == "json") {

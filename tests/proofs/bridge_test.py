@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The exact truth of `carom replay` is, in every component, what the proved laws answer over the rational numbers.
+
+usage: bridge_test.py CAROM PROVED COLLISIONS [FILE…]
+
+PROVED is the program of properties/proofs/bridge, COLLISIONS how many are drawn, of all families in turn; besides are
+those of the files: JSON Lines of collisions, or a witness.
+"""
+
+import concurrent.futures
+import itertools
+import json
+import math
+import re
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+LAWS = ("frictionless", "reflection", "sticking", "rough")
+RADICAL = re.compile(r"(\S+) \+ (\S+) √\((\S+)\)")
+
+
+def drawn(carom):
+    """Of each family that draws valid collisions the first case of each seed."""
+    for seed in itertools.count(1):
+        said = subprocess.run([carom, "families", "--format", "json", "--seed", str(seed)], capture_output=True, check=True)
+        for family in json.loads(said.stdout):
+            if family["name"] != "invalid":
+                yield family["example"]
+
+
+def collisions_of(name):
+    with open(name) as file:
+        text = file.read()
+    try:
+        records = [json.loads(text)]
+    except json.JSONDecodeError:
+        records = [json.loads(line) for line in text.splitlines() if line.strip()]
+    return [record.get("collision", record) for record in records]
+
+
+def root(number):
+    """The rational root; None where there is none."""
+    over, under = math.isqrt(number.numerator), math.isqrt(number.denominator)
+    return Fraction(over, under) if over * over == number.numerator and under * under == number.denominator else None
+
+
+def parts(text):
+    """(p, signed square of q √s) of "p + q √(s)": two such numbers are equal where both are."""
+    if match := RADICAL.fullmatch(text):
+        rational, coefficient, under_root = (Fraction(part) for part in match.groups())
+        whole = root(under_root)
+        if whole is not None:
+            return rational + coefficient * whole, Fraction(0)
+        return rational, coefficient * abs(coefficient) * under_root
+    return Fraction(text), Fraction(0)
+
+
+def lines_of(command, collisions):
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
+        file.writelines(json.dumps(collision) + "\n" for collision in collisions)
+        file.flush()
+        with open(file.name) as again:
+            said = subprocess.run(command(file.name), stdin=again, capture_output=True, text=True)
+    if said.returncode != 0:
+        raise RuntimeError(said.stderr)
+    return [json.loads(line) for line in said.stdout.splitlines()]
+
+
+def differences(carom, proved, collisions):
+    """How many components were compared, and where they differ."""
+    truths = lines_of(lambda name: [carom, "replay", name, "--format", "json"], collisions)
+    answers = lines_of(lambda name: [proved], collisions)
+    if not len(truths) == len(answers) == len(collisions):
+        raise RuntimeError(f"{len(collisions)} collisions, {len(truths)} truths, {len(answers)} answers")
+    compared, different = 0, []
+    for collision, truth, answer in zip(collisions, truths, answers):
+        for law, body, vector, i in itertools.product(LAWS, "ab", ("velocity", "angular_velocity"), range(3)):
+            of_truth, of_answer = (text[law][body][vector][i] for text in (truth["truth"], answer))
+            compared += 1
+            if of_truth != of_answer and parts(of_truth) != parts(of_answer):
+                different.append(f"{law}, {body}.{vector}[{i}]: {of_truth} and {of_answer} of {json.dumps(collision)}")
+    return compared, different
+
+
+def main(carom, proved, count, *files):
+    collisions = [collision for name in files for collision in collisions_of(name)]
+    collisions += itertools.islice(drawn(carom), int(count))
+    block = 100
+    blocks = [collisions[i : i + block] for i in range(0, len(collisions), block)]
+    compared, different = 0, []
+    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
+        for more, found in pool.map(lambda some: differences(carom, proved, some), blocks):
+            compared += more
+            different += found
+    for line in different[:10]:
+        print(line)
+    print(f"{len(collisions)} collisions, {compared} components: {len(different)} differ")
+    return 1 if different or compared == 0 else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

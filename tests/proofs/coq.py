@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checking of the proofs in a directory of their own, beside the sources."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+
+def copied(proofs, build):
+    """The sources in `build`: those of before are replaced, and what was compiled of the same text is kept."""
+    build.mkdir(parents=True, exist_ok=True)
+    for source in sorted(proofs.glob("*.v")):
+        target = build / source.name
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            shutil.copyfile(source, target)
+    return build
+
+
+def compiled(build, targets=(), jobs=None):
+    """What `make` says of these .vo files, of all where there are none: exit status and text."""
+    files = sorted(path.name for path in build.glob("*.v"))
+    subprocess.run(["coq_makefile", "-Q", ".", "Carom", *files, "-o", "Makefile"], cwd=build, check=True,
+                   stdout=subprocess.DEVNULL)
+    jobs = jobs or os.cpu_count() or 1
+    done = subprocess.run(["make", f"-j{jobs}", "--no-print-directory", *targets], cwd=build, capture_output=True,
+                          text=True, timeout=1200)
+    return done.returncode, done.stdout + done.stderr
+
+
+def assumptions(build, groups):
+    """Of each group of theorems, each as (file, name), the axioms that they rest on, sorted. A group takes half a second."""
+    lines = [f"Require Carom.{file}." for file in dict.fromkeys(file for group in groups for file, _ in group)]
+    for number, group in enumerate(groups):
+        all_of_them = ", ".join(f"@Carom.{file}.{name}" for file, name in group)
+        lines += [f"Definition group_{number} := ({all_of_them}).",
+                  f'Goal True. idtac "group {number}". Abort.', f"Print Assumptions group_{number}."]
+    query = build / "query_of_assumptions.v"
+    query.write_text("\n".join(lines) + "\n")
+    try:
+        said = subprocess.run(["coqc", "-Q", ".", "Carom", query.name], cwd=build, capture_output=True, text=True,
+                              timeout=600)
+    finally:
+        for path in build.glob("*query_of_assumptions*"):
+            path.unlink()
+    if said.returncode != 0:
+        raise RuntimeError(said.stderr)
+    found = {}
+    for part in re.split(r"^group ", said.stdout, flags=re.MULTILINE)[1:]:
+        number, _, rest = part.partition("\n")
+        found[int(number)] = sorted(set(re.findall(r"^([\w.']+)\s*:", rest, flags=re.MULTILINE)) - {"Axioms"})
+    return [[axiom.split(".")[-1] for axiom in found[number]] for number in range(len(groups))]
+
+
+def sources(proofs):
+    return {path.stem: path.read_text() for path in sorted(pathlib.Path(proofs).glob("*.v"))}
