@@ -78,7 +78,8 @@ let solve law request =
   let id = ("id", Yojson.Safe.Util.member "id" request) in
   match law (fun x -> float_json (nearest x)) (Json_collision.collision (Yojson.Safe.Util.member "collision" request)) with
   | outcome -> `Assoc (id :: outcome)
-  | exception Json_collision.Invalid why -> `Assoc [ id; ("error", `String why) ]
+  | exception (Json_collision.Invalid why | Yojson.Safe.Util.Type_error (why, _)) ->
+    `Assoc [ id; ("error", `String why) ]
 
 let serve name law line =
   let request = Yojson.Safe.from_string line in
@@ -100,7 +101,7 @@ let () =
       each_line (fun line ->
           incr number;
           write (answer_all line))
-    with Json_collision.Invalid why | Yojson.Json_error why ->
+    with Json_collision.Invalid why | Yojson.Json_error why | Yojson.Safe.Util.Type_error (why, _) ->
       Printf.eprintf "proved: line %d: %s\n" !number why;
       exit 2)
   | [ _; name ] when List.mem_assoc name laws -> each_line (serve name (List.assoc name laws))
