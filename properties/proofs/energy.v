@@ -83,6 +83,8 @@ Section Energy.
   Local Notation energy := (total_energy mass_a mass_b inertia_a inertia_b).
   Local Notation gained f := (energy (after c f) - energy c).
 
+  Local Notation work f := (dot f V + 1 / 2 * dot f (applied K f)).
+
   (** ΔE = F·V⁻ + ½ F·K F. *)
   Theorem energy_change (f : vector R) : gained f = dot f V + 1 / 2 * dot f (applied K f).
   Proof.
@@ -115,34 +117,42 @@ Section Energy.
   Qed.
 
   (** ΔE = -(1-ε²) (N·V⁻)² / (2 N·K N). *)
-  Theorem energy_of_frictionless_is :
-    gained (frictionless_impulse c) =
+  Lemma work_of_frictionless_is :
+    work (frictionless_impulse c) =
     - (1 - restitution c * restitution c) * (approach c * approach c) / (2 * normal_compliance c).
   Proof.
     pose proof (normal_compliance_positive c valid).
-    rewrite energy_change; unfold frictionless_impulse; rewrite applied_scaled, dot_scaled, !dot_scaled_left.
+    unfold frictionless_impulse; rewrite applied_scaled, dot_scaled, !dot_scaled_left.
     fold (normal_compliance c) (approach c); reals; field; lra.
   Qed.
 
-  Theorem energy_of_frictionless : gained (frictionless_impulse c) <= 0.
+  Theorem energy_of_frictionless_is :
+    gained (frictionless_impulse c) =
+    - (1 - restitution c * restitution c) * (approach c * approach c) / (2 * normal_compliance c).
+  Proof. rewrite energy_change; apply work_of_frictionless_is. Qed.
+
+  Lemma work_of_frictionless : work (frictionless_impulse c) <= 0.
   Proof.
     pose proof (normal_compliance_positive c valid); pose proof (restitution_in_range c valid).
-    rewrite energy_of_frictionless_is.
+    rewrite work_of_frictionless_is.
     assert (0 <= (1 - restitution c * restitution c) * (approach c * approach c))
       by (apply Rmult_le_pos; nra).
     assert (0 < / (2 * normal_compliance c)) by (apply Rinv_0_lt_compat; lra).
     unfold Rdiv; nra.
   Qed.
 
+  Theorem energy_of_frictionless : gained (frictionless_impulse c) <= 0.
+  Proof. rewrite energy_change; apply work_of_frictionless. Qed.
+
   (** P_I·K D = 0. *)
   Lemma stops_approach_is_conjugate : dot (stops_approach c) (applied K (from_one_to_other c)) = 0.
   Proof. unfold stops_approach at 1; rewrite dot_scaled_left, tangential by auto; reals; ring. Qed.
 
   (** ΔE = -½ (1-ε²) P_I·K P_I - ½ κ (2-κ) D·K D. *)
-  Theorem energy_of_rough_is (kappa : R) :
+  Lemma work_of_rough_is (kappa : R) :
     let first := stops_approach c in
     let d := from_one_to_other c in
-    gained (rough_with c kappa) =
+    work (rough_with c kappa) =
     - 1 / 2 * (1 - restitution c * restitution c) * dot first (applied K first)
     - 1 / 2 * kappa * (2 - kappa) * dot d (applied K d).
   Proof.
@@ -153,14 +163,22 @@ Section Energy.
     { rewrite <- applied_sum; replace (sum first d) with (stops_point c)
         by (unfold first, d, from_one_to_other; generalize (stops_point c) (stops_approach c); clear; by_ring).
       rewrite stops_point_stops by auto; generalize V; clear; by_ring. }
-    rewrite energy_change; unfold rough_with; fold first d; fold first d in conjugate.
+    unfold rough_with; fold first d; fold first d in conjugate.
     rewrite velocity_is, !applied_sum, !applied_scaled, !dot_negated, !dot_sum, !dot_sum_left, !dot_scaled,
       !dot_scaled_left, (is_symmetric d first), conjugate; reals; field.
   Qed.
 
-  Theorem energy_of_rough (kappa : R) : 0 <= kappa <= 2 -> gained (rough_with c kappa) <= 0.
+  Theorem energy_of_rough_is (kappa : R) :
+    let first := stops_approach c in
+    let d := from_one_to_other c in
+    gained (rough_with c kappa) =
+    - 1 / 2 * (1 - restitution c * restitution c) * dot first (applied K first)
+    - 1 / 2 * kappa * (2 - kappa) * dot d (applied K d).
+  Proof. rewrite energy_change; apply work_of_rough_is. Qed.
+
+  Lemma work_of_rough (kappa : R) : 0 <= kappa <= 2 -> work (rough_with c kappa) <= 0.
   Proof.
-    intros in_range; rewrite energy_of_rough_is; pose proof (restitution_in_range c valid).
+    intros in_range; rewrite work_of_rough_is; pose proof (restitution_in_range c valid).
     assert (forall v, 0 <= dot v (applied K v)) as semidefinite.
     { intros v; pose proof (definite c valid v); pose proof (one_moves c valid).
       pose proof (square_nonnegative v); nra. }
@@ -171,6 +189,9 @@ Section Energy.
     assert (0 <= kappa * (2 - kappa) * d) by (apply Rmult_le_pos; nra).
     lra.
   Qed.
+
+  Theorem energy_of_rough (kappa : R) : 0 <= kappa <= 2 -> gained (rough_with c kappa) <= 0.
+  Proof. rewrite energy_change; apply work_of_rough. Qed.
 
   (** ΔE = -k K⁻¹N·V⁻ + ½ k² N·K⁻¹N. *)
   Theorem energy_of_reflection_is :

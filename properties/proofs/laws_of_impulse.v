@@ -197,11 +197,11 @@ Section Laws.
   End Spheres.
 End Laws.
 
-(** A contact that is not colliding keeps its velocities, whatever the law. *)
+(** A contact that is not colliding keeps its velocities, whatever the law; nor do two immovable bodies collide. *)
 Theorem separating_untouched (law : contact R -> vector R) (c : contact R) :
-  0 <= approach c -> resolved law c = c.
+  0 <= approach c \/ inverse_masses c <= 0 -> resolved law c = c.
 Proof.
-  intros apart; unfold resolved; destruct (is_colliding c) eqn:colliding; auto.
+  intros inactive; unfold resolved; destruct (is_colliding c) eqn:colliding; auto.
   apply is_colliding_true in colliding; lra.
 Qed.
 
@@ -218,6 +218,6 @@ Theorem repeat (law : contact R -> vector R) (c : contact R) :
   resolved law (resolved law c) = resolved law c.
 Proof.
   intros obeys bounces; unfold resolved at 2 3; destruct (is_colliding c) eqn:colliding.
-  - apply separating_untouched; apply is_colliding_true in colliding; rewrite obeys; nra.
+  - apply separating_untouched; left; apply is_colliding_true in colliding; rewrite obeys; nra.
   - unfold resolved; rewrite colliding; reflexivity.
 Qed.

@@ -15,7 +15,9 @@ import sys
 
 import coq
 
-LEFT_OUT = re.compile(r"\b(Admitted|admit|Axiom|Parameter|Conjecture)\b")
+LEFT_OUT = re.compile(r"\b(Admitted|Admit|admit|Axioms?|Parameters?|Conjectures?|bypass_check|Unset\s+\w+\s+Checking)\b"
+                      r"|^(?:Variables?|Hypothes[ie]s|Context)\b", re.MULTILINE)  # the last ones stand in sections, indented
+STATED = re.compile(r"\b(?:Theorem|Corollary)\s+([\w']+)")
 
 
 def listed(path):
@@ -46,8 +48,8 @@ def main(proofs, build, each):
     stated = []
     for name, text in coq.sources(proofs).items():
         text = without_comments(text)
-        faults += [f"{name}.v: {word}" for word in LEFT_OUT.findall(text)]
-        stated += [(name, theorem) for theorem in re.findall(r"\bTheorem\s+([\w']+)", text)]
+        faults += [f"{name}.v: {found[0]}" for found in LEFT_OUT.finditer(text)]
+        stated += [(name, theorem) for theorem in STATED.findall(text)]
     axioms, theorems = listed(proofs / "theorems.txt")
     faults += [f"theorems.txt: {name} of {file}.v is not listed" for file, name in stated if (file, name) not in theorems]
     faults += [f"theorems.txt: there is no theorem {name} in {file}.v" for file, name in theorems if (file, name) not in stated]

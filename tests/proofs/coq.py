@@ -46,6 +46,8 @@ def assumptions(build, groups):
             path.unlink()
     if said.returncode != 0:
         raise RuntimeError(said.stderr)
+    if unguarded := re.findall(r"^.* is assumed to be .*$", said.stdout, flags=re.MULTILINE):
+        raise RuntimeError("\n".join(unguarded))
     found = {}
     for part in re.split(r"^group ", said.stdout, flags=re.MULTILINE)[1:]:
         number, _, rest = part.partition("\n")
