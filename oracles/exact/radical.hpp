@@ -5,7 +5,6 @@
 #include <concepts>
 #include <iosfwd>
 #include <string>
-#include <utility>
 
 #include <carom/oracles/exact/rational.hpp>
 

@@ -18,6 +18,10 @@ Proof.
   clear; by_ring.
 Qed.
 
+(** Where the cone has room for the whole of it, friction does it. *)
+Theorem kappa_in_cone (c : contact R) : sticks_in_cone c = true -> kappa c = 1 + tangential_restitution c.
+Proof. intros sticks; unfold kappa, rough_kappa; rewrite sticks; reals; ring. Qed.
+
 (** ‖N × D‖ - μ N·D. *)
 Definition divisor (c : contact R) : R := sqrt (radicand c) - friction c * dot (normal c) (from_one_to_other c).
 
@@ -207,8 +211,7 @@ Section Rough.
   Lemma kappa_cases :
     kappa c = whole /\ sticks_in_cone c = true \/ kappa c = sliding_kappa c /\ sticks_in_cone c = false.
   Proof.
-    destruct (sticks_in_cone c) eqn:sticks; [left | right]; split; auto using kappa_is_textbook.
-    unfold kappa, rough_kappa; rewrite sticks; reals; ring.
+    destruct (sticks_in_cone c) eqn:sticks; [left | right]; split; auto using kappa_is_textbook, kappa_in_cone.
   Qed.
 
   Theorem kappa_in_range : 0 <= kappa c <= 1 + tangential_restitution c.

@@ -300,22 +300,22 @@ Theorem turning (q : matrix R) (l : law) (c : contact R) :
 Proof. intros keeps; apply (likeness_outcome _ _ _ _ _ (turned_likeness q keeps)). Qed.
 
 (** A rotation turns every vector, spins too. *)
-Definition rotated (q : matrix R) : contact R -> contact R :=
-  changed (fun b => a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
-                           (applied q (centre b)) (applied q (velocity b)) (applied q (spin b)))
-          (applied q) (applied q).
+Definition rotated_body (q : matrix R) (b : body R) : body R :=
+  a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
+         (applied q (centre b)) (applied q (velocity b)) (applied q (spin b)).
+Definition rotated (q : matrix R) : contact R -> contact R := changed (rotated_body q) (applied q) (applied q).
 
 (** A reflection also reverses the spins. *)
-Definition reflected (q : matrix R) : contact R -> contact R :=
-  changed (fun b => a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
-                           (applied q (centre b)) (applied q (velocity b)) (negated (applied q (spin b))))
-          (applied q) (applied q).
+Definition reflected_body (q : matrix R) (b : body R) : body R :=
+  a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
+         (applied q (centre b)) (applied q (velocity b)) (negated (applied q (spin b))).
+Definition reflected (q : matrix R) : contact R -> contact R := changed (reflected_body q) (applied q) (applied q).
 
 Lemma rotated_is_turned (q : matrix R) (c : contact R) : determinant q = 1 -> rotated q c = turned q c.
-Proof. intros sign; unfold rotated, turned, changed; rewrite sign, !scaled_1; reflexivity. Qed.
+Proof. intros sign; unfold rotated, rotated_body, turned, changed; rewrite sign, !scaled_1; reflexivity. Qed.
 
 Lemma reflected_is_turned (q : matrix R) (c : contact R) : determinant q = -1 -> reflected q c = turned q c.
-Proof. intros sign; unfold reflected, turned, changed; rewrite sign, !negated_scaled; reflexivity. Qed.
+Proof. intros sign; unfold reflected, reflected_body, turned, changed; rewrite sign, !negated_scaled; reflexivity. Qed.
 
 Theorem rotation (q : matrix R) (l : law) (c : contact R) :
   orthogonal q -> determinant q = 1 -> is_valid c ->

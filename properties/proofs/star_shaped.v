@@ -54,6 +54,9 @@ End Mean.
     corners of its base as offsets from the apex, and its share of the volume. *)
 Record tetrahedron := { share : R; corner_a : vector R; corner_b : vector R; corner_c : vector R }.
 
+(** It is not flat; the volume is a sixth of that. *)
+Definition has_volume (t : tetrahedron) := 0 < determinant (rows (corner_a t) (corner_b t) (corner_c t)).
+
 Definition is_star_shaped (parts : list tetrahedron) :=
   Forall (fun t => 0 <= share t) parts /\ fold_right (fun t rest => share t + rest) 0 parts = 1.
 
@@ -312,12 +315,18 @@ Proof.
   unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; nra.
 Qed.
 
+Lemma needle_has_volume (d : R) : 0 < d -> Forall has_volume (needle d).
+Proof.
+  intros positive; assert (0 < d * d) by nra.
+  repeat constructor; unfold has_volume; cbn [corner_a corner_b corner_c]; in_components; lra.
+Qed.
+
 (** 16 cannot be lowered, for one movable tetrahedron already. *)
 Theorem bound_is_sharp (eta : R) :
   0 < eta ->
   exists (c : contact R) (part : tetrahedron) (x : vector R),
     is_valid c /\ is_colliding c = true /\
-    is_made_of (body_a c) (point c) 1 [part] /\ is_immovable (body_b c) /\
+    is_made_of (body_a c) (point c) 1 [part] /\ has_volume part /\ is_immovable (body_b c) /\
     x <> null /\ (16 - eta) * inverse_masses c * square x < dot x (applied (collision_matrix c) x).
 Proof.
   intros positive; destruct (thin_needle eta positive) as (d & thick & nearly).
@@ -326,7 +335,8 @@ Proof.
   split; [apply is_colliding_true; split; [rewrite needle_inverse_masses; lra |] |].
   { unfold approach, relative_velocity, velocity_at, needle_contact, needle_body, lever_arm;
       cbn [body_a body_b point normal velocity spin centre]; in_components; lra. }
-  split; [apply needle_made_of; auto | split; [apply needle_immovable | split]].
+  split; [apply needle_made_of; auto |].
+  split; [apply (Forall_inv (needle_has_volume d thick)) | split; [apply needle_immovable | split]].
   - intros equal; apply (f_equal z_of) in equal; cbn in equal; lra.
   - rewrite needle_inverse_masses; replace (square (vec 0 0 1)) with 1 by (in_components; ring); lra.
 Qed.
@@ -335,14 +345,15 @@ Qed.
 Theorem condition_number_is_sharp (eta : R) :
   0 < eta ->
   exists (c : contact R) (part : tetrahedron) (u v : vector R),
-    is_valid c /\ is_made_of (body_a c) (point c) 1 [part] /\ is_immovable (body_b c) /\
+    is_valid c /\ is_made_of (body_a c) (point c) 1 [part] /\ has_volume part /\ is_immovable (body_b c) /\
     square u = 1 /\ square v = 1 /\
     (16 - eta) * dot v (applied (collision_matrix c) v) < dot u (applied (collision_matrix c) u).
 Proof.
   intros positive; destruct (thin_needle eta positive) as (d & thick & nearly).
   exists (needle_contact d); eexists; exists (vec 0 0 1), (vec 1 0 0).
   split; [apply needle_contact_valid; auto |].
-  split; [apply needle_made_of; auto | split; [apply needle_immovable | split; [| split]]].
+  split; [apply needle_made_of; auto |].
+  split; [apply (Forall_inv (needle_has_volume d thick)) | split; [apply needle_immovable | split; [| split]]].
   - in_components; ring.
   - in_components; ring.
   - rewrite needle_along; lra.

@@ -25,6 +25,14 @@ std::string joined(const std::vector<Model>& models) {
   return text;
 }
 
+json names_of(const std::vector<Model>& models) {
+  json names = json::array();
+  for (const Model model : models) {
+    names.push_back(name_of(model));
+  }
+  return names;
+}
+
 /// The theorems of an invariant one after the other, each as `spelled`.
 template <class Spelled>
 std::string theorems_in_text(std::string_view invariant, const Spelled& spelled) {
@@ -35,17 +43,23 @@ std::string theorems_in_text(std::string_view invariant, const Spelled& spelled)
   return text;
 }
 
-std::string shown_in_text(std::string_view invariant) {
-  const std::string theorems =
-      theorems_in_text(invariant, [](const properties::Theorem& t) { return fmt::format("{} ({})", t.name, t.file); });
-  return theorems.empty() ? "tested, not proved" : "proved of the exact law: " + theorems;
+/// What it is proved of, where that is not all that it is claimed for: " of rough", else nothing.
+std::string proved_of(const properties::Invariant& invariant) {
+  const std::vector<Model> proved = properties::proved_models(invariant);
+  return proved.size() == invariant.models.size() ? "" : " of " + joined(proved);
 }
 
-std::string shown_in_markdown(std::string_view invariant) {
-  const std::string theorems = theorems_in_text(invariant, [](const properties::Theorem& t) {
+std::string shown_in_text(const properties::Invariant& invariant) {
+  const std::string theorems = theorems_in_text(
+      invariant.name, [](const properties::Theorem& t) { return fmt::format("{} ({})", t.name, t.file); });
+  return theorems.empty() ? "tested, not proved" : fmt::format("proved{}: {}", proved_of(invariant), theorems);
+}
+
+std::string shown_in_markdown(const properties::Invariant& invariant) {
+  const std::string theorems = theorems_in_text(invariant.name, [](const properties::Theorem& t) {
     return fmt::format("[`{}`](../../properties/proofs/{})", t.name, t.file);
   });
-  return theorems.empty() ? "Tested" : "Proved, and tested: " + theorems;
+  return theorems.empty() ? "Tested" : fmt::format("Proved{}, and tested: {}", proved_of(invariant), theorems);
 }
 
 std::string expectation(const Subject& subject) {
@@ -72,19 +86,20 @@ void print_markdown() {
       "the "
       "velocity before and a change and is known to u times the larger of both; an inequality likewise, one-sided. "
       "Relations between two collisions allow each outcome its own rounding.\n\n"
-      "Every invariant is tested, of solvers that round. *Proved* is one of the exact laws, by theorems that Coq "
-      "checks: "
-      "[proofs.md](../internals/proofs.md) says of which laws, and on what they rest.\n\n"
+      "Every invariant is tested, of solvers that round. *Proved* is one of the exact laws that determine one outcome, "
+      "by theorems that Coq checks; of `coulomb`, and of `any` law, what holds of every impulse. "
+      "[proofs.md](../internals/proofs.md) says on what they rest.\n\n"
       "| invariant | statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
-    fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
-               joined(invariant.models), invariant.domain,
-               properties::theorems_of(invariant.name).empty() ? "test" : "proof and test");
+    fmt::print(
+        "| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement, joined(invariant.models),
+        invariant.domain,
+        properties::proved_models(invariant).empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n- {}.\n", invariant.name,
                invariant.statement, invariant.formula, invariant.source, joined(invariant.models), invariant.domain,
-               shown_in_markdown(invariant.name));
+               shown_in_markdown(invariant));
   }
 }
 
@@ -124,17 +139,15 @@ int list_invariants(const std::string& format) {
                       {"formula", invariant.formula},
                       {"source", invariant.source},
                       {"domain", invariant.domain},
-                      {"models", json::array()},
+                      {"models", names_of(invariant.models)},
+                      {"proved_models", names_of(properties::proved_models(invariant))},
                       {"theorems", json::array()}});
-      for (const Model model : invariant.models) {
-        list.back()["models"].push_back(name_of(model));
-      }
       for (const properties::Theorem& theorem : properties::theorems_of(invariant.name)) {
         list.back()["theorems"].push_back({{"name", theorem.name}, {"file", theorem.file}});
       }
     } else {
       fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
-                 joined(invariant.models), invariant.domain, shown_in_text(invariant.name));
+                 joined(invariant.models), invariant.domain, shown_in_text(invariant));
     }
   }
   if (format == "json") {
