@@ -65,12 +65,12 @@ class FalseLaws(unittest.TestCase):
             with self.subTest(what):
                 status, said = self.compiled_with(place, right, wrong, file)
                 self.assertNotEqual(status, 0, "nothing fails")
-                place = re.search(r'File "\./(\w+)\.v", line (\d+)', said)
-                self.assertIsNotNone(place, said[-2000:])
-                lines = (build / f"{place[1]}.v").read_text().splitlines()[: int(place[2])]
+                failed = re.search(r'File "\./(\w+)\.v", line (\d+)', said)
+                self.assertIsNotNone(failed, said[-2000:])
+                lines = (build / f"{failed[1]}.v").read_text().splitlines()[: int(failed[2])]
                 begun = [re.match(r"\s*(?:Theorem|Lemma|Corollary)\s+([\w']+)", line) for line in lines]
                 last = [name[1] for name in begun if name]
-                self.assertEqual((place[1], last[-1]), (file, theorem))
+                self.assertEqual((failed[1], last[-1]), (file, theorem))
 
     def test_a_true_law_makes_none_fail(self):
         status, said = self.compiled_with(*TRUE_LAW, *dict.fromkeys(file for *_, file, _ in FALSE_LAWS))

@@ -133,11 +133,12 @@ TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
     EXPECT_TRUE(of.empty() || of == fmt::format(" of {}", fmt::join(models, ", "))) << name << of;
     ASSERT_LT(4 * i + 3, lines.size());
     EXPECT_EQ(lines[4 * i], name);
-    EXPECT_EQ(lines[4 * i + 3], is_proved ? "    proved" + of + ": " + in_text : "    tested, not proved") << name;
+    EXPECT_EQ(lines[4 * i + 3], is_proved ? fmt::format("    proved{}: {}", of, in_text) : "    tested, not proved")
+        << name;
     const std::string of_row = section(page, "| [`" + name + "`]", "\n");
-    EXPECT_TRUE(of_row.ends_with(is_proved ? "| proof" + of + ", and test |" : "| test |")) << of_row;
+    EXPECT_TRUE(of_row.ends_with(is_proved ? fmt::format("| proof{}, and test |", of) : "| test |")) << of_row;
     const std::string of_page = section(page, "\n## " + name + "\n", "\n## ") + '\n';
-    EXPECT_NE(of_page.find(is_proved ? "\n- Proved" + of + ", and tested: " + in_page + ".\n" : "\n- Tested.\n"),
+    EXPECT_NE(of_page.find(is_proved ? fmt::format("\n- Proved{}, and tested: {}.\n", of, in_page) : "\n- Tested.\n"),
               std::string::npos)
         << of_page;
   }
