@@ -13,7 +13,7 @@
 #   quick     build the tests of single parts that take least, and run them: the first answer to an edit
 #   test      build, then all tests (`ctest ARG…`)
 #   proofs    build, then check the proofs, print each theorem with the axioms that it rests on, and hold the oracle that is
-#             extracted of them against ours on 10,000 collisions: five minutes on two cores
+#             extracted of them against ours on 10,000 collisions: six minutes on two cores
 #   bench     build, then print what solvers, batches, judge and gate take
 #   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
