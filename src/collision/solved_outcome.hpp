@@ -18,7 +18,7 @@ struct SolvedOutcome : Outcome<S> {
   // NOLINTNEXTLINE(google-explicit-constructor): an outcome is one that shows no matrix
   SolvedOutcome(const Outcome<S>& outcome, const std::optional<Matrix3<S>>& matrix = std::nullopt)
       : Outcome<S>(outcome), collision_matrix(matrix) {}
-  SolvedOutcome(const BodyVelocity<S>& a, const BodyVelocity<S>& b) : Outcome<S>{a, b} {}
+  SolvedOutcome(const BodyVelocity<S>& of_a, const BodyVelocity<S>& of_b) : Outcome<S>{of_a, of_b} {}
 };
 
 /// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
