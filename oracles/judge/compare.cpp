@@ -7,6 +7,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_residual.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
@@ -167,16 +168,23 @@ struct ByShownMatrix {
 /// C stands for K, which the inputs determine: it is known to a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius norm, and C F to ‖F‖
 /// times that.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
-                         double /*allowance*/) {
+                         double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
-  return exact_case.collision_matrix_sensitivity() * norm_of(impulse);
+  return exact_case.collision_matrix_sensitivity(allowance) * norm_of(impulse);
+}
+
+double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs& permitted, const Collision& collision,
+                          const Outcome<double>& after, const PerVector<double>& sizes) {
+  return permitted_residual_of_change(by_matrix.shown.in<double>(), by_matrix.read_off_a, permitted, collision, after,
+                                      sizes);
 }
 
 /// Whether that product keeps its digits. Of a moderate collision the sensitivity of K is no extreme number.
-bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome) {
+bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                        double allowance) {
   const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
   return impulse == 0 || (exact_case.bounds().is_moderate() && impulse >= smallest_scale) ||
-         std::isnormal(part_by_curvature(by_matrix, exact_case, outcome, 0));
+         std::isnormal(part_by_curvature(by_matrix, exact_case, outcome, allowance));
 }
 
 bool is_moderate(const LiftedMatrix& shown) {
@@ -248,6 +256,10 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     }
     if (!scale) {
       scale = scale_of(equation, exact_case, outcome, sizes, allowance);
+      if (const PermittedInputs* permitted = scale ? exact_case.permitted_inputs(allowance) : nullptr) {
+        *scale +=
+            permitted_residual(equation, *permitted, exact_case.collision(), outcome.rounded(), sizes) / allowance;
+      }
     }
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
@@ -300,7 +312,7 @@ Comparison compare(const Equation& equation, Relation relation, const ExactCase&
 Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case, const LiftedOutcome& outcome,
                              const Yardstick& yardstick) {
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
-  if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome)) {
+  if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
     return {true, false, 0, 0, {}, {}};
   }
   Yardstick judged_by = yardstick;

@@ -29,7 +29,7 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
 }
 
 /// What the inputs can move C by, in the Frobenius norm, over the allowance.
-double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(); }
+double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
 
 /// What the rounding of the inputs can move an eigenvalue of the computed matrix by, at most its Frobenius norm (Weyl).
 Rational eigenvalue_rounding(const Evidence& e) {
