@@ -51,7 +51,7 @@ Judged judged(const JudgedCase& one, const Claims& claims, const Outcome<double>
   double backward_error = 0;
   for (const properties::Claim* claim : {&claims.truth, &claims.laws}) {
     const properties::Judgement judgement =
-        properties::Trial(one, *claim, properties::lift(answer), std::nullopt, properties::no_relations)
+        properties::Trial(one, *claim, properties::lift(answer), properties::no_relations)
             .judge(std::span<const Answer>());
     for (const properties::NamedVerdict& named : judgement.verdicts) {
       if (named.verdict.status == properties::Status::violated) {
