@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "compare/comparison_record.hpp"
 #include "merge/shard_record.hpp"
+#include "report/beyond_domain.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -148,6 +149,12 @@ json subject_record(const properties::SubjectResult& result, const properties::G
                                   {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});
+  }
+  if (!result.beyond_domain.empty()) {
+    record["beyond_domain"] = beyond_domain_record(result, options);
+  }
+  if (!result.error_beyond_domain.empty()) {
+    record["error_beyond_domain"] = result.error_beyond_domain;
   }
   record["violations"] = json::array();
   for (const properties::Witness& witness : result.witnesses) {
@@ -331,6 +338,9 @@ json report_record(const GateRun& run) {
     record["families"].push_back({{"name", options.families[f]->name},
                                   {"summary", options.families[f]->summary},
                                   {"coverage", coverage_record(run.report.coverage[f])}});
+  }
+  if (!options.beyond_domain.empty()) {
+    record["beyond_domain"] = beyond_domain_families_record(options);
   }
   record["features"] = features_record(run.report.features);
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {
