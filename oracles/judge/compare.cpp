@@ -5,6 +5,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_residual.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
@@ -214,6 +215,10 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     }
     if (!scale) {
       scale = scale_of(equation, exact_case, outcome, sizes, allowance);
+      if (const PermittedInputs* permitted = scale ? exact_case.permitted_inputs(allowance) : nullptr) {
+        *scale +=
+            permitted_residual(equation, *permitted, exact_case.collision(), outcome.rounded(), sizes) / allowance;
+      }
     }
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };

@@ -23,8 +23,8 @@ Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
     return {Status::skipped, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
   }
-  if (!judgement.not_held.empty()) {
-    return {Status::skipped, "beyond the subject's precision: " + std::string(judgement.not_held), 0, 0, {}, {}};
+  if (judgement.unjudged) {
+    return {Status::skipped, "not judged: " + std::string(in_words(*judgement.unjudged)), 0, 0, {}, {}};
   }
   if (judgement.verdicts.empty()) {
     return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};

@@ -28,7 +28,8 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
 
 /// What the rounding of the inputs can move an eigenvalue of the computed matrix by, at most its Frobenius norm (Weyl).
 Rational eigenvalue_rounding(const Evidence& e) {
-  return e.allowance() > 0 ? Rational(e.allowance() * e.exact_case.collision_matrix_sensitivity()) : Rational(0);
+  return e.allowance() > 0 ? Rational(e.allowance() * e.exact_case.collision_matrix_sensitivity(e.allowance()))
+                           : Rational(0);
 }
 
 bool may_be_filtered(const Evidence& e) {
@@ -84,7 +85,7 @@ Verdict check_definite(const Evidence& e) {
   if (may_be_filtered(e) && is_surely_definite(e)) {
     return {};
   }
-  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity(e.allowance()))) {
     return beyond_range();
   }
   const Rational lambda = inverse_mass(e.exact_case.exact());
@@ -109,7 +110,7 @@ Verdict check_well_conditioned(const Evidence& e) {
   if (may_be_filtered(e) && is_surely_well_conditioned(e)) {
     return {};
   }
-  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity(e.allowance()))) {
     return beyond_range();
   }
   count(oracles::Stage::rational);

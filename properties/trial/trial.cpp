@@ -6,7 +6,6 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
-#include <carom/properties/trial/held.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
@@ -35,18 +34,18 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                     : oracles::Closeness();
 }
 
-/// `work_out()` where the unit roundoff is new.
+/// `work_out()` if the unit roundoff or the allowance is new.
 template <class T, class WorkOut>
-T remembered(std::vector<std::pair<double, T>>& known, double unit_roundoff, const WorkOut& work_out) {
-  const auto found =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == unit_roundoff; });
-  return found != known.end() ? found->second : known.emplace_back(unit_roundoff, work_out()).second;
+T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
+             const WorkOut& work_out) {
+  const std::pair key{yardstick.unit_roundoff, yardstick.allowance()};
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == key; });
+  return found != known.end() ? found->second : known.emplace_back(key, work_out()).second;
 }
 
-bool are_held(std::span<const oracles::ExactCase> questions, double unit_roundoff) {
-  return std::all_of(questions.begin(), questions.end(), [&](const oracles::ExactCase& question) {
-    return why_not_held(question.collision(), unit_roundoff).empty();
-  });
+bool are_judged(std::span<const oracles::ExactCase> questions, const oracles::Yardstick& yardstick) {
+  return std::all_of(questions.begin(), questions.end(),
+                     [&](const oracles::ExactCase& question) { return !reason_unjudged(question, yardstick); });
 }
 
 std::vector<Deviation> deviations_of(const Subject& subject) {
@@ -100,14 +99,13 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
   return known->second.cases;
 }
 
-std::string_view JudgedCase::why_not_held_in(double unit_roundoff) const {
-  return remembered(why_not_held_, unit_roundoff, [&] { return why_not_held(generated_.collision, unit_roundoff); });
+std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
+  return remembered(unjudged_, yardstick, [&] { return reason_unjudged(*exact_, yardstick); });
 }
 
-bool JudgedCase::are_questions_held_in(double unit_roundoff, const Invariant& invariant) const {
+bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {
   const std::span<const oracles::ExactCase> questions = questions_of(invariant);
-  return remembered(questions_.at(&invariant).are_held, unit_roundoff,
-                    [&] { return are_held(questions, unit_roundoff); });
+  return remembered(questions_.at(&invariant).are_judged, yardstick, [&] { return are_judged(questions, yardstick); });
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
@@ -201,8 +199,8 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     return judgement;
   }
   if (judged_case_->is_valid()) {
-    judgement.not_held = judged_case_->why_not_held_in(claim_->yardstick.unit_roundoff);
-    if (!judgement.not_held.empty()) {
+    judgement.unjudged = judged_case_->reason_unjudged_by(claim_->yardstick);
+    if (judgement.unjudged) {
       return judgement;
     }
   }
@@ -247,15 +245,13 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       continue;
     }
     const auto& relation = std::get<AboutRelation>(invariant.about);
-    const double unit_roundoff = claim_->yardstick.unit_roundoff;
-    const bool is_held = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
-                             ? judged_case_->are_questions_held_in(unit_roundoff, invariant)
-                             : are_held(questions_[i], unit_roundoff);
+    const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
+                               ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
+                               : are_judged(questions_[i], claim_->yardstick);
     const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
     next_question += questions_[i].size();
-    if (!is_held) {
-      judgement.verdicts.push_back(
-          {&invariant, outside_domain("the subject's precision cannot hold the related collision")});
+    if (!is_judged) {
+      judgement.verdicts.push_back({&invariant, outside_domain("the related collision is not judged")});
       continue;
     }
     related.clear();

@@ -14,6 +14,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/deviation.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 
 /// One case put to one subject and judged on every invariant that the subject claims.
 namespace carom::properties {
@@ -49,25 +50,25 @@ class JudgedCase {
   /// relation takes out of range). Preconditions: is_valid(); the invariant has `questions`.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
-  /// `why_not_held` of the collision, and whether it is empty for each of those questions; remembered for each
-  /// precision. Preconditions: is_valid(); as of `questions_of`.
-  [[nodiscard]] std::string_view why_not_held_in(double unit_roundoff) const;
-  [[nodiscard]] bool are_questions_held_in(double unit_roundoff, const Invariant& invariant) const;
+  /// `reason_unjudged` of the collision, and whether there is none for each of those questions; remembered for each
+  /// unit roundoff and allowance. Preconditions: is_valid(); as of `questions_of`.
+  [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
+  [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const;
 
  private:
-  /// What was worked out for each unit roundoff: there are few.
+  /// What was worked out for each unit roundoff and allowance: there are few.
   template <class T>
-  using PerRoundoff = std::vector<std::pair<double, T>>;
+  using PerYardstick = std::vector<std::pair<std::pair<double, double>, T>>;
   struct Questions {
     std::vector<oracles::ExactCase> cases;
-    PerRoundoff<bool> are_held;
+    PerYardstick<bool> are_judged;
   };
 
   Case generated_;
   bool filtered_;
   std::optional<oracles::ExactCase> exact_;
   mutable std::map<const Invariant*, Questions> questions_;
-  mutable PerRoundoff<std::string_view> why_not_held_;
+  mutable PerYardstick<std::optional<Unjudged>> unjudged_;
 };
 
 /// The verdict of one invariant.
@@ -81,7 +82,7 @@ struct Judgement {
   std::vector<NamedVerdict> verdicts;
   std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
   std::optional<Skipped> skipped;             // the subject could not be posed the case
-  std::string_view not_held;                  // why its precision cannot hold the case; else empty
+  std::optional<Unjudged> unjudged;           // why the case is not judged; then there are no verdicts
 };
 
 /// Which of the invariants that ask about further collisions are judged on a case: each on one in `every` cases, and

@@ -47,6 +47,12 @@ static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_ve
   return "b.angular_velocity";
 }
 
+/// The velocity and the angular velocity of A or of B.
+[[nodiscard]] constexpr std::array<OutcomeVector, 2> vectors_of_body(bool a) {
+  return a ? std::array{OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a}
+           : std::array{OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
+}
+
 /// A value for each of the four vectors of an outcome.
 template <class T>
 using PerVector = EnumArray<OutcomeVector, T, all_outcome_vectors.size()>;

@@ -196,7 +196,9 @@ properties::FamilyResult family_result_from(const Field& record, const propertie
   properties::FamilyResult result;
   result.cases = record.at("cases").count();
   result.skipped = record.at("skipped").count();
-  result.not_held = record.at("not_held").count();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    result.unjudged[reason] = record.at("not_judged").at(std::string(properties::name_of(reason))).count();
+  }
   result.violated = record.at("violated").count();
   result.worst_backward_error = record.at("worst_backward_error_ulps").number();
   for (const auto& [name, count] : record.at("invariants").members()) {

@@ -118,6 +118,14 @@ json diagnosis_record(const properties::diagnosis::Diagnosis& diagnosis) {
           {"what", diagnosis.what},       {"where", diagnosis.where},       {"look_at", diagnosis.look_at}};
 }
 
+json unjudged_record(const properties::UnjudgedCounts& counts) {
+  json record = json::object();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    record[properties::name_of(reason)] = counts[reason];
+  }
+  return record;
+}
+
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
   json record = subject_facts(result.subject);
   record["counts"] = counts;
@@ -125,7 +133,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
   record["error"] = result.error.empty() ? result.not_judged : result.error;
   record["cases"] = result.cases();
   record["skipped"] = result.skipped();
-  record["not_held"] = result.not_held();
+  record["not_judged"] = unjudged_record(result.unjudged());
   const auto worst = result.worst_backward_error(options);
   record["worst_backward_error"] = {{"ulps", number_to_json(worst.backward_error)}, {"family", worst.family}};
   record["digits"] = {{"p50", optional_number(result.digits_at_least(0.5))},
@@ -145,7 +153,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
     record["families"].push_back({{"family", options.families[f]->name},
                                   {"cases", family.cases},
                                   {"skipped", family.skipped},
-                                  {"not_held", family.not_held},
+                                  {"not_judged", unjudged_record(family.unjudged)},
                                   {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});

@@ -87,9 +87,11 @@ std::string subject_line(const SubjectResult& result, const GateRun& run) {
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }
-  if (result.not_held() > 0) {
-    line += fmt::format("    {} cases that {} cannot hold, not judged\n", result.not_held(),
-                        name_of(result.subject.precision));
+  const properties::UnjudgedCounts unjudged = result.unjudged();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    if (unjudged[reason] > 0) {
+      line += fmt::format("    {} cases not judged: {}\n", unjudged[reason], in_words(reason));
+    }
   }
   if (!result.error.empty()) {
     line += properties::indented("    error: " + result.error, "      ") + '\n';
