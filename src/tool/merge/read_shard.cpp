@@ -189,6 +189,14 @@ Subject subject_from(const Field& record) {
   return subject;
 }
 
+properties::UnjudgedCounts unjudged_from(const Field& record) {
+  properties::UnjudgedCounts counts{};
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    counts[reason] = record.at(std::string(properties::name_of(reason))).count();
+  }
+  return counts;
+}
+
 properties::FamilyResult family_result_from(const Field& record, const properties::Family& expected) {
   if (record.at("family").text() != expected.name) {
     record.at("family").fail(fmt::format("\"{}\"", expected.name));
@@ -196,9 +204,7 @@ properties::FamilyResult family_result_from(const Field& record, const propertie
   properties::FamilyResult result;
   result.cases = record.at("cases").count();
   result.skipped = record.at("skipped").count();
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    result.unjudged[reason] = record.at("not_judged").at(std::string(properties::name_of(reason))).count();
-  }
+  result.unjudged = unjudged_from(record.at("not_judged"));
   result.violated = record.at("violated").count();
   result.worst_backward_error = record.at("worst_backward_error_ulps").number();
   for (const auto& [name, count] : record.at("invariants").members()) {
@@ -223,7 +229,7 @@ std::vector<properties::FamilyResult> beyond_domain_from(const Field& subject,
     properties::FamilyResult& result = results.emplace_back();
     result.cases = record.at("cases").count();
     result.skipped = record.at("skipped").count();
-    result.not_held = record.at("not_held").count();
+    result.unjudged = unjudged_from(record.at("not_judged"));
     result.violated = record.at("violated").count();
     if (const Field boundary = record.at("boundary"); !boundary.value().is_null()) {
       result.boundary = {boundary.at("quantity").number(), boundary.at("case").count(),

@@ -2,6 +2,8 @@
 #include "report/beyond_domain.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,8 +22,11 @@ using properties::SubjectResult;
 
 constexpr const char* nothing_judged = "–";
 
-/// What was judged: posed, and held by the subject's precision.
-std::uint64_t judged(const FamilyResult& family) { return family.cases - family.skipped - family.not_held; }
+/// What was posed, and is judged.
+std::uint64_t judged(const FamilyResult& family) {
+  return family.cases - family.skipped -
+         std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
+}
 
 /// "from 3.2e+07 on: 412 of 1000".
 std::string boundary_in_words(const FamilyResult& family) {
@@ -83,7 +88,7 @@ json beyond_domain_record(const SubjectResult& result, const properties::GateOpt
     record.push_back({{"family", options.beyond_domain[f]->name},
                       {"cases", family.cases},
                       {"skipped", family.skipped},
-                      {"not_held", family.not_held},
+                      {"not_judged", unjudged_record(family.unjudged)},
                       {"violated", family.violated},
                       {"boundary", std::move(boundary)}});
   }

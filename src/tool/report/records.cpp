@@ -85,6 +85,14 @@ json yardstick_record(const oracles::Yardstick& yardstick) {
   return record;
 }
 
+json unjudged_record(const properties::UnjudgedCounts& counts) {
+  json record = json::object();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    record[properties::name_of(reason)] = counts[reason];
+  }
+  return record;
+}
+
 std::string status_of(const properties::SubjectResult& result) {
   if (!result.violated_invariants().empty()) {
     return "violated";
@@ -116,14 +124,6 @@ json subject_facts(const Subject& subject) {
 json diagnosis_record(const properties::diagnosis::Diagnosis& diagnosis) {
   return {{"telling", diagnosis.telling}, {"violated", diagnosis.violated}, {"telling_in", diagnosis.telling_in},
           {"what", diagnosis.what},       {"where", diagnosis.where},       {"look_at", diagnosis.look_at}};
-}
-
-json unjudged_record(const properties::UnjudgedCounts& counts) {
-  json record = json::object();
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    record[properties::name_of(reason)] = counts[reason];
-  }
-  return record;
 }
 
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
