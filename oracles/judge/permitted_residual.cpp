@@ -55,6 +55,11 @@ class Residual {
   double operator()(const equation::FrictionlessDirection&) const { return 0; }
   double operator()(const equation::FrictionCone&) const { return 0; }
 
+  /// V⁺ − V⁻ and C F.
+  [[nodiscard]] double of_change(const Matrix3<double>& matrix, bool read_off_a) const {
+    return velocity_after().radius + inputs_.relative_velocity().radius + matrix.norm() * impulse_on(read_off_a).radius;
+  }
+
  private:
   /// A vector of the outcome.
   [[nodiscard]] VectorBall output(OutcomeVector k) const {
@@ -97,6 +102,12 @@ class Residual {
 double permitted_residual(const Equation& equation, const PermittedInputs& inputs, const Collision& collision,
                           const Outcome<double>& after, const PerVector<double>& sizes) {
   return std::visit(Residual(inputs, collision, after, sizes), equation);
+}
+
+double permitted_residual_of_change(const Matrix3<double>& matrix, bool read_off_a, const PermittedInputs& inputs,
+                                    const Collision& collision, const Outcome<double>& after,
+                                    const PerVector<double>& sizes) {
+  return Residual(inputs, collision, after, sizes).of_change(matrix, read_off_a);
 }
 
 }  // namespace carom::oracles

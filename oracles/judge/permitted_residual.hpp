@@ -14,4 +14,9 @@ namespace carom::oracles {
                                         const Collision& collision, const Outcome<double>& after,
                                         const PerVector<double>& sizes);
 
+/// The same of V⁺ − V⁻ = C F, for a matrix C that is held fast. F is read off A or off B.
+[[nodiscard]] double permitted_residual_of_change(const Matrix3<double>& matrix, bool read_off_a,
+                                                  const PermittedInputs& inputs, const Collision& collision,
+                                                  const Outcome<double>& after, const PerVector<double>& sizes);
+
 }  // namespace carom::oracles

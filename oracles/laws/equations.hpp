@@ -29,6 +29,13 @@ template <class T>
   return {Scalar1<T>(tangential.dot(tangential)), Scalar1<T>(limit * limit)};
 }
 
+/// V⁺ − V⁻ and C F, of a collision matrix C and an impulse F on A (note eq. 24).
+template <class T>
+[[nodiscard]] Sides<T, 3> change_by_matrix(const BasicCollision<T>& c, const Outcome<T>& after,
+                                           const Matrix3<T>& matrix, const Vector3<T>& impulse) {
+  return {relative_velocity<T>(c, after) - relative_velocity<T>(c, unchanged(c)), matrix * impulse};
+}
+
 /// N × F and N × V⁺.
 template <class T>
 struct FrictionAndSlip {

@@ -68,6 +68,16 @@ bool Claim::is_made_in(const Invariant& invariant, const Family& family) const {
   });
 }
 
+std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject) {
+  std::vector<const Invariant*> not_claimed;
+  for (const Invariant& invariant : all_invariants()) {
+    if (!subject.shows_collision_matrix && invariant.is_of_matrix() && invariant.claimed_for(subject.model)) {
+      not_claimed.push_back(&invariant);
+    }
+  }
+  return not_claimed;
+}
+
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
@@ -76,7 +86,8 @@ Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
         [&](const Deviation& deviation) { return deviation.invariant == &invariant && deviation.family == nullptr; });
-    if (invariant.claimed_for(subject.model) && !deviates) {
+    const bool shows_what_it_is_of = subject.shows_collision_matrix || !invariant.is_of_matrix();
+    if (invariant.claimed_for(subject.model) && shows_what_it_is_of && !deviates) {
       claim.invariants.push_back(&invariant);
     }
   }
@@ -108,12 +119,10 @@ bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, co
   return remembered(questions_.at(&invariant).are_judged, yardstick, [&] { return are_judged(questions, yardstick); });
 }
 
-Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-             std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations)
+Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations)
     : judged_case_(&judged_case),
       claim_(&claim),
       answer_(std::move(answer)),
-      collision_matrix_(std::move(collision_matrix)),
       relations_(relations),
       questions_(claim.invariants.size()) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
@@ -215,7 +224,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   if (is_of_valid) {
     evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->model,
                               claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
-                              closeness, collision_matrix_ ? &*collision_matrix_ : nullptr});
+                              closeness});
   }
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
@@ -235,6 +244,10 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     }
     if (const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about)) {
       judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
+      continue;
+    }
+    if (const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about)) {
+      judgement.verdicts.push_back({&invariant, of_matrix->check(*evidence)});
       continue;
     }
     if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {
@@ -263,25 +276,13 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   return judgement;
 }
 
-Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                   const std::optional<oracles::LiftedMatrix>& collision_matrix) {
-  const Trial trial(judged_case, claim, solve(judged_case.generated().collision), collision_matrix);
+Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve) {
+  const Trial trial(judged_case, claim, solve(judged_case.generated().collision));
   std::vector<ExactAnswer> answers;
   for (const Collision& question : trial.questions()) {
     answers.push_back(solve(question));
   }
   return trial.judge(answers);
-}
-
-std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject, const JudgedCase& judged_case) {
-  if (!subject.collision_matrix || !judged_case.is_valid()) {
-    return std::nullopt;
-  }
-  const Matrix3<long double> shown = subject.collision_matrix(judged_case.generated().collision);
-  const bool is_finite =
-      std::all_of(shown.data(), shown.data() + shown.size(), [](long double x) { return std::isfinite(x); });
-  // A matrix that is not finite bounds nothing: shown as zero it violates `definite`.
-  return oracles::LiftedMatrix(is_finite ? shown : Matrix3<long double>(Matrix3<long double>::Zero()));
 }
 
 }  // namespace carom::properties

@@ -23,11 +23,15 @@ namespace carom::properties {
 struct Claim {
   Model model = Model::any;
   oracles::Yardstick yardstick;
-  std::vector<const Invariant*> invariants;  // claimed for the model, without those the subject deviates from
+  /// Claimed for the model, without those that the subject deviates from, and those of a matrix that it does not show.
+  std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // from these in single families; a trial does not know of which its case is
 
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
+
+/// What is said of the collision matrix for the subject's model, where it shows none: so it cannot be judged.
+[[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
 /// What the subject is said to deviate from and is no invariant, or in no family, is passed over.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
@@ -99,10 +103,9 @@ inline constexpr RelationTurn no_relations{0, 0};
 /// A trial in two steps, so that many can be put to a subject at once.
 class Trial {
  public:
-  /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
-  /// The invariants that ask about further collisions are left out where it is not their turn.
-  Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-        std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations = {});
+  /// `answer` is the subject's to the case's collision. The invariants that ask about further collisions are left out
+  /// where it is not their turn.
+  Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations = {});
 
   // It refers to questions that it holds itself.
   Trial(const Trial&) = delete;
@@ -131,7 +134,6 @@ class Trial {
   const JudgedCase* judged_case_;
   const Claim* claim_;
   ExactAnswer answer_;
-  std::optional<oracles::LiftedMatrix> collision_matrix_;
   RelationTurn relations_;
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // of the invariants whose questions depend on it
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
@@ -141,12 +143,6 @@ class Trial {
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
 /// A whole trial of one case.
-[[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                                 const std::optional<oracles::LiftedMatrix>& collision_matrix = std::nullopt);
-
-/// The collision matrix that the subject shows for a valid collision, lifted, zero where it is not finite; none where
-/// it shows none.
-[[nodiscard]] std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject,
-                                                                          const JudgedCase& judged_case);
+[[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve);
 
 }  // namespace carom::properties

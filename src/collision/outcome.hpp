@@ -22,9 +22,6 @@ struct Outcome {
   BodyVelocity<S> b;
 };
 
-/// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
-using ReportedOutcome = Outcome<long double>;
-
 /// The four vectors of an outcome.
 enum class OutcomeVector { velocity_of_a, angular_velocity_of_a, velocity_of_b, angular_velocity_of_b };
 

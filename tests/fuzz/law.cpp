@@ -54,8 +54,7 @@ void judge_law(Bytes bytes, Model model) {
   const bool is_valid = validate(collision).empty();
   const bool is_beyond_domain = !read.is_of_family && is_valid && !is_in_claimed_domain(collision, model);
   require(!is_valid || !std::holds_alternative<Refused>(first[0]), "a valid collision was refused");
-  const properties::AnswerAndJudgement judged =
-      properties::judge_in_session(solver.subject, solver.claim, solver.session, read.one);
+  const properties::AnswerAndJudgement judged = properties::judge_in_session(solver.claim, solver.session, read.one);
   for (const properties::NamedVerdict& named : judged.judgement.verdicts) {
     // Beyond the claimed domain a verdict shows where the method stops, and is no finding.
     if (named.verdict.status == properties::Status::violated && !is_beyond_domain) {
@@ -64,7 +63,8 @@ void judge_law(Bytes bytes, Model model) {
   }
   for (const properties::Invariant* invariant : solver.claim.invariants) {
     if (const auto* about = std::get_if<properties::AboutSession>(&invariant->about)) {
-      const properties::Verdict verdict = about->check(first[0], judged.answer);
+      const properties::Verdict verdict =
+          about->check(first[0], judged.answer, properties::sameness_of_answers(solver.subject));
       if (verdict.status == properties::Status::violated) {
         fail_on(solver, collision, *invariant, verdict);
       }

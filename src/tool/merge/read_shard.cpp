@@ -184,6 +184,7 @@ Subject subject_from(const Field& record) {
   subject.precision = *found;
   subject.expected_to_pass = record.at("expected_to_pass").flag();
   subject.deviates = texts_of(record.at("deviates"));
+  subject.shows_collision_matrix = record.at("shows_collision_matrix").flag();
   subject.specification = optional_text(record, "specification");
   subject.version = optional_text(record, "version");
   return subject;

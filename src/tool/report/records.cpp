@@ -14,6 +14,7 @@
 #include "compare/comparison_record.hpp"
 #include "merge/shard_record.hpp"
 #include "report/beyond_domain.hpp"
+#include "report/not_claimed.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -111,7 +112,9 @@ json subject_facts(const Subject& subject) {
              {"model", name_of(subject.model)},
              {"precision", name_of(subject.precision)},
              {"expected_to_pass", subject.expected_to_pass},
-             {"deviates", subject.deviates}};
+             {"deviates", subject.deviates},
+             {"shows_collision_matrix", subject.shows_collision_matrix},
+             {"not_claimed", not_claimed_without_matrix(subject)}};
   if (!subject.specification.empty()) {
     facts["specification"] = subject.specification;
   }
@@ -178,11 +181,22 @@ json subject_record(const properties::SubjectResult& result, const properties::G
 }  // namespace
 
 json outcome_record(const ReportedOutcome& outcome) {
-  return velocities_record(outcome, [](long double number) -> json {
+  const auto number_record = [](long double number) -> json {
     const auto rounded = static_cast<double>(number);
     const bool is_binary64 = static_cast<long double>(rounded) == number || number != number;
     return is_binary64 ? number_to_json(rounded) : json(fmt::format("{:.21g}", number));
-  });
+  };
+  json record = velocities_record<long double>(outcome, number_record);
+  if (outcome.collision_matrix) {
+    for (int i = 0; i < 3; ++i) {
+      json row = json::array();
+      for (int j = 0; j < 3; ++j) {
+        row.push_back(number_record((*outcome.collision_matrix)(i, j)));
+      }
+      record["C"].push_back(std::move(row));
+    }
+  }
+  return record;
 }
 
 json answer_record(const Answer& answer) {

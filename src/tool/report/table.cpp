@@ -12,6 +12,7 @@
 #include "report/extent.hpp"
 #include "report/findings_text.hpp"
 #include "report/html_report.hpp"
+#include "report/not_claimed.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -69,8 +70,10 @@ std::string deviations_text(const Subject& subject, const std::vector<std::strin
     const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
     (is_own ? own : others).push_back(deviation);
   }
+  const std::vector<std::string> of_matrix = not_claimed_without_matrix(subject);
   return (own.empty() ? "" : "    not claimed, by its own word: " + listed(own) + '\n') +
-         (others.empty() ? "" : "    not claimed, by --deviates: " + listed(others) + '\n');
+         (others.empty() ? "" : "    not claimed, by --deviates: " + listed(others) + '\n') +
+         (of_matrix.empty() ? "" : fmt::format("    not claimed, {}: {}\n", shows_no_matrix, listed(of_matrix)));
 }
 
 std::string subject_line(const SubjectResult& result, const GateRun& run) {

@@ -24,9 +24,7 @@ std::vector<Examinee> built_in_examinees() {
     examinee.solve = [session = std::make_shared<Session>(subject.open())](const Collision& collision) {
       return lift((*session)(std::span(&collision, 1)).at(0));
     };
-    examinee.collision_matrix = [subject](const JudgedCase& judged_case) {
-      return shown_collision_matrix(subject, judged_case);
-    };
+    examinee.shows_matrix = subject.shows_collision_matrix;
     examinees.push_back(std::move(examinee));
   }
   return examinees;
