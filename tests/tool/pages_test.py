@@ -56,6 +56,11 @@ class Pages(unittest.TestCase):
             self.assertEqual(int(match[1]), len(run["families"]), where)
         for match, where in self.said(r"^ +[\w-]+ +(\d+) +(?:sound|\d+ violated) ", OF_TODAY, 10):
             self.assertEqual(int(match[1]), each * subject["cases"], where)
+        beyond = {family["name"] for family in listed("families") if family["beyond_domain"]}
+        for match, where in self.said(r"(\w+) (?:more families|families more)", OF_TODAY, 2):
+            self.assertEqual(WORDS.index(match[1].lower()), len(beyond), where)
+        section = PAGES["docs/guide/reading-a-report.md"].split("## Beyond the claimed domain")[1].split("\n## ")[0]
+        self.assertEqual(set(re.findall(r"^\| `(\w+)` \|", section, re.M)), beyond)
         for match, where in self.said(r"draws (\d+) collisions \(`--cases`\)", OF_TODAY):
             self.assertEqual(int(match[1]), each, where)
 
