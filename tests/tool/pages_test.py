@@ -56,6 +56,11 @@ class Pages(unittest.TestCase):
             self.assertEqual(int(match[1]), len(run["families"]), where)
         for match, where in self.said(r"^ +[\w-]+ +(\d+) +(?:sound|\d+ violated) ", OF_TODAY, 10):
             self.assertEqual(int(match[1]), each * subject["cases"], where)
+        beyond = {family["name"] for family in listed("families") if family["beyond_domain"]}
+        for match, where in self.said(r"(\w+) (?:more families|families more)", OF_TODAY, 2):
+            self.assertEqual(WORDS.index(match[1].lower()), len(beyond), where)
+        section = PAGES["docs/guide/reading-a-report.md"].split("## Beyond the claimed domain")[1].split("\n## ")[0]
+        self.assertEqual(set(re.findall(r"^\| `(\w+)` \|", section, re.M)), beyond)
         for match, where in self.said(r"draws (\d+) collisions \(`--cases`\)", OF_TODAY):
             self.assertEqual(int(match[1]), each, where)
 
@@ -64,6 +69,16 @@ class Pages(unittest.TestCase):
         expected = re.search(r"(\d+) subjects that count .* (\d+) more are kept", said)
         for match, where in self.said(r"All (\d+) subjects that count are sound; (\d+) more are kept", OF_TODAY):
             self.assertEqual(match.groups(), expected.groups(), where)
+
+    def test_count_tests_of_a_conformance_suite(self):
+        page = "docs/guide/conformance.md"
+        further = re.findall(r"judged on\s+((?:`\w+`(?:, | and )?)+)", PAGES[page])
+        further = set(re.findall(r"`(\w+)`", "".join(further)))
+        claimed = {each["name"] for each in listed("invariants") if "frictionless" in each["models"]}
+        self.assertLess(further, claimed)
+        families = {each["name"] for each in listed("families") if not each["beyond_domain"]} - {"invalid"}
+        for match, where in self.said(r"(\d+) tests\s+for `frictionless`", [page]):
+            self.assertEqual(int(match[1]), len(claimed - further) * len(families), where)
 
     def test_count_features(self):
         for match, where in self.said(r"\((\d+) features", ["docs/findings/detection.md"]):
@@ -130,8 +145,8 @@ class Pages(unittest.TestCase):
 
     def test_give_the_limit(self):
         limit = re.search(r"--limit-ulps \w+=(\d+)", printed("gate", "--help"))[1]
-        for match, where in self.said(r"(\d+) (?:is the limit )?\(`--limit-ulps`\)|(?:at most|≤) (\d+) units in the last",
-                                      OF_TODAY, 3):
+        pattern = r"(\d+) (?:is the limit )?\(`--limit-ulps`\)|at most (\d+) units in the last"
+        for match, where in self.said(pattern, OF_TODAY, 3):
             self.assertEqual(match[1] or match[2], limit, where)
 
     def test_name_tests_that_exist(self):
@@ -154,7 +169,8 @@ class PlantedDefects(unittest.TestCase):
     ENTRIES = dict(re.findall(r'Mutant\{\s*"(\w+)",\s*Defect::\w+,\s*\w+,\s*"([^"]*)"', TEXT))
 
     def test_are_counted(self):
-        for page, pattern in (("README.md", r"each of (\d+) defects"), ("docs/findings/detection.md", r"^(\d+) solvers"),
+        for page, pattern in (("README.md", r"each of (\d+) defects"),
+                              ("docs/findings/detection.md", r"^(\d+) solvers"),
                               ("docs/reference/failure-cases.md", r"of the (\d+) planted mutants stand for no entry")):
             found = re.search(pattern, PAGES[page], re.M)
             self.assertIsNotNone(found, page)
@@ -162,7 +178,8 @@ class PlantedDefects(unittest.TestCase):
 
     def test_stand_at_the_failures_that_they_are_of(self):
         page = PAGES["docs/reference/failure-cases.md"]
-        rows = {number: set(re.findall(r"`(\w+)`", row)) for number, row in re.findall(r"^\| (\d+) \| (.*) \|$", page, re.M)}
+        rows = {number: set(re.findall(r"`(\w+)`", row))
+                for number, row in re.findall(r"^\| (\d+) \| (.*) \|$", page, re.M)}
         of_catalogue = {number: set() for number in rows}
         for name, entries in self.ENTRIES.items():
             for number in re.findall(r"\d+", entries):
