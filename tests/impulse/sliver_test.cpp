@@ -164,6 +164,13 @@ double backward_error(const Collision& c, Model model, const Outcome<S>& outcome
       .backward_error(yardstick.unit_roundoff);
 }
 
+/// Whether the rod is no thicker than its position is rounded by: any spin about its long axis is then within rounding.
+template <class S>
+bool is_blind(const Collision& c) {
+  const double allowance = oracles::default_limit_ulps * std::numeric_limits<S>::epsilon() / 2;
+  return oracles::ExactCase(c).permitted_inputs(allowance) != nullptr;
+}
+
 /// Lever arm, impulse and long axis lie along each other: what a product of them leaves to rounding would spin the rod
 /// about its long axis, by ρ times as many ulps as it is of the torque.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
@@ -172,8 +179,10 @@ TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
     for (const NamedLaw& law : laws) {
       double worst = 0;
       double worst_in_world = 0;
+      bool is_thinner_than_rounding = false;
       for (int i = 0; i < 100; ++i) {
         const Collision c = rod_on_its_tip(stream, ratio);
+        is_thinner_than_rounding = is_thinner_than_rounding || is_blind<TypeParam>(c);
         worst =
             std::max(worst, backward_error(c, law.model, solved<TypeParam, PrincipalInertia<TypeParam>>(law.model, c)));
         worst_in_world = std::max(
@@ -182,7 +191,7 @@ TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
       std::cout << law.name << ", moments 1 : " << ratio << ": " << worst << " ulps, " << worst_in_world
                 << " in world coordinates\n";
       EXPECT_LT(worst, oracles::default_limit_ulps / 4) << law.name << ' ' << ratio;
-      if (ratio > 1e5 && law.model != Model::sticking) {
+      if (ratio > 1e5 && law.model != Model::sticking && !is_thinner_than_rounding) {
         EXPECT_GT(worst_in_world, oracles::default_limit_ulps) << law.name << ' ' << ratio;
       }
     }
