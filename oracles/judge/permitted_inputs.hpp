@@ -10,8 +10,8 @@ namespace carom::oracles {
 /// (quantities.hpp), and an enclosure of the law over them. It judges the cases in which the first order of the
 /// backward error is blind: a lever arm, or a body, is not much longer than its position is rounded by.
 ///
-/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K: whatever the lever arms
-/// are, an impulse that makes up for a relative velocity of length d is at most d / λ.
+/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K. An impulse that makes up
+/// for a relative velocity of length d is at most d / λ, for any lever arms.
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
@@ -92,8 +92,8 @@ class PermittedInputs {
   ScalarBall normal_velocity_;
   ScalarBall restitution_;
   ScalarBall friction_;
-  ScalarBall whole_share_;          // 1 + e_t
-  double least_inverse_mass_ = 0;   // of λ
+  ScalarBall whole_share_;                                    // 1 + e_t
+  double least_inverse_mass_ = 0;                             // of λ
   Vector3<double> stops_approach_ = Vector3<double>::Zero();  // P_I
   Vector3<double> stops_point_ = Vector3<double>::Zero();     // P_II
 };

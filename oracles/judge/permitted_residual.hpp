@@ -6,10 +6,9 @@
 
 namespace carom::oracles {
 
-/// By how much the two sides of an equation may miss each other for permitted inputs and outputs, beyond what their
-/// derivatives tell: products in which a lever arm takes part, enclosed. 0 of an equation that no lever arm enters.
-/// `after` is the outcome, `sizes` the lengths that its vectors are perturbed by. Precondition: the equation speaks of
-/// this collision.
+/// The residual that permitted inputs and outputs can have beyond their first order: the products in which a lever arm
+/// takes part, enclosed. It is 0 for an equation that no lever arm enters. `after` is the outcome. `sizes` are the
+/// lengths by ulps of which its vectors are perturbed. Precondition: the equation speaks of this collision.
 [[nodiscard]] double permitted_residual(const Equation& equation, const PermittedInputs& inputs,
                                         const Collision& collision, const Outcome<double>& after,
                                         const PerVector<double>& sizes);

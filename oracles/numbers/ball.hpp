@@ -46,7 +46,7 @@ struct VectorBall {
 
 namespace detail {
 
-/// Of a product of two vectors that is bounded by the product of their lengths.
+/// The radius of a product of two vectors, if the product of their lengths bounds it.
 [[nodiscard]] inline double radius_of_product(const VectorBall& v, const VectorBall& w) {
   return norm_of(v.centre) * w.radius + v.radius * w.largest();
 }

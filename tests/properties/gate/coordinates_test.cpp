@@ -162,7 +162,7 @@ double moment_ratio(const Collision& c) {
   return largest;
 }
 
-/// What J⁻¹ in world axes loses is up to a tenth of the ratio of the moments, in ulps (docs/findings/accuracy.md).
+/// J⁻¹ in world axes loses up to a tenth of the ratio of the moments, in ulps (docs/findings/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});
   std::size_t seen = 0;

@@ -90,7 +90,7 @@ Claim claim_of_outcome(Model model) {
   return claim;
 }
 
-/// The truth, off by `share` of what is allowed in one of its vectors.
+/// The truth, off by `share` of the allowance in one of its vectors.
 Outcome<Rational> planted(Stream& stream, const oracles::ExactCase& exact_case, Model model, double allowance,
                           double share) {
   Outcome<Rational> outcome = exact_case.truth(model).outcome;
@@ -154,8 +154,8 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   EXPECT_GT(held, 2000U);
 }
 
-/// A blow along an axis and the same blow along none: an answer with the rounding of a turn into the body's axes passes
-/// both, though no component of the input but one is other than zero.
+/// A solver that turns torques into the body's axes and back answers a blow along an axis with a little spin. The
+/// rounding passes, though only one component of the input is other than zero.
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};

@@ -9,7 +9,7 @@
 
 #include "support/exact.hpp"
 
-/// What the yardstick promises: an outcome that is exact for inputs within the allowance passes, however hard the case.
+/// The yardstick promises this: an outcome that is exact for inputs within the allowance passes, however hard the case.
 namespace carom::properties {
 namespace {
 
