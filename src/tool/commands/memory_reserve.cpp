@@ -97,9 +97,20 @@ std::size_t reserved_size() {
   return most_reserved;
 }
 
+/// Grows the stack of this thread to several times its need. A stack that cannot grow when memory ends is a crash.
+void grow_stack() {
+  constexpr std::size_t page = 4096;
+  constexpr std::size_t pages = 256;
+  volatile char touched[page * pages];
+  for (std::size_t i = 0; i < pages; ++i) {
+    touched[i * page] = 0;
+  }
+}
+
 }  // namespace
 
 void keep_memory_for_the_report(const std::stop_source& stop) {
+  grow_stack();
   Reserve& reserve = the_reserve();
   reserve.stop = stop;
   reserve.size = reserved_size();
