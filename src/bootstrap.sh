@@ -20,6 +20,8 @@
 #   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
 #   fuzz      [SECONDS]: each target of tests/fuzz so long, 30 where nothing is said, by clang's libFuzzer, in build-fuzz
 #   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
+#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and ask whether the tests notice,
+#             in build-mutation; `mutation --help` says what its figures mean
 #   lint      clang-format, shellcheck, and clang-tidy (of all files, or of FILE…), in build-lint
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -260,6 +262,10 @@ coverage)
   gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \
     --filter src/ --filter oracles/ --filter properties/ -j "$jobs" |
     python3 tests/house/coverage_by_folder.py
+  ;;
+mutation)
+  install_packages python3
+  exec python3 tests/mutation/mutate.py "$@"
   ;;
 lint)
   install_packages clang clang-format clang-tidy shellcheck

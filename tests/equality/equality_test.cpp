@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,9 +29,9 @@ std::string joined(const Agreement& agreement) {
   return text;
 }
 
-/// So many cases of each family, and as many wild ones for each fifth family.
-void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relations, Agreement& agreement) {
-  std::vector<Examined> examined{Examined(subject)};
+/// So many cases of each family, and as many wild ones for each fifth family; each case is worked out once for all
+/// subjects.
+void compare_on_all(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement) {
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t index = 0; index < cases; ++index) {
       compare_judges(properties::drawn_case(family, seed, index), examined, relations,
@@ -44,22 +46,32 @@ void compare_on_all(const Subject& subject, std::uint64_t cases, Relations relat
   }
 }
 
+/// Of each family: what the environment variable CAROM_EQUALITY_CASES says, or one, for a quick run.
+std::uint64_t cases_of_a_family() {
+  const char* said = std::getenv("CAROM_EQUALITY_CASES");
+  return said == nullptr ? 1 : std::stoull(said);
+}
+
 TEST(JudgeEquality, OfBuiltInSubjects) {
-  Agreement agreement;
+  std::vector<Examined> examined;
   for (const Subject& subject : subjects::all_subjects()) {
     if (subject.absent.empty()) {
-      compare_on_all(subject, 1, Relations::judged, agreement);
+      examined.emplace_back(subject);
     }
   }
+  Agreement agreement;
+  compare_on_all(examined, cases_of_a_family(), Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");
   EXPECT_GT(agreement.verdicts, 10000U);
 }
 
 TEST(JudgeEquality, OfMutants) {
-  Agreement agreement;
+  std::vector<Examined> examined;
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
-    compare_on_all(mutants::subject_of(mutant), 1, Relations::left_out, agreement);
+    examined.emplace_back(mutants::subject_of(mutant));
   }
+  Agreement agreement;
+  compare_on_all(examined, 1, Relations::left_out, agreement);
   EXPECT_EQ(joined(agreement), "");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     const bool is_relation = invariant.asks() || std::holds_alternative<properties::AboutSession>(invariant.about);
@@ -91,14 +103,15 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
 
 /// Here the bounds are tight: verdicts come out both ways within a factor of two of what is allowed.
 TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
-  Agreement agreement;
+  std::vector<Examined> examined;
   for (const Model model : models_with_truth) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-      const Subject subject = planting_subject(model, precision);
-      compare_on_all(subject, 3, Relations::left_out, agreement);
-      compare_on_all(subject, 1, Relations::judged, agreement);
+      examined.emplace_back(planting_subject(model, precision));
     }
   }
+  Agreement agreement;
+  compare_on_all(examined, 3, Relations::left_out, agreement);
+  compare_on_all(examined, 1, Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");
   for (const char* name : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "reflection_plane",
                            "frictionless_direction", "separating_untouched", "swap", "rotation"}) {
