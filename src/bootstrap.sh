@@ -19,6 +19,8 @@
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 #   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
 #   fuzz      [SECONDS]: each target of tests/fuzz so long, 30 where nothing is said, by clang's libFuzzer, in build-fuzz
+#   same-cases [CASES]: builds the families by other compilers and for other instruction sets, also of 32-bit x86 and of 64-bit
+#             Arm under qemu, in build-same-cases, and compares every bit of what they draw
 #   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
 #   mutation  change one operator, sign, number, comparison or term of the judge at a time, and ask whether the tests notice,
 #             in build-mutation; `mutation --help` says what its figures mean
@@ -251,6 +253,10 @@ fuzz)
     fuzz_one "$(basename "$source")" "${1:-30}" || status=1
   done
   exit "$status"
+  ;;
+same-cases)
+  install_packages clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user
+  exec bash tests/properties/families/same_cases.sh . build-same-cases "$@"
   ;;
 coverage)
   install_test_programs

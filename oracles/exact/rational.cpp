@@ -145,7 +145,7 @@ BasicCollision<Rational> lift(const Collision& collision) {
   return map_numbers<Rational>(collision, [](double number) { return Rational(number); });
 }
 
-Outcome<Rational> lift(const ReportedOutcome& outcome) {
+Outcome<Rational> lift(const Outcome<long double>& outcome) {
   return map_outcome<Rational>(outcome, [](long double number) { return lift(number); });
 }
 
@@ -172,7 +172,7 @@ std::string to_text(const Rational& number) {
   return text.str();
 }
 
-bool is_finite(const ReportedOutcome& outcome) {
+bool is_finite(const Outcome<long double>& outcome) {
   bool finite = true;
   for (const auto* vector : vectors(outcome)) {
     for (int i = 0; i < 3; ++i) {

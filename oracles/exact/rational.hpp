@@ -81,7 +81,7 @@ class Rational {
 [[nodiscard]] BasicCollision<Rational> lift(const Collision& collision);
 
 /// Precondition: every number of the outcome is finite.
-[[nodiscard]] Outcome<Rational> lift(const ReportedOutcome& outcome);
+[[nodiscard]] Outcome<Rational> lift(const Outcome<long double>& outcome);
 
 /// Within one unit in the last place: for scales and for print.
 [[nodiscard]] double to_double(const Rational& number);
@@ -105,7 +105,7 @@ struct RootBelow {
 /// "p/q" in lowest terms, "p" where q = 1.
 [[nodiscard]] std::string to_text(const Rational& number);
 
-[[nodiscard]] bool is_finite(const ReportedOutcome& outcome);
+[[nodiscard]] bool is_finite(const Outcome<long double>& outcome);
 
 }  // namespace carom::oracles
 

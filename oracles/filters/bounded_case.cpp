@@ -25,7 +25,8 @@ double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position);
+    const double arms =
+        2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
     sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
   }
   return size(c.normal) * sum;

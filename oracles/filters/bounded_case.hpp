@@ -34,7 +34,7 @@ class BoundedCase {
   /// N·V⁻, where the bounds decide it.
   [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
 
-  /// At least Σ_j |∂(N·V⁻)/∂x_j| |x_j|.
+  /// At least Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
   /// ‖y_k⁻‖; also a lower bound of any sensitivity, of which it is a term.
@@ -81,7 +81,7 @@ class BoundedCase {
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_j ‖∂K/∂x_j‖_F |x_j|: half of ‖K‖_F where binary64 cannot have lost it, and of λ
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of ‖K‖_F where binary64 cannot have lost it, and of λ
   /// (case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 

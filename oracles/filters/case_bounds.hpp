@@ -18,7 +18,7 @@ inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
 /// quarter, so that it is not where |v̂| > 2 a S as computed.
 inline constexpr double factor_for_grazing = 2;
 
-/// The lower bound of the collision matrix's sensitivity Σ_j ‖∂K/∂x_j‖_F |x_j|, of which the judge has the sum Ŝ as
+/// The lower bound of the collision matrix's sensitivity Σ_q ‖∂K/∂q‖ ‖q‖, of which the judge has the sum Ŝ as
 /// binary64 computes it. With T the sum of ‖r‖² / min I over the movable bodies:
 ///
 ///   (1) the exact sum over masses and moments alone is at least ‖K‖_F, for K is of degree −1 in them (Euler), and that
@@ -28,7 +28,7 @@ inline constexpr double factor_for_grazing = 2;
 inline constexpr double roundings_of_matrix_sensitivity = 0x1p+16;
 inline constexpr double least_share_of_largest_terms = 0x1p-20;
 
-/// On the cone's surface the law `rough` divides by q = ‖N × D‖ − μ N·D. Of a moderate collision Σ_j ‖∂y_k/∂x_j‖ |x_j|
+/// On the cone's surface the law `rough` divides by q = ‖N × D‖ − μ N·D. Of a moderate collision Σ_q ‖∂y_k/∂q‖ ‖q‖
 /// is at most 2⁶⁶⁰ where q is left as it is, and ‖D‖ / q adds no more than ‖K‖ / λ ≤ 2²⁶⁰ over this share of its terms:
 /// it is finite.
 inline constexpr double least_share_of_divisor = 0x1p-40;

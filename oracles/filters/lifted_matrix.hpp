@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/numbers/approximation.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
 
 namespace carom::oracles {
 
 /// A collision matrix as a subject shows it, and without rounding. For one thread.
 class LiftedMatrix {
  public:
-  /// Precondition: every number is finite.
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
 
   explicit LiftedMatrix(Matrix3<Rational> exact) : exact_(std::move(exact)) {}
 
   /// As it was reported; nullptr where it was given exactly.
   [[nodiscard]] const Matrix3<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
+
+  /// Whether every number is. Where not, only this and `reported` may be asked.
+  [[nodiscard]] bool is_finite() const {
+    return !reported_ || std::all_of(reported_->data(), reported_->data() + reported_->size(),
+                                     [](long double x) { return std::isfinite(x); });
+  }
 
   [[nodiscard]] const Matrix3<Rational>& exact() const {
     if (!exact_) {
@@ -31,7 +41,34 @@ class LiftedMatrix {
     return *exact_;
   }
 
+  /// In the numbers T: exact rationals; approximations and enclosures with their bounds; of any other T rounded.
+  /// Precondition for approximations: it was reported.
+  template <class T>
+  [[nodiscard]] Matrix3<T> in() const {
+    if constexpr (std::is_same_v<T, Rational>) {
+      return exact();
+    } else {
+      if (reported_) {
+        return reported_->unaryExpr([](long double x) { return number<T>(x); });
+      }
+      return exact_->unaryExpr([](const Rational& x) { return number<T>(x); });
+    }
+  }
+
  private:
+  template <class T, class Number>
+  static T number(const Number& x) {
+    if constexpr (std::is_same_v<T, Enclosure>) {
+      return Enclosure(x);
+    } else if constexpr (std::is_same_v<T, Approximation> && std::is_same_v<Number, long double>) {
+      return Approximation(x);
+    } else if constexpr (std::is_same_v<Number, Rational>) {
+      return T(to_double(x));
+    } else {
+      return T(static_cast<double>(x));
+    }
+  }
+
   std::optional<Matrix3<long double>> reported_;
   mutable std::optional<Matrix3<Rational>> exact_;
 };

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <carom/collision/solved_outcome.hpp>
+#include <carom/oracles/filters/lifted_matrix.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -17,16 +19,26 @@ namespace carom::oracles {
 class LiftedOutcome {
  public:
   /// Where a number is not finite, only `is_moderate` may be asked.
-  explicit LiftedOutcome(const ReportedOutcome& reported) : reported_(reported), is_moderate_(is_moderate(reported)) {}
+  explicit LiftedOutcome(const ReportedOutcome& reported) : reported_(reported), is_moderate_(is_moderate(reported)) {
+    if (reported.collision_matrix) {
+      collision_matrix_ = std::make_unique<LiftedMatrix>(*reported.collision_matrix);
+    }
+  }
 
-  explicit LiftedOutcome(Outcome<Rational> exact)
+  explicit LiftedOutcome(const SolvedOutcome<Rational>& exact)
       : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })) {
+    if (exact.collision_matrix) {
+      collision_matrix_ = std::make_unique<LiftedMatrix>(*exact.collision_matrix);
+    }
     further().enclosed = map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); });
-    further().exact = std::move(exact);
+    further().exact = exact;
   }
 
   /// As the subject reported it; nullptr where it was computed in ℚ.
-  [[nodiscard]] const ReportedOutcome* reported() const { return reported_ ? &*reported_ : nullptr; }
+  [[nodiscard]] const Outcome<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
+
+  /// The collision matrix that was shown with it; nullptr where none was.
+  [[nodiscard]] const LiftedMatrix* collision_matrix() const { return collision_matrix_.get(); }
 
   /// Whether it was reported, and holds no number that is out of the ordinary (`is_moderate`): its products then stay
   /// in the range of numbers.
@@ -76,7 +88,7 @@ class LiftedOutcome {
   }
 
   /// Each number moderate.
-  static bool is_moderate(const ReportedOutcome& reported) {
+  static bool is_moderate(const Outcome<long double>& reported) {
     bool moderate = true;
     for (const Vector3<long double>* part : vectors(reported)) {
       for (int i = 0; i < 3; ++i) {
@@ -86,7 +98,8 @@ class LiftedOutcome {
     return moderate;
   }
 
-  std::optional<ReportedOutcome> reported_;
+  std::optional<Outcome<long double>> reported_;
+  std::unique_ptr<LiftedMatrix> collision_matrix_;
   mutable std::optional<Outcome<double>> rounded_;
   bool is_moderate_ = false;
   mutable std::unique_ptr<Further> further_;

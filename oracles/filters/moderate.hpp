@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <carom/collision/collision.hpp>
+#include <carom/oracles/numbers/quantities.hpp>
 
 /// Collisions whose numbers are all of ordinary size, so that nothing that is made of them leaves the range of
 /// binary64.
@@ -31,13 +32,13 @@ inline constexpr double largest_sensitivity_of_moderate = 0x1p+594;
 inline constexpr double largest_on_the_way_of_moderate = 0x1p+920;
 inline constexpr double least_slope_of_moderate = 0x1p-280;
 
-/// Whether every number of the collision is moderate. If it is valid, then, for a moderate outcome, M being the largest
-/// moderate mass:
+/// Whether every number of the collision is moderate, and the extents of its bodies (quantities.hpp) are. If it is
+/// valid, then, for a moderate outcome, M being the largest moderate mass:
 ///
 ///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M;
-///   (2) Σ_j ‖∂g/∂x_j‖ |x_j| + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁴⁵ for every law g: its scale; ≤ 2⁵⁶⁹ for those
+///   (2) Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁴⁵ for every law g: its scale; ≤ 2⁵⁶⁹ for those
 ///       of friction, which have the impulse in second degree;
-///   (3) Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the truth y of either law, by (1), and Σ_j ‖∂K/∂x_j‖ |x_j| too;
+///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the truth y of either law, by (1), and Σ_q ‖∂K/∂q‖ ‖q‖ too;
 ///   (4) whatever is computed on the way is at most 2⁹²⁰, so that nothing overflows;
 ///   (5) a slope ∂g/∂ŷ_k of an affine law is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
@@ -55,7 +56,7 @@ inline constexpr double least_slope_of_moderate = 0x1p-280;
                                                          : is_within(smallest_moderate, largest_moderate)));
       },
       collision);
-  return moderate;
+  return moderate && extent_of(collision.a) <= largest_moderate && extent_of(collision.b) <= largest_moderate;
 }
 
 }  // namespace carom::oracles

@@ -8,16 +8,14 @@
 /// How an equation g(x, y) answers to changes of the inputs and of the outcome.
 namespace carom::oracles {
 
-/// ‖∂g/∂x_j‖, g = left − right.
+/// ∂g_i/∂x_j, g = left − right.
 template <class S, std::size_t N, int Size>
-[[nodiscard]] S norm_of_derivative(const Sides<Dual<S, N>, Size>& sides, std::size_t input) {
-  return root_of_squares(Size, [&](std::size_t i) -> S {
-    const auto row = static_cast<Eigen::Index>(i);
-    return sides.left[row].derivative[input] - sides.right[row].derivative[input];
-  });
+[[nodiscard]] S derivative_of(const Sides<Dual<S, N>, Size>& sides, std::size_t component, std::size_t input) {
+  const auto row = static_cast<Eigen::Index>(component);
+  return sides.left[row].derivative[input] - sides.right[row].derivative[input];
 }
 
-/// ‖∂g/∂ŷ_k‖ of the four vectors of an outcome. N is at least its twelve numbers.
+/// ‖∂g/∂ŷ_k‖, by the Frobenius norm, of the four vectors of an outcome. N is at least its twelve numbers.
 template <class S, std::size_t N, class OneEquation>
 [[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
                                          const Outcome<double>& outcome) {
@@ -28,23 +26,21 @@ template <class S, std::size_t N, class OneEquation>
   PerVector<S> slopes{};
   std::size_t first = 0;
   for (const OutcomeVector k : all_outcome_vectors) {
-    slopes[k] = root_of_squares(3, [&](std::size_t i) { return norm_of_derivative(sides, first + i); });
+    slopes[k] = root_of_squares(3 * static_cast<std::size_t>(sides.left.size()),
+                                [&](std::size_t i) -> S { return derivative_of(sides, i / 3, first + i % 3); });
     first += 3;
   }
   return slopes;
 }
 
-/// Σ_j ‖∂g/∂x_j‖ |x_j| over the numbers of the collision.
+/// Σ_q ‖∂g/∂q‖ ‖q‖ over the quantities of the collision.
 template <class S, class OneEquation>
 [[nodiscard]] S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
                                const Outcome<double>& outcome) {
   using T = Dual<S, collision_inputs>;
   const auto sides = equation(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
-  S part(0);
-  for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-    part += norm_of_derivative(sides, j) * static_cast<S>(inputs.magnitude[j]);
-  }
-  return part;
+  return sum_over_quantities(inputs.quantities, static_cast<std::size_t>(sides.left.size()),
+                             [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }
 
 /// Of an equation that is affine in the outcome: they do not depend on it. Precondition: name_of(equation).

@@ -13,7 +13,7 @@ namespace carom::oracles {
 struct Accuracy {
   PerVector<double> error{};                 // ‖ŷ_k − y_k‖
   PerVector<double> error_above = infinite;  // at least the error; infinite where the judge is not filtered
-  Sensitivity sensitivity{};                 // Σ_j ‖∂y_k/∂x_j‖ |x_j| + ‖y_k⁻‖
+  Sensitivity sensitivity{};                 // Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖
   bool is_decided = true;  // false where the sensitivity, or what is allowed of it, leaves the range of numbers: then
                            // nothing else here means anything
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <optional>
 
+#include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/filters/slopes.hpp>
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_residual.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
@@ -149,6 +152,45 @@ double part_by_curvature(const equation::FrictionAgainstSlip& against, const Exa
   return curvature_of_friction_and_slip(against.read_off_a, exact_case, outcome, allowance);
 }
 
+/// V⁺ − V⁻ = C F for the C that a subject shows.
+struct ByShownMatrix {
+  const LiftedMatrix& shown;
+  bool read_off_a;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    return change_by_matrix<T>(c, after, shown.in<T>(), impulse_on_a(c, after, read_off_a));
+  }
+};
+
+/// C stands for K, which the inputs determine: it is known to a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius norm, and C F to ‖F‖
+/// times that.
+double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
+  const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
+  return exact_case.collision_matrix_sensitivity(allowance) * norm_of(impulse);
+}
+
+double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs& permitted, const Collision& collision,
+                          const Outcome<double>& after, const PerVector<double>& sizes) {
+  return permitted_residual_of_change(by_matrix.shown.in<double>(), by_matrix.read_off_a, permitted, collision, after,
+                                      sizes);
+}
+
+/// Whether that product keeps its digits. Of a moderate collision the sensitivity of K is no extreme number.
+bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                        double allowance) {
+  const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
+  return impulse == 0 || (exact_case.bounds().is_moderate() && impulse >= smallest_scale) ||
+         std::isnormal(part_by_curvature(by_matrix, exact_case, outcome, allowance));
+}
+
+bool is_moderate(const LiftedMatrix& shown) {
+  return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
+}
+
 /// All parts; none where the sum leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
@@ -214,6 +256,10 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     }
     if (!scale) {
       scale = scale_of(equation, exact_case, outcome, sizes, allowance);
+      if (const PermittedInputs* permitted = scale ? exact_case.permitted_inputs(allowance) : nullptr) {
+        *scale +=
+            permitted_residual(equation, *permitted, exact_case.collision(), outcome.rounded(), sizes) / allowance;
+      }
     }
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
@@ -261,6 +307,17 @@ Comparison compare(const Equation& equation, Relation relation, const ExactCase&
                    const LiftedOutcome& outcome, const Yardstick& yardstick) {
   return std::visit([&](const auto& one) { return compare_one(one, relation, exact_case, outcome, yardstick); },
                     equation);
+}
+
+Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                             const Yardstick& yardstick) {
+  const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
+  if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
+    return {true, false, 0, 0, {}, {}};
+  }
+  Yardstick judged_by = yardstick;
+  judged_by.filtered = yardstick.filtered && is_moderate(shown);  // products then stay in the range of numbers
+  return compare_one(equation, Relation::equal, exact_case, outcome, judged_by);
 }
 
 }  // namespace carom::oracles

@@ -33,4 +33,9 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick);
 
+/// The same of V⁺ − V⁻ = C F for the collision matrix C that a subject shows, which may itself be off by what the
+/// inputs can move K by. F is read off the lighter movable body. Preconditions: a body is movable; C is finite.
+[[nodiscard]] Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case,
+                                           const LiftedOutcome& outcome, const Yardstick& yardstick);
+
 }  // namespace carom::oracles

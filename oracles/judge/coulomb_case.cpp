@@ -13,7 +13,7 @@ std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case) {
 }
 
 NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,
-                             const ReportedOutcome& outcome) {
+                             const Outcome<long double>& outcome) {
   const Outcome<Rational> exact = lift(outcome);
   NearestAnswer nearest{0, -HUGE_VAL};
   for (std::size_t i = 0; i < answers.size(); ++i) {

@@ -20,6 +20,6 @@ struct NearestAnswer {
 
 /// Preconditions: the answers are those of the case, and the outcome is finite.
 [[nodiscard]] NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,
-                                           const ReportedOutcome& outcome);
+                                           const Outcome<long double>& outcome);
 
 }  // namespace carom::oracles

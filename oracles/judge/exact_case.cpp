@@ -29,19 +29,19 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
 /// τ_k of `sensitivity`; zero where it is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
   // A lever arm is perturbed by the places that it is the difference of.
-  const auto reach = [&](const Body& body) { return c.point.lpNorm<1>() + body.position.lpNorm<1>(); };
+  const auto reach = [&](const Body& body) { return norm_of(c.point) + length_of_position(body); };
   double speed = 0;
   double lambda = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    speed += body->velocity.lpNorm<1>() + body->angular_velocity.lpNorm<1>() * reach(*body);
+    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * reach(*body);
     lambda += body->immovable ? 0 : 1 / body->mass;
   }
   const double impulse = lambda > 0 ? 2 * speed / lambda : 0;
   const auto of_velocity = [&](const Body& body) {
-    return body.velocity.lpNorm<1>() + (body.immovable ? 0 : impulse / body.mass);
+    return norm_of(body.velocity) + (body.immovable ? 0 : impulse / body.mass);
   };
   const auto of_spin = [&](const Body& body) {
-    return body.angular_velocity.lpNorm<1>() +
+    return norm_of(body.angular_velocity) +
            (body.immovable ? 0 : impulse * reach(body) / body.principal_inertia.minCoeff());
   };
   Sensitivity scale{};
@@ -55,23 +55,19 @@ Sensitivity second_order_scale(const Collision& c) {
   return scale;
 }
 
-/// Σ_j |∂(N·V⁻)/∂x_j| |x_j|: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
-double normal_velocity_sensitivity(const Collision& c) {
-  // A number that is zero cannot be perturbed relatively, though its derivative be infinite.
-  const auto weighted = [](const Vector3<double>& derivative, const Vector3<double>& x) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      sum += x[i] == 0 ? 0 : std::abs(derivative[i] * x[i]);
-    }
-    return sum;
+/// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
+double sensitivity_of_normal_velocity(const Collision& c) {
+  // What is zero cannot be perturbed relatively, though its derivative be infinite.
+  const auto weighted = [](const Vector3<double>& derivative, double length) {
+    return length == 0 ? 0 : norm_of(derivative) * length;
   };
-  double sum = weighted(relative_velocity<double>(c, unchanged(c)), c.normal);
+  double sum = weighted(relative_velocity<double>(c, unchanged(c)), norm_of(c.normal));
   for (const Body* body : {&c.a, &c.b}) {
-    sum += weighted(c.normal, body->velocity);
-    sum += weighted(torque_arm(*body, c), body->angular_velocity);
-    sum += weighted(c.normal.cross(body->angular_velocity), body->position);
+    sum += weighted(c.normal, norm_of(body->velocity));
+    sum += weighted(torque_arm(*body, c), norm_of(body->angular_velocity));
+    sum += weighted(c.normal.cross(body->angular_velocity), length_of_position(*body));
   }
-  return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), c.point);
+  return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), norm_of(c.point));
 }
 
 std::optional<int> known_sign(const Rational& x) { return sign_of(x); }
@@ -107,14 +103,34 @@ bool ExactCase::is_grazing(double allowance) const {
   if (approach() == Approach::inert) {
     return false;
   }
+  const PermittedInputs* permitted = permitted_inputs(allowance);
+  if (permitted != nullptr && permitted->normal_velocity().contains(0)) {
+    return true;
+  }
   if (bounds_.is_moderate() && std::abs(normal_velocity().value) > case_bounds::factor_for_grazing * allowance *
                                                                        bounds_.normal_velocity_sensitivity_above()) {
     return false;
   }
+  return std::abs(normal_velocity().value) <= allowance * normal_velocity_sensitivity();
+}
+
+double ExactCase::normal_velocity_sensitivity() const {
   if (!normal_velocity_sensitivity_) {
-    normal_velocity_sensitivity_ = normal_velocity_sensitivity(collision());
+    normal_velocity_sensitivity_ = sensitivity_of_normal_velocity(collision());
   }
-  return std::abs(normal_velocity().value) <= allowance * *normal_velocity_sensitivity_;
+  return *normal_velocity_sensitivity_;
+}
+
+const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
+  constexpr double most = 0.5;
+  if (!(allowance > 0 && allowance < most)) {
+    return nullptr;
+  }
+  const auto [known, is_new] = permitted_inputs_.try_emplace(allowance);
+  if (is_new && PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())) {
+    known->second.emplace(bounds_, allowance);
+  }
+  return known->second ? &*known->second : nullptr;
 }
 
 Branch ExactCase::branch(Model model) const {
@@ -198,7 +214,8 @@ bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
     cone_distance_ = bounds_.is_moderate() && bounds_.is_well_conditioned() ? cone_distance(collision())
                                                                             : enclosed_cone_distance(collision());
   }
-  return cone_distance_->is_within(allowance);
+  const PermittedInputs* permitted = permitted_inputs(allowance);
+  return cone_distance_->is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone());
 }
 
 bool ExactCase::acts_at_once_here(Model model, double allowance) const {
@@ -230,7 +247,8 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
     unchanged_sensitivity_ = bounds_.norms_before();
     const Outcome<double> outcome = unchanged(collision());
     for (const OutcomeVector k : all_outcome_vectors) {
-      (*unchanged_sensitivity_)[k] += vectors(outcome)[k]->lpNorm<1>();
+      // The derivative of a vector by itself is the identity, whose Frobenius norm is √3.
+      (*unchanged_sensitivity_)[k] += std::sqrt(3.0) * norm_of(*vectors(outcome)[k]);
     }
   }
   return *unchanged_sensitivity_;
@@ -254,6 +272,16 @@ Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance
   }
   for (const OutcomeVector k : all_outcome_vectors) {
     sum[k] += allowance * second_order()[k];
+  }
+  if (const PermittedInputs* permitted = collides ? permitted_inputs(allowance) : nullptr) {
+    const Branch side = branch(model);
+    const Vector3<double> impulse =
+        bounds_.colliding_truth(model, side).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); });
+    const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(model, allowance);
+    const PerVector<double> distance = permitted->distance_of_answers(impulse, model, side, from_rest);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      sum[k] = std::max(sum[k], distance[k] / allowance);
+    }
   }
   return sum;
 }
@@ -302,14 +330,15 @@ const Matrix3<Rational>& ExactCase::collision_matrix() const {
   return *collision_matrix_;
 }
 
-double ExactCase::collision_matrix_sensitivity() const {
+double ExactCase::collision_matrix_sensitivity(double allowance) const {
   if (!collision_matrix_sensitivity_) {
     const auto k = response_matrix(bounds_.differentiated().collision);
     collision_matrix_sensitivity_ =
         sensitivity_of({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
-                       bounds_.differentiated().magnitude);
+                       bounds_.differentiated().quantities);
   }
-  return *collision_matrix_sensitivity_;
+  const PermittedInputs* permitted = permitted_inputs(allowance);
+  return *collision_matrix_sensitivity_ + (permitted != nullptr ? permitted->second_order_of_matrix() / allowance : 0);
 }
 
 bool ExactCase::is_definite() const {

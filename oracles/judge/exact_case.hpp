@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 
 #include <carom/oracles/filters/bounded_case.hpp>
+#include <carom/oracles/judge/permitted_inputs.hpp>
 
 namespace carom::oracles {
 
@@ -22,6 +24,13 @@ class ExactCase {
   [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
 
   [[nodiscard]] Approach approach() const;
+
+  /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
+  [[nodiscard]] double normal_velocity_sensitivity() const;
+
+  /// The permitted inputs, if the first order is blind to what they do; nullptr elsewhere, and where nothing is
+  /// allowed.
+  [[nodiscard]] const PermittedInputs* permitted_inputs(double allowance) const;
 
   /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
@@ -56,12 +65,15 @@ class ExactCase {
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model, Approach as) const;
 
-  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_j ‖∂y_k/∂x_j‖ |x_j|, a the
+  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖, a the
   /// allowance, and τ_k what an impulse of 2 (‖V⁻‖ at most) / λ can change of vector k. Where the structure of a
   /// contact makes the first order vanish (a central one that grazes), products of two roundings are all that is left.
   /// Inside the grazing band it is that of the colliding answer, since inputs within the allowance collide; but not of
   /// a law that acts at once, whose two answers are judged apart. Near the cone's surface it is the larger one of both
   /// sides, whose answers meet there.
+  ///
+  /// If the first order is blind (PermittedInputs), it is at least the distance of the answers to permitted inputs,
+  /// over the allowance.
   [[nodiscard]] Sensitivity sensitivity(Model model, double allowance) const;
 
   /// The same as if the contact had this approach, away from the band.
@@ -82,9 +94,11 @@ class ExactCase {
   /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: is_moderate(model).
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
-  /// K, exactly (`response_matrix`), and Σ_j ‖∂K/∂x_j‖_F |x_j|.
+  /// K, exactly (`response_matrix`).
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
-  [[nodiscard]] double collision_matrix_sensitivity() const;
+
+  /// Σ_q ‖∂K/∂q‖ ‖q‖; if the first order is blind, with the squares of what lever arms are perturbed by.
+  [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
 
   /// Whether λI ⪯ K, decided exactly. Where a body is movable it always is: K − λI is the sum of [r]ᵀ J⁻¹ [r] over the
   /// movable bodies, a congruence of a positive diagonal matrix each (an identity that the tests prove by exact random
@@ -142,6 +156,7 @@ class ExactCase {
   mutable std::optional<BasicCollision<Rational>> exact_;
   mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
   mutable std::optional<double> normal_velocity_sensitivity_;
+  mutable std::map<double, std::optional<PermittedInputs>> permitted_inputs_;
   mutable PerModel<OfModel> of_model_;
   mutable std::optional<bool> is_inside_cone_;
   mutable std::optional<bool> reaches_cone_;

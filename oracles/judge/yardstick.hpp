@@ -15,9 +15,9 @@ inline constexpr double default_limit_ulps = 32;
 /// collision (moderate.hpp) is a finite number, as it has to be for a pass.
 inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
-/// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of |∂g/∂x| |x| over the
-/// stored numbers and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs that differ by
-/// so much. To the outputs is added what is lost where numbers underflow, in binary32.
+/// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of ‖∂g/∂q‖ ‖q‖ over the
+/// quantities (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs
+/// that differ by so much. In binary32 the outputs are also allowed the loss by underflow.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision

@@ -29,6 +29,13 @@ template <class T>
   return {Scalar1<T>(tangential.dot(tangential)), Scalar1<T>(limit * limit)};
 }
 
+/// V⁺ − V⁻ and C F, of a collision matrix C and an impulse F on A (note eq. 24).
+template <class T>
+[[nodiscard]] Sides<T, 3> change_by_matrix(const BasicCollision<T>& c, const Outcome<T>& after,
+                                           const Matrix3<T>& matrix, const Vector3<T>& impulse) {
+  return {relative_velocity<T>(c, after) - relative_velocity<T>(c, unchanged(c)), matrix * impulse};
+}
+
 /// N × F and N × V⁺.
 template <class T>
 struct FrictionAndSlip {
@@ -56,8 +63,10 @@ enum class AffineEquation {
   frictionless_direction_read_off_b,
   reflection_plane,
   sticks,
-  untouched_a,
-  untouched_b,
+  untouched_velocity_of_a,
+  untouched_angular_velocity_of_a,
+  untouched_velocity_of_b,
+  untouched_angular_velocity_of_b,
 };
 /// Each gives the two sides of an equation or inequality, (collision, outcome) → Sides, for any outcome, exact or not,
 /// in any field T; its name where it is affine in the outcome; and whether its derivatives by the outcome are sums that
@@ -108,24 +117,30 @@ struct TotalAngularMomentum {
   }
 };
 
-/// The velocities of A or of B are as before.
+/// A velocity or an angular velocity is as before. They are two equations, since their units are two.
 struct Untouched {
-  bool a;
+  OutcomeVector vector;
 
   static constexpr bool slopes_may_cancel = false;
 
   [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
-    return a ? AffineEquation::untouched_a : AffineEquation::untouched_b;
+    switch (vector) {
+      case OutcomeVector::velocity_of_a:
+        return AffineEquation::untouched_velocity_of_a;
+      case OutcomeVector::angular_velocity_of_a:
+        return AffineEquation::untouched_angular_velocity_of_a;
+      case OutcomeVector::velocity_of_b:
+        return AffineEquation::untouched_velocity_of_b;
+      case OutcomeVector::angular_velocity_of_b:
+        break;
+    }
+    return AffineEquation::untouched_angular_velocity_of_b;
   }
 
   template <class T>
-  [[nodiscard]] Sides<T, 6> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
-    const BasicBody<T>& body = a ? c.a : c.b;
-    const BodyVelocity<T>& motion = a ? after.a : after.b;
-    Sides<T, 6> sides;
-    sides.left << motion.velocity, motion.angular_velocity;
-    sides.right << body.velocity, body.angular_velocity;
-    return sides;
+  [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const Outcome<T> before = unchanged(c);
+    return {*vectors(after)[vector], *vectors(before)[vector]};
   }
 };
 
@@ -295,7 +310,7 @@ using Equation =
                  equation::FrictionAlongSlip, equation::FrictionAgainstSlip, equation::Energy>;
 
 /// Those that are affine in the outcome, in the order of their names.
-inline constexpr std::array<Equation, 14> affine_equations{equation::LinearMomentum{},
+inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomentum{},
                                                            equation::AngularMomentum{true},
                                                            equation::AngularMomentum{false},
                                                            equation::TotalAngularMomentum{},
@@ -307,8 +322,10 @@ inline constexpr std::array<Equation, 14> affine_equations{equation::LinearMomen
                                                            equation::FrictionlessDirection{false},
                                                            equation::ReflectionPlane{},
                                                            equation::Sticks{},
-                                                           equation::Untouched{true},
-                                                           equation::Untouched{false}};
+                                                           equation::Untouched{OutcomeVector::velocity_of_a},
+                                                           equation::Untouched{OutcomeVector::angular_velocity_of_a},
+                                                           equation::Untouched{OutcomeVector::velocity_of_b},
+                                                           equation::Untouched{OutcomeVector::angular_velocity_of_b}};
 
 [[nodiscard]] constexpr std::optional<AffineEquation> name_of(const Equation& equation) {
   return std::visit([](const auto& one) { return one.name(); }, equation);
@@ -334,19 +351,24 @@ static_assert(detail::stand_in_the_order_of_their_names());
 /// each. They determine it. Precondition: the model is one of `models_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approach approach, const Visit& visit) {
+  const auto visit_untouched = [&](const char* name, bool a) {
+    for (const OutcomeVector vector : vectors_of_body(a)) {
+      visit(name, equation::Untouched{vector});
+    }
+  };
   if (approach != Approach::colliding) {
-    visit("the velocities of A being untouched", equation::Untouched{true});
-    visit("the velocities of B being untouched", equation::Untouched{false});
+    visit_untouched("the velocities of A being untouched", true);
+    visit_untouched("the velocities of B being untouched", false);
     return;
   }
   // There is an impulse at the contact, F on A and −F on B.
   if (c.a.immovable) {
-    visit("the immovable A being untouched", equation::Untouched{true});
+    visit_untouched("the immovable A being untouched", true);
   } else {
     visit("the angular momentum of A", equation::AngularMomentum{true});
   }
   if (c.b.immovable) {
-    visit("the immovable B being untouched", equation::Untouched{false});
+    visit_untouched("the immovable B being untouched", false);
   } else {
     visit("the angular momentum of B", equation::AngularMomentum{false});
   }

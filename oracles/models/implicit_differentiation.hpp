@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -15,7 +16,6 @@ namespace carom::oracles {
 
 /// The derivatives of a vector by all numbers of a collision.
 using Jacobian = Eigen::Matrix<double, 3, collision_inputs, Eigen::RowMajor>;
-using Magnitudes = Eigen::Array<double, 1, collision_inputs>;
 
 /// Where the numbers of a collision stand among its inputs.
 struct Places {
@@ -31,7 +31,7 @@ struct Places {
   [[nodiscard]] Eigen::Index restitution() const { return normal + 3; }
   [[nodiscard]] Eigen::Index friction() const { return normal + 4; }
   [[nodiscard]] Eigen::Index tangential_restitution() const { return normal + 5; }
-  Magnitudes magnitude = Magnitudes::Zero();  // |x_j|
+  std::vector<Quantity> quantities;
 
   explicit Places(const Collision& collision) {
     const auto numbers_of = [](const Body& body) { return body.immovable ? 9 : 17; };
@@ -40,8 +40,7 @@ struct Places {
     b.position = numbers_of(collision.a) + numbers_of(collision.b) - after_position;
     point = b.position + after_position;
     normal = point + 3;
-    Eigen::Index next = 0;
-    for_each_number([&](const FieldPath&, const double& x) { magnitude[next++] = std::abs(x); }, collision);
+    quantities = quantities_of(collision);
   }
 };
 

@@ -138,11 +138,16 @@ template <class T, class Sign>
 
 /// The equations that the answer of every model satisfies to every contact that they speak of: `restitution` where it
 /// collides, `untouched` where it does not and of immovable bodies.
-inline constexpr std::array kept_by_every_model{
-    AffineEquation::linear_momentum,       AffineEquation::angular_momentum_of_a,
-    AffineEquation::angular_momentum_of_b, AffineEquation::total_angular_momentum,
-    AffineEquation::restitution,           AffineEquation::non_penetration,
-    AffineEquation::untouched_a,           AffineEquation::untouched_b};
+inline constexpr std::array kept_by_every_model{AffineEquation::linear_momentum,
+                                                AffineEquation::angular_momentum_of_a,
+                                                AffineEquation::angular_momentum_of_b,
+                                                AffineEquation::total_angular_momentum,
+                                                AffineEquation::restitution,
+                                                AffineEquation::non_penetration,
+                                                AffineEquation::untouched_velocity_of_a,
+                                                AffineEquation::untouched_angular_velocity_of_a,
+                                                AffineEquation::untouched_velocity_of_b,
+                                                AffineEquation::untouched_angular_velocity_of_b};
 
 namespace detail {
 

@@ -126,10 +126,17 @@ PerVector<Jacobian> change_derivatives(const Collision& c, const Places& places,
   }
 }
 
-/// Σ_j ‖∂y/∂x_j‖ |x_j|; not a number where squares may have left the range of binary64.
-double weighted_norm(const Jacobian& jacobian, const Magnitudes& magnitude) {
-  const double sum = (jacobian.array().square().colwise().sum().sqrt() * magnitude).sum();
-  if (sum == 0 && (jacobian.array().abs().colwise().sum() * magnitude == 0).all()) {
+/// Σ_q ‖∂y/∂q‖ ‖q‖; not a number where squares may have left the range of binary64.
+double weighted_norm(const Jacobian& jacobian, const std::vector<Quantity>& quantities) {
+  double sum = 0;
+  bool is_zero = true;
+  for (const Quantity& q : quantities) {
+    const auto of_quantity =
+        jacobian.middleCols(static_cast<Eigen::Index>(q.first), static_cast<Eigen::Index>(q.count));
+    sum += of_quantity.norm() * q.length;
+    is_zero = is_zero && (q.length == 0 || of_quantity.isZero(0));
+  }
+  if (is_zero) {
     return 0;
   }
   return sum >= least_sum_by_squares && sum <= largest_sum_by_squares ? sum : std::numeric_limits<double>::quiet_NaN();
@@ -148,7 +155,7 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model
   Sensitivity result = norms_before(c);
   for (const OutcomeVector k : all_outcome_vectors) {
     derivatives[k].middleCols<3>(before[k]) += Matrix3<double>::Identity();
-    result[k] += weighted_norm(derivatives[k], places.magnitude);
+    result[k] += weighted_norm(derivatives[k], places.quantities);
   }
   const bool is_known = std::all_of(result.begin(), result.end(), [](double sum) { return std::isfinite(sum); });
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
@@ -161,14 +168,11 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
   Sensitivity result = norms_before(collision);
   const auto parts = vectors(truth.outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
-    double unknown = 0;
-    for (int i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < inputs.magnitude.size(); ++j) {
-        const double radius = (*parts[k])[i].derivative[j].radius();
-        unknown += inputs.magnitude[j] == 0 ? 0 : radius * inputs.magnitude[j];
-      }
-    }
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.magnitude);
+    const auto radius = [&](std::size_t i, std::size_t j) {
+      return (*parts[k])[static_cast<Eigen::Index>(i)].derivative[j].radius();
+    };
+    const double unknown = sum_over_quantities(inputs.quantities, 3, radius);
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.quantities);
     // Written so that what is no number is not known. Exact derivatives take a hundred times as long.
     constexpr double thousandth = 0x1p-10;
     if (!(unknown <= thousandth * result[k]) || !std::isfinite(result[k])) {
@@ -181,11 +185,11 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
 namespace {
 
 Sensitivity sensitivity_of_outcome(const Collision& collision, const auto& outcome,
-                                   const std::vector<double>& magnitude) {
+                                   const std::vector<Quantity>& quantities) {
   Sensitivity result = norms_before(collision);
   const auto parts = vectors(outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, magnitude);
+    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, quantities);
   }
   return result;
 }
@@ -225,9 +229,9 @@ Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
 Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch) {
   const auto inputs = dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); });
   if (branch == Branch::on_cone) {
-    return sensitivity_of_outcome(collision, answer_on_cone(inputs.collision), inputs.magnitude);
+    return sensitivity_of_outcome(collision, answer_on_cone(inputs.collision), inputs.quantities);
   }
-  return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.magnitude);
+  return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.quantities);
 }
 
 namespace {
@@ -269,7 +273,7 @@ ConeDistance cone_distance(const Collision& c) {
   Jacobian d_limit_alone = Jacobian::Zero();
   d_limit_alone.row(0) = d_limit;
   return {distance_from_cone(map_numbers<Enclosure>(c, [](double x) { return Enclosure(x); })),
-          weighted_norm(d_limit_alone, places.magnitude) + weighted_norm(d_tangential, places.magnitude)};
+          weighted_norm(d_limit_alone, places.quantities) + weighted_norm(d_tangential, places.quantities)};
 }
 
 ConeDistance enclosed_cone_distance(const Collision& collision) {
@@ -283,8 +287,8 @@ ConeDistance enclosed_cone_distance(const Collision& collision) {
   const Vector3<T> tangential = c.normal.cross(whole);
   const auto enclosed = map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); });
   return {distance_from_cone(enclosed),
-          sensitivity_of({&limit}, inputs.magnitude) +
-              sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.magnitude)};
+          sensitivity_of({&limit}, inputs.quantities) +
+              sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities)};
 }
 
 }  // namespace carom::oracles

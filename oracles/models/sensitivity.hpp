@@ -13,18 +13,19 @@
 #include <carom/oracles/numbers/dual.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/norm.hpp>
+#include <carom/oracles/numbers/quantities.hpp>
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome the sum over the stored numbers x_j of ‖∂y_k/∂x_j‖ |x_j|, and ‖y_k⁻‖: the
+/// For each vector y_k of an outcome the sum over the quantities q of ‖∂y_k/∂q‖ ‖q‖ (quantities.hpp), and ‖y_k⁻‖: the
 /// denominator of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻
-/// + Δy_k, which no change of the inputs explains where the sum nearly vanishes and the law is insensitive (a ball that
-/// hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
+/// + Δy_k. No change of the inputs explains that rounding if the sum nearly vanishes and the law is insensitive (a ball
+/// that hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
 /// Algorithms, §1.5.
 using Sensitivity = PerVector<double>;
 
-/// Sums Σ_j ‖∂y/∂x_j‖ |x_j| from here to there are taken by squares in binary64: what these lose below its range, times
-/// |x_j|, is no ten-digit part of the first (docs/internals/bounds.md); what overflows is larger than the other.
+/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ from here to there are taken by squares in binary64: what these lose below its range, times
+/// ‖q‖, is no ten-digit part of the first (docs/internals/bounds.md); what overflows is larger than the other.
 inline constexpr double least_sum_by_squares = 0x1p-380;
 inline constexpr double largest_sum_by_squares = 0x1p+400;
 
@@ -52,7 +53,7 @@ inline constexpr double ten_digits = 0x1p-34;
 /// order, rounded as the sensitivities are; no number where it is not known.
 struct ConeDistance {
   double distance;     // |μ N·F − ‖N × F‖|, from below, by enclosures
-  double sensitivity;  // Σ_j |∂(μ N·F)/∂x_j| |x_j| + Σ_j ‖∂(N × F)/∂x_j‖ |x_j|
+  double sensitivity;  // Σ_q ‖∂(μ N·F)/∂q‖ ‖q‖ + Σ_q ‖∂(N × F)/∂q‖ ‖q‖
 
   /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface; true where it is
   /// not known.
@@ -74,18 +75,13 @@ namespace detail {
 
 }  // namespace detail
 
-/// Σ_j ‖∂y/∂x_j‖ |x_j| for the components y.
+/// Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y.
 template <class S, std::size_t N>
 [[nodiscard]] double sensitivity_of(std::initializer_list<const Dual<S, N>*> components,
-                                    const std::vector<double>& magnitude) {
-  double sum = 0;
-  for (std::size_t j = 0; j < magnitude.size(); ++j) {
-    const double norm = root_of_squares(
-        components.size(), [&](std::size_t i) { return detail::as_double(components.begin()[i]->derivative[j]); });
-    // A number that is zero cannot be perturbed relatively, however steep the law is there.
-    sum += magnitude[j] == 0 ? 0 : norm * magnitude[j];
-  }
-  return sum;
+                                    const std::vector<Quantity>& quantities) {
+  return sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
+    return detail::as_double(components.begin()[i]->derivative[j]);
+  });
 }
 
 }  // namespace carom::oracles

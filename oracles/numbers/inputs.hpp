@@ -5,6 +5,7 @@
 
 #include <carom/collision/outcome.hpp>
 #include <carom/oracles/numbers/dual.hpp>
+#include <carom/oracles/numbers/quantities.hpp>
 
 /// The stored numbers of a collision, and of an outcome, as the inputs of forward differentiation.
 namespace carom::oracles {
@@ -16,19 +17,17 @@ inline constexpr std::size_t outcome_inputs = 12;
 template <class S, std::size_t N>
 struct DualInputs {
   BasicCollision<Dual<S, N>> collision;
-  std::vector<double> magnitude;  // |x_j|
+  std::vector<Quantity> quantities;
 };
 
 /// The collision with its j-th number as input j. `convert` takes a double to S.
 template <class S, std::size_t N, class Convert>
 [[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
   DualInputs<S, N> inputs;
-  inputs.magnitude.reserve(collision_inputs);
-  inputs.collision = map_numbers<Dual<S, N>>(collision, [&](double number) {
-    const std::size_t index = inputs.magnitude.size();
-    inputs.magnitude.push_back(number < 0 ? -number : number);
-    return Dual<S, N>::input(convert(number), index);
-  });
+  std::size_t next = 0;
+  inputs.collision =
+      map_numbers<Dual<S, N>>(collision, [&](double number) { return Dual<S, N>::input(convert(number), next++); });
+  inputs.quantities = quantities_of(collision);
   return inputs;
 }
 

@@ -13,7 +13,7 @@
 /// in the environment, the suite is one test that fails and says so. What is linked for it, the judge and CGAL, is
 /// under the GPL, and so is a program of tests that is handed on. A test is skipped where no case was in the domain of
 /// its invariant. Not judged are, of callables, `invalid_refused`, because the kit refuses invalid collisions for them,
-/// and `definite` and `well_conditioned` unless Subject::collision_matrix is set.
+/// and what is said of the collision matrix unless they return it, as SolvedOutcome<S>.
 #define CAROM_CONFORMANCE(NAME, ...)                                                                               \
   using ::carom::conformance::Conformance;                                                                         \
   INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                                      \

@@ -23,8 +23,8 @@ Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
     return {Status::skipped, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
   }
-  if (!judgement.not_held.empty()) {
-    return {Status::skipped, "beyond the subject's precision: " + std::string(judgement.not_held), 0, 0, {}, {}};
+  if (judgement.unjudged) {
+    return {Status::skipped, "not judged: " + std::string(in_words(*judgement.unjudged)), 0, 0, {}, {}};
   }
   if (judgement.verdicts.empty()) {
     return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};
@@ -66,10 +66,10 @@ Verdict Examination::verdict_on(const Case& one) {
       invalid.a = Body{};
       invalid.a.mass = -1;
       static_cast<void>(session_(std::span(&invalid, 1)));
-      return about->check(answer_, session_(std::span(&one.collision, 1)).at(0));
+      return about->check(answer_, session_(std::span(&one.collision, 1)).at(0),
+                          properties::sameness_of_answers(*statement_->subject));
     }
-    return single_verdict(properties::try_case(judged_case, claim_, solve,
-                                               properties::shown_collision_matrix(*statement_->subject, judged_case)));
+    return single_verdict(properties::try_case(judged_case, claim_, solve));
   } catch (const SessionFailure& failure) {
     has_failed_ = true;
     return {Status::violated, std::string("the subject failed: ") + failure.what(), 0, 0, {}, {}};

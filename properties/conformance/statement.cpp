@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -62,8 +61,8 @@ std::vector<const Family*> families_of(const Options& options) {
   return families;
 }
 
-/// What is not judged of this subject.
-std::set<std::string_view> left_out(const Subject& subject, const Options& options) {
+/// Throws std::invalid_argument where one names no invariant or family.
+void require_known_deviations(const Options& options) {
   for (const std::string& name : options.deviates) {
     try {
       (void)properties::deviation_from(name);
@@ -71,12 +70,6 @@ std::set<std::string_view> left_out(const Subject& subject, const Options& optio
       throw std::invalid_argument(std::string("Options::deviates: ") + error.what());
     }
   }
-  std::set<std::string_view> names;
-  if (!subject.collision_matrix) {
-    // They would then speak of the exact matrix alone, and not of the subject.
-    names.insert({"definite", "well_conditioned"});
-  }
-  return names;
 }
 
 }  // namespace
@@ -88,11 +81,10 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   oracles::Yardstick yardstick;
   yardstick.limit_ulps = options.limit_ulps;
   yardstick.filtered = !judges_exactly(options);
+  require_known_deviations(options);
   Subject deviating = subject;
   deviating.deviates.insert(deviating.deviates.end(), options.deviates.begin(), options.deviates.end());
   properties::Claim claim = properties::claim_of(deviating, yardstick);
-  const std::set<std::string_view> unwanted = left_out(subject, options);
-  std::erase_if(claim.invariants, [&](const Invariant* invariant) { return unwanted.contains(invariant->name); });
   std::vector<const Family*> families = families_of(options);
   if (std::none_of(claim.invariants.begin(), claim.invariants.end(),
                    [](const Invariant* invariant) { return invariant->name == "invalid_refused"; })) {

@@ -16,7 +16,7 @@
 /// Callables as subjects.
 namespace carom::conformance {
 
-/// Contact<S> → Outcome<S>.
+/// Contact<S> → Outcome<S>, or SolvedOutcome<S>.
 template <class Solver, class S>
 concept SolvesContacts = std::is_invocable_r_v<Outcome<S>, Solver&, const impulse::Contact<S>&>;
 
@@ -54,11 +54,29 @@ template <class S, class Solver>
   if (!defects.empty()) {
     return Refused{describe(defects)};
   }
-  const auto reported = [](S number) { return static_cast<long double>(number); };
+  const auto wide = [](S number) { return static_cast<long double>(number); };
+  const auto solved = [&] {
+    if constexpr (SolvesContacts<Solver, S>) {
+      return solver(impulse::make_contact<S>(collision));
+    } else {
+      return solver(collision);
+    }
+  };
+  const SolvedOutcome<S> outcome = solved();
+  ReportedOutcome reported = map_outcome<long double>(outcome, wide);
+  if (outcome.collision_matrix) {
+    reported.collision_matrix = outcome.collision_matrix->unaryExpr(wide);
+  }
+  return reported;
+}
+
+/// Whether what the solver returns may hold the collision matrix.
+template <class Solver, class S>
+[[nodiscard]] constexpr bool shows_matrix() {
   if constexpr (SolvesContacts<Solver, S>) {
-    return map_outcome<long double>(Outcome<S>(solver(impulse::make_contact<S>(collision))), reported);
+    return std::is_same_v<std::invoke_result_t<Solver&, const impulse::Contact<S>&>, SolvedOutcome<S>>;
   } else {
-    return map_outcome<long double>(Outcome<S>(solver(collision)), reported);
+    return std::is_same_v<std::invoke_result_t<Solver&, const Collision&>, SolvedOutcome<S>>;
   }
 }
 
@@ -67,6 +85,8 @@ template <class S, class Solver>
 /// A callable as a subject. It solves contacts or collisions, const impulse::Contact<S>& → Outcome<S> or
 /// const Collision& → Outcome<S> with S one of float, double and long double; S is to be given where it takes contacts
 /// of any. Every session has a copy of it. It is judged in the precision of S unless another is given.
+///
+/// One that returns SolvedOutcome<S> shows its collision matrix, and is judged on that.
 ///
 /// The callable sees valid collisions alone. That invalid ones are refused is then not its own doing, and so
 /// `invalid_refused` is not claimed.
@@ -82,6 +102,7 @@ template <class S = void, class Solver>
     made.model = model;
     made.precision = precision.value_or(precision_of<S>);
     made.deviates = {"invalid_refused"};
+    made.shows_collision_matrix = detail::shows_matrix<Solver, S>();
     made.open = [solver = std::move(solver)]() -> Session {
       return [own = solver](std::span<const Collision> collisions) mutable {
         std::vector<Answer> answers;

@@ -203,7 +203,27 @@ std::string first_invalid(const std::vector<ViolatedCase>& examples) {
   return {};
 }
 
+/// What is wrong with the matrix that a subject shows, where that is all that is wrong; nothing elsewhere.
+std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
+  const std::vector<std::string> violated = result.violated_invariants();
+  const bool is_all = std::all_of(violated.begin(), violated.end(),
+                                  [](const std::string& name) { return invariant_named(name)->is_of_matrix(); });
+  if (!is_all || violated.empty()) {
+    return std::nullopt;
+  }
+  return result.count("matrix_used").violated > 0
+             ? Fault{"Its outcomes are right by themselves. The collision matrix that it shows is not symmetric, or is "
+                     "not the one that it solves with.",
+                     "what is shown: its axes, its rows and columns, of which contact it is"}
+             : Fault{"Its outcomes are right by themselves. The collision matrix that it shows is not positive "
+                     "definite, or too large.",
+                     "how C is formed: signs, the transpose of [r], moments"};
+}
+
 Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples) {
+  if (const std::optional<Fault> of_matrix = fault_of_matrix(result)) {
+    return *of_matrix;
+  }
   std::vector<Fault> faults = without_outcome(examples);
   const auto violates = [&](const char* invariant) { return result.count(invariant).violated > 0; };
   if (violates("invalid_refused")) {

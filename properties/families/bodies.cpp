@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/polyhedron.hpp>
+#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
@@ -48,7 +48,7 @@ Body general_body(Stream& stream, const Vector3<double>& point) {
   }
   body.principal_inertia = moments(body.mass, second_moments);
   body.orientation = stream.quaternion();
-  body.position = point - stream.vector() * size;
+  body.position = plus(point, stream.vector(), -size);
   set_velocities(stream, body, size);
   return body;
 }
@@ -56,7 +56,7 @@ Body general_body(Stream& stream, const Vector3<double>& point) {
 PrincipalShape random_ellipsoid(Stream& stream) {
   const Vector3<double> direction = stream.direction();
   const double inside = stream.chance(2) ? 1 : stream.unit();
-  const Vector3<double> on_unit_sphere = direction * (inside / std::sqrt(direction.dot(direction)));
+  const Vector3<double> on_unit_sphere = direction * (inside / length(direction));
   return {Vector3<double>::Constant(0.2), on_unit_sphere};
 }
 
@@ -98,7 +98,7 @@ Body convex_body(Stream& stream, const Vector3<double>& point) {
   body.mass = mass(stream);
   body.principal_inertia = moments(body.mass, shape.second_moments);
   body.orientation = stream.quaternion();
-  body.position = point - oracles::turned<double>(body.orientation, shape.point);
+  body.position = point - turned(body.orientation, shape.point);
   set_velocities(stream, body, size);
   return body;
 }
@@ -119,7 +119,11 @@ Collision two_bodies(Stream& stream, MakeBody make_body) {
 }  // namespace
 
 Vector3<double> relative_velocity(const Collision& collision) {
-  return oracles::relative_velocity<double>(collision, unchanged(collision));
+  const auto of_contact_point = [&](const Body& body) {
+    const Vector3<double> lever_arm = collision.point - body.position;
+    return Vector3<double>(body.velocity + cross(body.angular_velocity, lever_arm));
+  };
+  return of_contact_point(collision.a) - of_contact_point(collision.b);
 }
 
 void set_relative_velocity(Collision& collision, const Vector3<double>& wanted) {
@@ -132,8 +136,8 @@ void set_relative_velocity(Collision& collision, const Vector3<double>& wanted) 
 }
 
 void make_approaching(Collision& collision) {
-  if (collision.normal.dot(relative_velocity(collision)) > 0) {
-    collision.normal = -collision.normal;
+  if (dot(collision.normal, relative_velocity(collision)) > 0) {
+    collision.normal = negated(collision.normal);
   }
 }
 
@@ -173,19 +177,18 @@ Case touching_spheres(Stream& stream) {
   }
   for (Body* body : {&c.a, &c.b}) {
     const double distance = stream.integer(1, 32) / 16.0;
-    const double squared_radius = distance * distance * c.normal.dot(c.normal);
+    const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = mass(stream);
     body->principal_inertia.setConstant(body->mass * squared_radius * 2 / 5);
     body->orientation = stream.quaternion();
-    const Vector3<double> centre_to_contact = c.normal * (body == &c.a ? -distance : distance);
-    body->position = c.point - centre_to_contact;
+    body->position = plus(c.point, c.normal, body == &c.a ? distance : -distance);
     set_velocities(stream, *body, std::sqrt(squared_radius));
   }
   c.restitution = restitution(stream);
-  if (c.normal.dot(relative_velocity(c)) > 0) {
+  if (dot(c.normal, relative_velocity(c)) > 0) {
     // Turning the normal alone would leave A on the wrong side of it.
-    c.a.velocity = -c.a.velocity;
-    c.b.velocity = -c.b.velocity;
+    c.a.velocity = negated(c.a.velocity);
+    c.b.velocity = negated(c.b.velocity);
   }
   set_friction(stream, c);
   return spheres;

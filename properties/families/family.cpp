@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cmath>
 
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
 #include <carom/properties/families/published.hpp>
+#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
@@ -13,14 +13,14 @@ namespace {
 
 /// The speed that a family scales its relative velocity with.
 double speed_of(const Collision& c) {
-  const double speed = std::sqrt(relative_velocity(c).squaredNorm());
+  const double speed = length(relative_velocity(c));
   return speed > 0 ? speed : 1;
 }
 
 Case generic(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   if (stream.chance(8)) {
-    result.collision.normal = -result.collision.normal;
+    result.collision.normal = negated(result.collision.normal);
   }
   return result;
 }
@@ -50,7 +50,7 @@ Case near_head_on(Stream& stream) {
     c.b.angular_velocity.setZero();
     c.b.velocity.setZero();
   }
-  set_relative_velocity(c, c.normal * -speed + orthogonal(c.normal) * (speed * ratio));
+  set_relative_velocity(c, plus(c.normal * -speed, orthogonal(c.normal), speed * ratio));
   return result;
 }
 
@@ -70,11 +70,11 @@ Case collinear_spheres(Stream& stream) {
     if (c.a.immovable) {
       c.b.velocity = approach;
     } else {
-      c.a.velocity = -approach;
+      c.a.velocity = negated(approach);
     }
-  } else if (c.normal.dot(relative_velocity(c)) > 0) {
-    c.a.velocity = -c.a.velocity;
-    c.b.velocity = -c.b.velocity;
+  } else if (dot(c.normal, relative_velocity(c)) > 0) {
+    c.a.velocity = negated(c.a.velocity);
+    c.b.velocity = negated(c.b.velocity);
   }
   return result;
 }
@@ -83,8 +83,8 @@ Case collinear_spheres(Stream& stream) {
 Case near_collinear(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;
-  const double radius = std::sqrt((c.point - c.a.position).squaredNorm());
-  c.point += orthogonal(c.normal) * (radius * stream.power_of_ten(-16, -1));
+  const double radius = length(c.point - c.a.position);
+  c.point = plus(c.point, orthogonal(c.normal), radius * stream.power_of_ten(-16, -1));
   make_approaching(c);
   result.convex_uniform = false;
   return result;
@@ -96,7 +96,7 @@ Case grazing(Stream& stream) {
   Collision& c = result.collision;
   const double magnitude = stream.power_of_ten(-18, -1);
   const double ratio = stream.chance(4) ? magnitude : -magnitude;
-  set_relative_velocity(c, (orthogonal(c.normal) + c.normal * ratio) * speed_of(c));
+  set_relative_velocity(c, plus(orthogonal(c.normal), c.normal, ratio) * speed_of(c));
   return result;
 }
 
@@ -114,7 +114,7 @@ Case resting(Stream& stream) {
 
 Case separating(Stream& stream) {
   Case result = sprinkled_bodies(stream);
-  result.collision.normal = -result.collision.normal;
+  result.collision.normal = negated(result.collision.normal);
   return result;
 }
 

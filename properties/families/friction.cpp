@@ -2,30 +2,23 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/LU>
-
-#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
+#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {
 
-/// How fast the contact point of a body moves after a unit impulse at it, for each axis: 1/m + [r]ᵀ J⁻¹ [r].
-Matrix3<double> mobility(const Body& body, const Vector3<double>& point) {
-  Matrix3<double> result = Matrix3<double>::Zero();
+/// How fast the contact point of a body moves after a unit impulse at it along an axis: that column of
+/// 1/m + [r]ᵀ J⁻¹ [r].
+Vector3<double> mobility(const Body& body, const Vector3<double>& point, const Vector3<double>& axis) {
   if (body.immovable) {
-    return result;
+    return Vector3<double>::Zero();
   }
   const Vector3<double> arm = point - body.position;
-  for (int i = 0; i < 3; ++i) {
-    const Vector3<double> unit = Vector3<double>::Unit(i);
-    const Vector3<double> torque = oracles::turned<double>(oracles::conjugate(body.orientation), arm.cross(unit));
-    const Vector3<double> spin =
-        oracles::turned<double>(body.orientation, Vector3<double>(torque.cwiseQuotient(body.principal_inertia)));
-    result.col(i) = unit / body.mass + spin.cross(arm);
-  }
-  return result;
+  const Vector3<double> torque = turned(conjugate(body.orientation), cross(arm, axis));
+  const Vector3<double> spin = turned(body.orientation, torque.cwiseQuotient(body.principal_inertia));
+  return axis / body.mass + cross(spin, arm);
 }
 
 /// Two bodies or one and a wall, with μ and e_t.
@@ -65,11 +58,16 @@ void set_friction(Stream& stream, Collision& collision) {
 
 namespace {
 
-Matrix3<double> mobility(const Collision& c) { return mobility(c.a, c.point) + mobility(c.b, c.point); }
+Columns mobility(const Collision& c) {
+  const auto along = [&](const Vector3<double>& axis) {
+    return Vector3<double>(mobility(c.a, c.point, axis) + mobility(c.b, c.point, axis));
+  };
+  return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+}
 
 /// The μ at which an impulse lies on the cone's surface; 1 where there is none.
 double friction_of(const Vector3<double>& n, const Vector3<double>& impulse) {
-  const double friction = std::sqrt(n.cross(impulse).squaredNorm()) / n.dot(impulse);
+  const double friction = length(cross(n, impulse)) / dot(n, impulse);
   return std::isfinite(friction) && friction > 0 ? friction : 1;
 }
 
@@ -82,21 +80,20 @@ double nearly_one(Stream& stream) {
 }  // namespace
 
 double critical_friction(const Collision& c) {
-  const Matrix3<double> k = mobility(c);
+  const Columns k = mobility(c);
   const Vector3<double> v = relative_velocity(c);
   const Vector3<double>& n = c.normal;
-  const Vector3<double> k_normal = k * n;
-  const Vector3<double> stops_approach = n * (-n.dot(v) / n.dot(k_normal));
-  const Vector3<double> friction = -k.partialPivLu().solve(Vector3<double>(v + k * stops_approach));
-  const Vector3<double> whole = (1 + c.restitution) * stops_approach + (1 + c.tangential_restitution) * friction;
+  const Vector3<double> stops_approach = n * (-dot(n, v) / dot(n, product(k, n)));
+  const Vector3<double> friction = negated(solution(k, v + product(k, stops_approach)));
+  const Vector3<double> whole = plus(stops_approach * (1 + c.restitution), friction, 1 + c.tangential_restitution);
   return friction_of(n, whole);
 }
 
 double friction_that_sticks(const Collision& c) {
   const Vector3<double> v = relative_velocity(c);
   const Vector3<double>& n = c.normal;
-  const Vector3<double> departure = n * (c.restitution * n.dot(v) / n.squaredNorm());
-  return friction_of(n, -mobility(c).partialPivLu().solve(Vector3<double>(v + departure)));
+  const Vector3<double> departure = n * (c.restitution * dot(n, v) / squared_length(n));
+  return friction_of(n, negated(solution(mobility(c), v + departure)));
 }
 
 Case sticking(Stream& stream) {
@@ -148,7 +145,7 @@ Case spin_alone(Stream& stream) {
   if (c.a.immovable) {
     c.b.velocity = approach;
   } else {
-    c.a.velocity = -approach;
+    c.a.velocity = negated(approach);
   }
   set_friction(stream, c);
   return result;

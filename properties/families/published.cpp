@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <carom/properties/families/published.hpp>
+#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {
@@ -88,7 +89,7 @@ Case chung_ooi_impact(int number, Stream& stream) {
     case 7:
       c = two_equal_spheres(0.1, 0.2);
       c.a.angular_velocity = spin();
-      c.b.angular_velocity = -c.a.angular_velocity;
+      c.b.angular_velocity = negated(c.a.angular_velocity);
       set(0.5, 0.4);
       break;
     case 8:

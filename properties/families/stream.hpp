@@ -30,7 +30,7 @@ class Stream {
   [[nodiscard]] double signed_unit();
 
   /// In [low, high).
-  [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
+  [[nodiscard]] double between(double low, double high);
 
   /// 2^k with k in low … high.
   [[nodiscard]] double power_of_two(int low, int high);

@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/sweep.hpp>
+#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {
@@ -17,7 +17,7 @@ Collision condition_number(Stream& stream, double condition) {
   make_immovable(c.b);
   if (condition > 1) {
     const Vector3<double> lever_arm = c.point - c.a.position;
-    c.a.principal_inertia.setConstant(c.a.mass * lever_arm.squaredNorm() / (condition - 1));
+    c.a.principal_inertia.setConstant(c.a.mass * squared_length(lever_arm) / (condition - 1));
   } else {
     c.a.position = c.point;
   }
@@ -30,7 +30,7 @@ Collision tangential_velocity(Stream& stream, double ratio) {
   c.a.angular_velocity.setZero();
   c.b.angular_velocity.setZero();
   c.b.velocity.setZero();
-  c.a.velocity = orthogonal(c.normal) * ratio - c.normal;
+  c.a.velocity = plus(negated(c.normal), orthogonal(c.normal), ratio);
   return c;
 }
 
@@ -54,7 +54,7 @@ Collision mass_unit(Stream& stream, double unit) {
 Collision distance(Stream& stream, double metres) {
   Collision c = general_bodies(stream).collision;
   const Vector3<double> direction = stream.direction();
-  const Vector3<double> offset = direction * (metres / std::sqrt(direction.dot(direction)));
+  const Vector3<double> offset = direction * (metres / length(direction));
   c.point += offset;
   c.a.position += offset;
   c.b.position += offset;
@@ -68,11 +68,11 @@ Collision slenderness(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const double thinness = 1 / std::sqrt(ratio);
   Body& body = c.a;
-  body.principal_inertia = Vector3<double>{1 / ratio, 1, 1} * body.principal_inertia.maxCoeff();
+  body.principal_inertia = Vector3<double>{1 / ratio, 1, 1} * greatest(body.principal_inertia);
   const double length = std::sqrt(body.principal_inertia[1] / body.mass);
-  const Vector3<double> in_body =
-      Vector3<double>{stream.between(0.5, 1), 0, 0} * length + stream.vector() * (length * thinness);
-  body.position = c.point - oracles::turned<double>(body.orientation, in_body);
+  const Vector3<double> on_axis{length * stream.between(0.5, 1), 0, 0};
+  const Vector3<double> in_body = plus(on_axis, stream.vector(), length * thinness);
+  body.position = c.point - turned(body.orientation, in_body);
   make_approaching(c);
   return c;
 }
@@ -93,7 +93,7 @@ Collision size(Stream& stream, double ratio) {
 Collision size_ratio(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const Vector3<double> lever_arm = c.point - c.a.position;
-  c.a.position = c.point - lever_arm * ratio;
+  c.a.position = plus(c.point, lever_arm, -ratio);
   c.a.mass *= ratio * ratio * ratio;
   c.a.principal_inertia *= ratio * ratio * ratio * ratio * ratio;
   c.a.angular_velocity /= ratio;
@@ -109,7 +109,7 @@ Collision small_restitution(Stream& stream, double restitution) {
 
 Collision sphere_offset(Stream& stream, double radii) {
   Collision c = touching_spheres(stream).collision;
-  c.point += orthogonal(c.normal) * radii;
+  c.point = plus(c.point, orthogonal(c.normal), radii);
   make_approaching(c);
   return c;
 }

@@ -24,7 +24,7 @@ bool is_slight(double part, double other) {
 
 Parts parts_of(const Collision& c) {
   const V v = relative_velocity(c);
-  return {std::abs(c.normal.dot(v)), length(c.normal.cross(v))};
+  return {std::abs(dot(c.normal, v)), length(cross(c.normal, v))};
 }
 
 /// Makes the spins turn no contact point: V⁻ is then v_A − v_B, without rounding of a cross product.
@@ -56,7 +56,7 @@ void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
   const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
   set_exact_lever_arm(c, c.a, r);
-  c.a.angular_velocity = (c.normal.cross(r) + c.normal * (across * size_of(r))) * spin;
+  c.a.angular_velocity = plus(cross(c.normal, r), c.normal, across * size_of(r)) * spin;
   if (!is_zero(c.b.angular_velocity) && !is_zero(lever_arm(c, c.b))) {
     c.b.angular_velocity = turned_along(c.b.angular_velocity, lever_arm(c, c.b));
   }
@@ -81,7 +81,7 @@ std::vector<Feature> of_approach() {
               approach_by_spin_of_a(stream, c, 0);
               return;
             }
-            const V approach = -c.normal * (speed(c) / size_of(c.normal));
+            const V approach = negated(c.normal) * (speed(c) / size_of(c.normal));
             if (stream.chance(2)) {
               rest_one(stream, c);
             }
@@ -99,10 +99,11 @@ std::vector<Feature> of_approach() {
               approach_by_spin_of_a(stream, c, 0x1p-32);
               return;
             }
-            const V along = -c.normal * (speed(c) / size_of(c.normal));
-            const V across = turned_across(stream, along, c.normal) * stream.power_of_two(-40, -28);
+            const V along = negated(c.normal) * (speed(c) / size_of(c.normal));
+            const V across = turned_across(stream, along, c.normal);
+            const double ratio = stream.power_of_two(-40, -28);
             rest_one(stream, c);
-            set_approach(stream, c, along + across);
+            set_approach(stream, c, plus(along, across, ratio));
           }),
       pair_relation(
           "grazing", "v_n is less than 10⁻⁸ of v_t, and not zero", "guards on the approach (failure cases 38, 39)",
@@ -112,11 +113,11 @@ std::vector<Feature> of_approach() {
           },
           [](Stream& stream, Collision& c) {
             c.normal = with_few_bits(c.normal);
-            const V along = -c.normal * (speed(c) / size_of(c.normal));
+            const V along = negated(c.normal) * (speed(c) / size_of(c.normal));
             const V across = turned_across(stream, along, c.normal);
             const double ratio = stream.power_of_two(-40, -28);
             rest_one(stream, c);
-            set_approach(stream, c, across + along * ratio);
+            set_approach(stream, c, plus(across, along, ratio));
           }),
       pair_relation(
           "approach_along_axis", "V⁻ has one component", "terms of r × V and K V that vanish",
@@ -145,7 +146,7 @@ std::vector<Feature> of_approach() {
           "momenta_opposite", "m_A v_A = −m_B v_B, not zero", "the frame of the centre of mass: sums vanish",
           [](const Collision& c) {
             return !c.a.immovable && !c.b.immovable && !is_zero(c.a.velocity) &&
-                   V(c.a.mass * c.a.velocity) == V(-c.b.mass * c.b.velocity);
+                   V(c.a.velocity * c.a.mass) == V(c.b.velocity * -c.b.mass);
           },
           [](Stream& stream, Collision& c) {
             make_movable(stream, c, c.a);
@@ -160,9 +161,9 @@ std::vector<Feature> of_approach() {
             Body& leads = is_zero(c.b.velocity) || (!is_zero(c.a.velocity) && stream.chance(2)) ? c.a : c.b;
             Body& follows = &leads == &c.a ? c.b : c.a;
             if (is_zero(leads.velocity)) {
-              leads.velocity = -c.normal / size_of(c.normal);
+              leads.velocity = negated(c.normal) / size_of(c.normal);
             }
-            follows.velocity = -leads.velocity * (leads.mass / follows.mass);
+            follows.velocity = negated(leads.velocity) * (leads.mass / follows.mass);
           }),
   };
 }

@@ -40,7 +40,7 @@ V one_lever_arm(Stream& stream, const Collision& c) {
   const V of_a = lever_arm(c, c.a);
   const V of_b = lever_arm(c, c.b);
   const bool wanted = !stream.chance(4);
-  const V& chosen = (of_b.squaredNorm() < of_a.squaredNorm()) == wanted ? of_b : of_a;
+  const V& chosen = (squared_length(of_b) < squared_length(of_a)) == wanted ? of_b : of_a;
   if (!is_zero(chosen)) {
     return with_few_bits(chosen);
   }
@@ -86,7 +86,7 @@ void make_whole(Stream& stream, Collision& c) {
     c.normal.setZero();
     c.normal[across] = stream.power_of_two(1, 33);
     c.normal[(across + 1) % 3] = 1;
-    c.a.velocity = -V::Unit((across + 1) % 3);
+    c.a.velocity = negated(V(V::Unit((across + 1) % 3)));
     c.a.angular_velocity.setZero();
     c.b.angular_velocity.setZero();
     c.b.velocity.setZero();
@@ -170,10 +170,10 @@ std::vector<Feature> of_both_bodies() {
           }),
       pair_relation(
           "orientations_opposite", "q_B = −q_A", "the same rotation by other numbers",
-          [](const Collision& c) { return are_movable(c) && c.a.orientation == -c.b.orientation; },
+          [](const Collision& c) { return are_movable(c) && c.a.orientation == negated(c.b.orientation); },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
-            c.b.orientation = -c.a.orientation;
+            c.b.orientation = negated(c.a.orientation);
           }),
       pair_relation(
           "velocities_equal", "both velocities are equal and not zero",
@@ -184,9 +184,9 @@ std::vector<Feature> of_both_bodies() {
           }),
       pair_relation(
           "velocities_opposite", "v_A = −v_B, not zero", "two alike that meet: momenta cancel",
-          [](const Collision& c) { return c.a.velocity == -c.b.velocity && !is_zero(c.a.velocity); },
+          [](const Collision& c) { return c.a.velocity == negated(c.b.velocity) && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
-            relate(stream, c.a.velocity, c.b.velocity, -1, V(-c.normal / size_of(c.normal)));
+            relate(stream, c.a.velocity, c.b.velocity, -1, V(negated(c.normal) / size_of(c.normal)));
           }),
       pair_relation(
           "spins_equal", "both angular velocities are equal and not zero", "w_A − w_B vanishes",
@@ -199,18 +199,20 @@ std::vector<Feature> of_both_bodies() {
       pair_relation(
           "spins_opposite", "w_A = −w_B, not zero", "gears; w_A + w_B vanishes",
           [](const Collision& c) {
-            return c.a.angular_velocity == -c.b.angular_velocity && !is_zero(c.a.angular_velocity);
+            return c.a.angular_velocity == negated(c.b.angular_velocity) && !is_zero(c.a.angular_velocity);
           },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.angular_velocity, c.b.angular_velocity, -1, V{1, -0.5, 0.25});
           }),
       pair_relation(
           "lever_arms_opposite", "r_A = −r_B, not zero", "two of a kind; sums of lever arms cancel",
-          [](const Collision& c) { return !is_zero(lever_arm(c, c.a)) && lever_arm(c, c.a) == -lever_arm(c, c.b); },
+          [](const Collision& c) {
+            return !is_zero(lever_arm(c, c.a)) && lever_arm(c, c.a) == negated(lever_arm(c, c.b));
+          },
           [](Stream& stream, Collision& c) {
             const V r = one_lever_arm(stream, c);
             set_exact_lever_arm(c, c.a, r);
-            set_exact_lever_arm(c, c.b, -r);
+            set_exact_lever_arm(c, c.b, negated(r));
           }),
       pair_relation(
           "centres_coincide", "both centres of mass are at one place, the contact elsewhere",
@@ -227,7 +229,7 @@ std::vector<Feature> of_both_bodies() {
           },
           [](Stream&, Collision& c) {
             c.normal = with_few_bits(c.normal);
-            set_exact_lever_arm(c, c.a, turned_along(lever_arm(c, c.a), -c.normal));
+            set_exact_lever_arm(c, c.a, turned_along(lever_arm(c, c.a), negated(c.normal)));
             set_exact_lever_arm(c, c.b, turned_along(lever_arm(c, c.b), c.normal));
           }),
       pair_relation(
@@ -235,7 +237,7 @@ std::vector<Feature> of_both_bodies() {
           [](const Collision& c) { return is_zero(c.point); },
           [](Stream&, Collision& c) {
             for (Body* b : {&c.a, &c.b}) {
-              b->position = -lever_arm(c, *b);
+              b->position = negated(lever_arm(c, *b));
             }
             c.point.setZero();
           }),

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/places.hpp>
+#include <carom/properties/features/seldom.hpp>
 
 namespace carom::properties {
 namespace {
@@ -38,88 +39,18 @@ const std::vector<const Feature*>& ratios_and_relations() {
   return chosen;
 }
 
-/// Two features that seldom come together unless they are asked for: beginnings of names.
-struct Seldom {
-  std::string_view first;
-  std::string_view second;
-};
-constexpr std::array seldom_together{
-    Seldom{"whole_numbers", "approach_1e-"},
-    Seldom{"whole_numbers", "normal_near_"},
-    Seldom{"whole_numbers", "a.size_1e-"},
-    Seldom{"whole_numbers", "b.size_1e-"},
-    Seldom{"whole_numbers", "near_head_on"},
-    Seldom{"whole_numbers", "a.orientation_"},
-    Seldom{"whole_numbers", "b.orientation_"},
-    Seldom{"lever_arms_opposite", "a.lever_arm_1e"},
-    Seldom{"lever_arms_opposite", "b.lever_arm_1e"},
-    Seldom{"grazing", "approach_1e"},
-    Seldom{"approach_1e", "a.speed_1e"},
-    Seldom{"approach_1e", "b.speed_1e"},
-    Seldom{"approach_1e", "a.lever_arm_1e"},
-    Seldom{"approach_1e", "b.lever_arm_1e"},
-    Seldom{"a.rolling", "velocities_"},
-    Seldom{"b.rolling", "velocities_"},
-    Seldom{"a.rolling", "momenta_"},
-    Seldom{"b.rolling", "momenta_"},
-    Seldom{"a.rolling", "approach_along_axis"},
-    Seldom{"b.rolling", "approach_along_axis"},
-    Seldom{"a.rolling", "whole_numbers"},
-    Seldom{"b.rolling", "whole_numbers"},
-    Seldom{"a.spin_equals_velocity", "head_on"},
-    Seldom{"b.spin_equals_velocity", "head_on"},
-    Seldom{"a.moments_one", "momenta_opposite"},
-    Seldom{"b.moments_one", "momenta_opposite"},
-    Seldom{"a.moments_one", "whole_numbers"},
-    Seldom{"b.moments_one", "whole_numbers"},
-    Seldom{"centres_coincide", "a.lever_arm_1e"},
-    Seldom{"centres_coincide", "b.lever_arm_1e"},
-    Seldom{"whole_numbers", "momenta_"},
-    Seldom{"whole_numbers", "velocities_"},
-    Seldom{"whole_numbers", "lever_arms_opposite"},
-    Seldom{"whole_numbers", "central"},
-    Seldom{"a.rolling", "b.rolling"},
-    Seldom{"a.rolling", "b.at_rest"},
-    Seldom{"a.at_rest", "b.rolling"},
-    Seldom{"moments_alike", "size_ratio_1e"},
-    Seldom{"normal_unit", "approach_1e"},
-    Seldom{"central", "velocities_"},
-    Seldom{"planar", "normal_near_"},
-    Seldom{"planar", "approach_1e"},
-    Seldom{"distance_1e", "a.lever_arm_1e"},
-    Seldom{"distance_1e", "b.lever_arm_1e"},
-    Seldom{"a.moments_one", "a.mass_"},
-    Seldom{"b.moments_one", "b.mass_"},
-    Seldom{"bodies_alike", "a.moment_ratio_1e"},
-    Seldom{"bodies_alike", "b.moment_ratio_1e"},
-    Seldom{"whole_numbers", "a.moment_ratio_1e"},
-    Seldom{"whole_numbers", "b.moment_ratio_1e"},
-    Seldom{"a.lever_arm_1e", "a.moment_ratio_1e"},
-    Seldom{"b.lever_arm_1e", "b.moment_ratio_1e"},
-};
-
-const Feature& drawn_beginning(Stream& stream, std::string_view beginning) {
-  std::vector<const Feature*> features;
-  for (const Feature& feature : all_features()) {
-    if (feature.name.starts_with(beginning)) {
-      features.push_back(&feature);
-    }
-  }
-  return *features[stream.bits() % features.size()];
-}
-
 const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& features) {
   return *features[stream.bits() % features.size()];
 }
 
 /// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis.
 void reverse_if_separating(Collision& c) {
-  if (c.normal.dot(relative_velocity(c)) <= 0) {
+  if (dot(c.normal, relative_velocity(c)) <= 0) {
     return;
   }
   for (Body* body : {&c.a, &c.b}) {
-    body->velocity = -body->velocity;
-    body->angular_velocity = -body->angular_velocity;
+    body->velocity = negated(body->velocity);
+    body->angular_velocity = negated(body->angular_velocity);
   }
 }
 
@@ -142,7 +73,7 @@ void draw_surface(Stream& stream, Collision& c, Body& body) {
   const Vector3<double> r = features::lever_arm(c, body);
   if (!body.immovable && !features::is_zero(r) && stream.chance(4)) {
     const double reach = features::radius_of_gyration(body) * stream.between(1, 2);
-    features::set_lever_arm(c, body, r * (reach / features::length(r)));
+    features::set_lever_arm(c, body, r * (reach / length(r)));
   }
 }
 
@@ -184,7 +115,7 @@ void keep_contact_on_bodies(Collision& c) {
     double overreach = features::overreach(c, *body);
     if (overreach > 1 && overreach * features::radius_of_gyration(*body) > largest_number) {
       // Struck at its end: a slender body grows by more than it is long.
-      const double lever_arm = features::length(features::lever_arm(c, *body));
+      const double lever_arm = length(features::lever_arm(c, *body));
       features::set_lever_arm(c, *body, features::long_axis(*body) * lever_arm);
       overreach = features::overreach(c, *body);
     }
@@ -213,11 +144,10 @@ namespace {
 /// Whether masses, sizes and speeds are within the domain that is promised, 10⁻⁹ to 10¹⁰ in SI units, and a little
 /// room.
 bool is_in_domain(const Collision& c) {
-  bool is_within = features::length(c.point) <= largest_number;
+  bool is_within = length(c.point) <= largest_number;
   for (const Body* body : {&c.a, &c.b}) {
-    is_within = is_within && features::length(body->position) <= largest_number &&
-                features::length(body->velocity) <= largest_number &&
-                features::length(body->angular_velocity) <= largest_number &&
+    is_within = is_within && length(body->position) <= largest_number && length(body->velocity) <= largest_number &&
+                length(body->angular_velocity) <= largest_number &&
                 features::radius_of_gyration(*body) <= largest_number &&
                 (body->immovable || (body->mass >= features::least_mass && body->mass < features::largest_mass));
   }
@@ -244,10 +174,10 @@ Collision composed(Stream& stream) {
   for (int i = 0; i < count; ++i) {
     drawn_of(stream, values_and_relations()).make(stream, c);
   }
-  const Seldom& seldom = seldom_together[stream.bits() % seldom_together.size()];
+  const SeldomPair& seldom = seldom_together()[stream.bits() % seldom_together().size()];
   const bool is_seldom = stream.chance(8);
-  const Feature& first = is_seldom ? drawn_beginning(stream, seldom.first) : drawn_of(stream, values_and_relations());
-  const Feature& second = is_seldom          ? drawn_beginning(stream, seldom.second)
+  const Feature& first = drawn_of(stream, is_seldom ? seldom.first : values_and_relations());
+  const Feature& second = is_seldom          ? drawn_of(stream, seldom.second)
                           : stream.chance(2) ? drawn_of(stream, values_and_relations())
                                              : drawn_of(stream, ratios_and_relations());
   constexpr int attempts = 3;

@@ -52,12 +52,12 @@ std::vector<Feature> of_inertia() {
        }},
       {"moments_equal", relation, "the three moments are equal", "spheres and cubes: a fast path without R", true,
        [](const Collision&, const Body& b) { return are_equal(b.principal_inertia); },
-       [](Stream&, Collision&, Body& b) { b.principal_inertia.setConstant(b.principal_inertia.maxCoeff()); }},
+       [](Stream&, Collision&, Body& b) { b.principal_inertia.setConstant(greatest(b.principal_inertia)); }},
       {"moments_one", special, "the three moments are 1", "what engines take where none is given; J⁻¹ = J", true,
        [](const Collision&, const Body& b) { return b.principal_inertia == V(1, 1, 1); },
        [](Stream& stream, Collision& c, Body& b) {
          // The mass or the size follows; the mass stays in its domain.
-         const double mass = 3 * b.mass / b.principal_inertia.sum();
+         const double mass = 3 * b.mass / sum(b.principal_inertia);
          if (mass >= least_mass && mass < largest_mass && stream.chance(2)) {
            b.mass = mass;
          }

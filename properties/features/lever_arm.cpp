@@ -60,7 +60,7 @@ std::vector<Feature> of_lever_arm() {
        [](const Collision& c, const Body& b) { return are_parallel(lever_arm(c, b), c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          c.normal = with_few_bits(c.normal);
-         turn_along(c, b, stream.chance(4) ? V(-c.normal) : (&b == &c.a ? V(-c.normal) : c.normal));
+         turn_along(c, b, stream.chance(4) ? negated(c.normal) : (&b == &c.a ? negated(c.normal) : c.normal));
        }},
       {"lever_arm_across_normal", relation, "the lever arm is orthogonal to the normal",
        "a glancing hit at the end of a rod", false,

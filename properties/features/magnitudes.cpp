@@ -62,7 +62,8 @@ void set_moment_ratio(V& moments, double ratio) {
   const auto is_whole = [](double x) { return x == std::floor(x); };
   const bool is_of_whole = is_whole(moments[0]) && is_whole(moments[1]) && is_whole(moments[2]);
   std::array<int, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return moments[i] < moments[j]; });
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return moments[i] < moments[j] || (moments[i] == moments[j] && i < j); });
   double& least = moments[order[0]];
   double& middle = moments[order[1]];
   double& greatest = moments[order[2]];
@@ -126,7 +127,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
        "rods and needles: J⁻¹ in world coordinates loses the spin about the long axis", 0, 8,
        [=](const Collision& c) {
          const V& moments = (c.*body).principal_inertia;
-         return (c.*body).immovable ? 0 : moments.maxCoeff() / moments.minCoeff();
+         return (c.*body).immovable ? 0 : greatest(moments) / least(moments);
        },
        [=](Stream& stream, Collision& c, double value) {
          Body& b = c.*body;
@@ -200,7 +201,7 @@ std::vector<Quantity> quantities() {
                  }});
   all.push_back({"approach", "the speed of approach [m/s]",
                  "thresholds below which nothing bounces (failure cases 38, 39, 50, 51)", -9, 9,
-                 [](const Collision& c) { return std::abs(c.normal.dot(relative_velocity(c))) / length(c.normal); },
+                 [](const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); },
                  [](Stream& stream, Collision& c, double value) {
                    c.normal = with_few_bits(c.normal);
                    if (stream.chance(4)) {
@@ -214,7 +215,8 @@ std::vector<Quantity> quantities() {
                        b->velocity = turned_across(stream, b->velocity, c.normal);
                      }
                    }
-                   (stream.chance(2) ? c.a : c.b).velocity += c.normal * (value / length(c.normal));
+                   Body& quick = stream.chance(2) ? c.a : c.b;
+                   quick.velocity = plus(quick.velocity, c.normal, value / length(c.normal));
                  }});
   all.push_back({"restitution", "ε", "ε below a threshold taken for 0", -9, -1,
                  [](const Collision& c) { return c.restitution < 1 ? c.restitution : 0; },

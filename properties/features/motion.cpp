@@ -55,7 +55,7 @@ std::vector<BodyFeature> of_velocity() {
       {"velocity_along_normal", relation, "the velocity lies along the normal", "the drop test", false,
        [](const Collision& c, const Body& b) { return are_parallel(b.velocity, c.normal); },
        [](Stream&, Collision& c, Body& b) {
-         b.velocity = turned_along(b.velocity, &b == &c.a ? V(-c.normal) : c.normal);
+         b.velocity = turned_along(b.velocity, &b == &c.a ? negated(c.normal) : c.normal);
        }},
       {"velocity_across_normal", relation, "the velocity is orthogonal to the normal",
        "sliding, or struck by the other alone", false,
@@ -88,7 +88,7 @@ std::vector<BodyFeature> of_spin() {
       {"spin_along_normal", relation, "the body spins about the normal", "spin counted into the slip (failure case 56)",
        false, [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
-         b.angular_velocity = turned_along(b.angular_velocity, stream.chance(2) ? c.normal : V(-c.normal));
+         b.angular_velocity = turned_along(b.angular_velocity, stream.chance(2) ? c.normal : negated(c.normal));
        }},
       {"spin_across_normal", relation, "the spin is orthogonal to the normal", "a rolling body", false,
        [](const Collision& c, const Body& b) { return are_orthogonal(b.angular_velocity, c.normal); },
@@ -123,7 +123,7 @@ std::vector<BodyFeature> of_spin() {
       {"rolling", relation, "the body moves, and its point at the contact does not", "rolling on what it touches",
        false,
        [](const Collision& c, const Body& b) {
-         return !is_zero(b.velocity) && b.velocity == V(lever_arm(c, b).cross(b.angular_velocity));
+         return !is_zero(b.velocity) && b.velocity == cross(lever_arm(c, b), b.angular_velocity);
        },
        [](Stream& stream, Collision& c, Body& b) {
          if (is_zero(b.angular_velocity)) {
@@ -134,9 +134,9 @@ std::vector<BodyFeature> of_spin() {
            c.normal = with_few_bits(c.normal);
            const V r = with_few_bits(turned_across(stream, lever_arm(c, b), c.normal));
            set_exact_lever_arm(c, b, r);
-           b.angular_velocity = c.normal.cross(r) * (size_of(b.angular_velocity) / size_of(r) / size_of(c.normal));
+           b.angular_velocity = cross(c.normal, r) * (size_of(b.angular_velocity) / size_of(r) / size_of(c.normal));
          }
-         b.velocity = lever_arm(c, b).cross(b.angular_velocity);
+         b.velocity = cross(lever_arm(c, b), b.angular_velocity);
        }},
   };
 }

@@ -13,7 +13,7 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// The part of the normal's length that lies along its largest component: 1 − this is how far it is off the axis.
 bool is_near(const V& n, int axis, double sign) {
-  const double squared_rest = n.squaredNorm() - n[axis] * n[axis];
+  const double squared_rest = squared_length(n) - n[axis] * n[axis];
   return !is_zero(n) && n[axis] * sign > 0 && squared_rest > 0 && squared_rest <= 0x1p-20 * n[axis] * n[axis];
 }
 
@@ -133,7 +133,7 @@ std::vector<Feature> of_normal() {
                       {},
                       0,
                       [](const Collision& c) {
-                        return std::abs(c.normal.squaredNorm() - 1) <= 0x1p-50 && nonzero_components(c.normal) > 1;
+                        return std::abs(squared_length(c.normal) - 1) <= 0x1p-50 && nonzero_components(c.normal) > 1;
                       },
                       [](Stream& stream, Collision& c) {
                         if (nonzero_components(c.normal) == 1) {

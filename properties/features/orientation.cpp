@@ -15,7 +15,8 @@ Vector3<double> axis_of(const Body& body) { return body.orientation.tail<3>(); }
 void turn_about_axis(Stream& stream, Body& body, double w, double other) {
   Q q = Q::Zero();
   q[0] = w;
-  q[stream.integer(1, 3)] = stream.chance(2) ? other : -other;
+  const double component = stream.chance(2) ? other : -other;
+  q[stream.integer(1, 3)] = component;
   body.orientation = q;
 }
 
@@ -58,7 +59,7 @@ std::vector<Feature> of_orientation() {
           "boxes that stand on another side: R is a permutation, J is diagonal with moments exchanged",
           true,
           [](const Collision&, const Body& b) {
-            return is_about_axis(b) && std::abs(b.orientation[0]) == axis_of(b).cwiseAbs().maxCoeff();
+            return is_about_axis(b) && std::abs(b.orientation[0]) == greatest(axis_of(b).cwiseAbs());
           },
           [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, stream.chance(2) ? 1 : -0.5, 1); },
       },
@@ -66,7 +67,7 @@ std::vector<Feature> of_orientation() {
        "scenes in a plane: J has one pair of entries off the diagonal", true,
        [](const Collision&, const Body& b) {
          return is_about_axis(b) && b.orientation[0] != 0 &&
-                std::abs(b.orientation[0]) != axis_of(b).cwiseAbs().maxCoeff();
+                std::abs(b.orientation[0]) != greatest(axis_of(b).cwiseAbs());
        },
        [](Stream& stream, Collision&, Body& b) {
          const double angle = stream.between(0.125, 0.875);
@@ -79,20 +80,20 @@ std::vector<Feature> of_orientation() {
          if (b.orientation[0] == 0) {
            b.orientation[0] = -0.5;
          } else if (b.orientation[0] > 0) {
-           b.orientation = -b.orientation;
+           b.orientation = negated(b.orientation);
          }
        }},
       {"orientation_unit", special, "the quaternion has length 1 but for rounding, and is no identity",
        "what engines keep: the others hide whatever is wrong for unit quaternions alone", true,
        [](const Collision&, const Body& b) {
-         return std::abs(b.orientation.squaredNorm() - 1) <= 0x1p-50 && !is_zero(axis_of(b));
+         return std::abs(squared_length(b.orientation) - 1) <= 0x1p-50 && !is_zero(axis_of(b));
        },
        [](Stream& stream, Collision&, Body& b) {
          if (is_zero(axis_of(b))) {
            b.orientation = stream.quaternion();
            b.orientation[1] = 0.5;
          }
-         b.orientation /= std::sqrt(b.orientation.squaredNorm());
+         b.orientation /= std::sqrt(squared_length(b.orientation));
        }},
   });
 }

@@ -33,8 +33,6 @@ bool has_ties(const Vector3<double>& v) {
          (size[2] == size[0] && size[2] != 0);
 }
 
-double length(const Vector3<double>& v) { return std::sqrt(v.squaredNorm()); }
-
 Vector3<double> with_few_bits(const Vector3<double>& v) {
   Vector3<double> result;
   for (int i = 0; i < 3; ++i) {
@@ -69,18 +67,18 @@ Vector3<double> turned_across(Stream& stream, const Vector3<double>& v, const Ve
     across[next] = -direction[last];
     across[last] = direction[next];
   }
-  return turned_along(v, stream.chance(2) ? across : Vector3<double>(-across));
+  return turned_along(v, stream.chance(2) ? across : negated(across));
 }
 
 double radius_of_gyration(const Body& body) {
-  return body.immovable ? 0 : std::sqrt(body.principal_inertia.sum() / 2 / body.mass);
+  return body.immovable ? 0 : std::sqrt(sum(body.principal_inertia) / 2 / body.mass);
 }
 
 double overreach(const Collision& collision, const Body& body) {
   if (body.immovable) {
     return 0;
   }
-  const Vector3<double> r = oracles::turned<double>(oracles::conjugate(body.orientation), lever_arm(collision, body));
+  const Vector3<double> r = turned(conjugate(body.orientation), lever_arm(collision, body));
   double greatest = 0;
   for (int i = 0; i < 3; ++i) {
     const double y = r[(i + 1) % 3];
@@ -91,9 +89,7 @@ double overreach(const Collision& collision, const Body& body) {
 }
 
 Vector3<double> long_axis(const Body& body) {
-  int least = 0;
-  body.principal_inertia.minCoeff(&least);
-  return oracles::turned<double>(body.orientation, Vector3<double>::Unit(least));
+  return turned(body.orientation, Vector3<double>::Unit(place_of_least(body.principal_inertia)));
 }
 
 void set_lever_arm(Collision& collision, Body& body, const Vector3<double>& r) { body.position = collision.point - r; }
@@ -111,8 +107,8 @@ void move_point_to_origin(Collision& collision) {
   const Vector3<double> of_a = lever_arm(collision, collision.a);
   const Vector3<double> of_b = lever_arm(collision, collision.b);
   collision.point.setZero();
-  collision.a.position = -of_a;
-  collision.b.position = -of_b;
+  collision.a.position = negated(of_a);
+  collision.b.position = negated(of_b);
 }
 
 void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>& r) {
@@ -128,8 +124,8 @@ void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>
   if (!(lever_arm(collision, body) == r && is_exact_lever_arm(collision, body) &&
         is_exact_lever_arm(collision, other))) {
     collision.point.setZero();
-    body.position = -r;
-    other.position = -of_other;
+    body.position = negated(r);
+    other.position = negated(of_other);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/collision/collision.hpp>
 #include <carom/properties/families/stream.hpp>
+#include <carom/properties/families/vectors.hpp>
 
 /// Geometry in binary64, for predicates and for what makes them true.
 namespace carom::properties::features {
@@ -13,7 +14,7 @@ inline constexpr double largest_mass = 1e10;
 
 /// P − X as rounded.
 [[nodiscard]] inline Vector3<double> lever_arm(const Collision& collision, const Body& body) {
-  return oracles::lever_arm<double>(body, collision.point);
+  return collision.point - body.position;
 }
 
 [[nodiscard]] inline bool is_zero(const Vector3<double>& v) { return (v.array() == 0).all(); }
@@ -23,7 +24,7 @@ inline constexpr double largest_mass = 1e10;
 
 /// Of vectors that are not zero.
 [[nodiscard]] inline bool are_orthogonal(const Vector3<double>& u, const Vector3<double>& v) {
-  return !is_zero(u) && !is_zero(v) && u.dot(v) == 0;
+  return !is_zero(u) && !is_zero(v) && dot(u, v) == 0;
 }
 
 [[nodiscard]] inline int nonzero_components(const Vector3<double>& v) {
@@ -32,8 +33,6 @@ inline constexpr double largest_mass = 1e10;
 
 /// Two components are equal but for the sign, and not zero.
 [[nodiscard]] bool has_ties(const Vector3<double>& v);
-
-[[nodiscard]] double length(const Vector3<double>& v);
 
 /// Each component rounded to eight bits, so that sums and products with others of that kind are exact.
 [[nodiscard]] Vector3<double> with_few_bits(const Vector3<double>& v);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/quantities.hpp>
 
 namespace carom::properties {
@@ -11,19 +13,14 @@ namespace {
 
 using V = Vector3<double>;
 
-double arm(const Collision& c, const Body& b) { return (c.point - b.position).norm(); }
+double arm(const Collision& c, const Body& b) { return length(c.point - b.position); }
 
-V relative_velocity(const Collision& c) {
-  const auto of = [&](const Body& b) { return V(b.velocity + b.angular_velocity.cross(c.point - b.position)); };
-  return of(c.a) - of(c.b);
-}
-
-double approach_speed(const Collision& c) { return std::abs(c.normal.dot(relative_velocity(c))) / c.normal.norm(); }
-double slip_speed(const Collision& c) { return c.normal.cross(relative_velocity(c)).norm() / c.normal.norm(); }
+double approach_speed(const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); }
+double slip_speed(const Collision& c) { return length(cross(c.normal, relative_velocity(c))) / length(c.normal); }
 
 /// Of the bodies that have it, the least or the greatest.
 template <class OfBody>
-double least(const Collision& c, const OfBody& of) {
+double lesser(const Collision& c, const OfBody& of) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body* body : {&c.a, &c.b}) {
     const double x = of(*body);
@@ -32,68 +29,70 @@ double least(const Collision& c, const OfBody& of) {
   return smallest;
 }
 template <class OfBody>
-double greatest(const Collision& c, const OfBody& of) {
+double greater(const Collision& c, const OfBody& of) {
   return std::max(of(c.a), of(c.b));
 }
 
 double mass(const Body& b) { return b.immovable ? 0 : b.mass; }
-double least_moment(const Body& b) { return b.immovable ? 0 : b.principal_inertia.minCoeff(); }
-double greatest_moment(const Body& b) { return b.immovable ? 0 : b.principal_inertia.maxCoeff(); }
-double product_of_moments(const Body& b) { return b.immovable ? 0 : b.principal_inertia.prod(); }
+double least_moment(const Body& b) { return b.immovable ? 0 : least(b.principal_inertia); }
+double greatest_moment(const Body& b) { return b.immovable ? 0 : greatest(b.principal_inertia); }
+double product_of_moments(const Body& b) {
+  const V& moments = b.principal_inertia;
+  return b.immovable ? 0 : moments[0] * moments[1] * moments[2];
+}
 double moment_ratio(const Body& b) { return b.immovable ? 0 : greatest_moment(b) / least_moment(b); }
-double speed(const Body& b) { return b.velocity.norm(); }
-double spin(const Body& b) { return b.angular_velocity.norm(); }
-double quaternion_length(const Body& b) { return b.immovable ? 0 : b.orientation.norm(); }
+double speed(const Body& b) { return length(b.velocity); }
+double spin(const Body& b) { return length(b.angular_velocity); }
+double quaternion_length(const Body& b) { return b.immovable ? 0 : std::sqrt(squared_length(b.orientation)); }
 /// Of the turn from the identity, up to π.
 double angle(const Body& b) {
-  return b.immovable ? 0 : 2 * std::atan2(b.orientation.tail<3>().norm(), std::abs(b.orientation[0]));
+  return b.immovable ? 0 : 2 * std::atan2(length(b.orientation.tail<3>()), std::abs(b.orientation[0]));
 }
 
 const std::array quantities{
-    ComparedQuantity{"the lesser mass [kg]", [](const Collision& c) { return least(c, mass); }},
-    ComparedQuantity{"the greater mass [kg]", [](const Collision& c) { return greatest(c, mass); }},
+    ComparedQuantity{"the lesser mass [kg]", [](const Collision& c) { return lesser(c, mass); }},
+    ComparedQuantity{"the greater mass [kg]", [](const Collision& c) { return greater(c, mass); }},
     ComparedQuantity{
         "the greater mass over the lesser",
-        [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : greatest(c, mass) / least(c, mass); }},
-    ComparedQuantity{"the least moment of inertia [kg m²]", [](const Collision& c) { return least(c, least_moment); }},
+        [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : greater(c, mass) / lesser(c, mass); }},
+    ComparedQuantity{"the least moment of inertia [kg m²]", [](const Collision& c) { return lesser(c, least_moment); }},
     ComparedQuantity{"the greatest moment of inertia [kg m²]",
-                     [](const Collision& c) { return greatest(c, greatest_moment); }},
+                     [](const Collision& c) { return greater(c, greatest_moment); }},
     ComparedQuantity{"the product of a body's three moments [kg³ m⁶], of the body where it is least,",
-                     [](const Collision& c) { return least(c, product_of_moments); }},
+                     [](const Collision& c) { return lesser(c, product_of_moments); }},
     ComparedQuantity{"a body's greatest moment over its least",
-                     [](const Collision& c) { return greatest(c, moment_ratio); }},
+                     [](const Collision& c) { return greater(c, moment_ratio); }},
     ComparedQuantity{"the shorter lever arm [m]",
-                     [](const Collision& c) { return least(c, [&](const Body& b) { return arm(c, b); }); }},
+                     [](const Collision& c) { return lesser(c, [&](const Body& b) { return arm(c, b); }); }},
     ComparedQuantity{"the longer lever arm [m]",
-                     [](const Collision& c) { return greatest(c, [&](const Body& b) { return arm(c, b); }); }},
-    ComparedQuantity{"the lesser speed that is not zero [m/s]", [](const Collision& c) { return least(c, speed); }},
-    ComparedQuantity{"the greater speed [m/s]", [](const Collision& c) { return greatest(c, speed); }},
-    ComparedQuantity{"the lesser spin that is not zero [rad/s]", [](const Collision& c) { return least(c, spin); }},
-    ComparedQuantity{"the greater spin [rad/s]", [](const Collision& c) { return greatest(c, spin); }},
+                     [](const Collision& c) { return greater(c, [&](const Body& b) { return arm(c, b); }); }},
+    ComparedQuantity{"the lesser speed that is not zero [m/s]", [](const Collision& c) { return lesser(c, speed); }},
+    ComparedQuantity{"the greater speed [m/s]", [](const Collision& c) { return greater(c, speed); }},
+    ComparedQuantity{"the lesser spin that is not zero [rad/s]", [](const Collision& c) { return lesser(c, spin); }},
+    ComparedQuantity{"the greater spin [rad/s]", [](const Collision& c) { return greater(c, spin); }},
     ComparedQuantity{"the speed of approach |N·V⁻|/‖N‖ [m/s]", approach_speed},
     ComparedQuantity{"the slip ‖N × V⁻‖/‖N‖ [m/s]", slip_speed},
     ComparedQuantity{"the slip over the speed of approach",
                      [](const Collision& c) { return slip_speed(c) / approach_speed(c); }},
-    ComparedQuantity{"the length of the normal", [](const Collision& c) { return c.normal.norm(); }},
+    ComparedQuantity{"the length of the normal", [](const Collision& c) { return length(c.normal); }},
     ComparedQuantity{"the angle between the normal and the nearest axis [rad]",
                      [](const Collision& c) {
                        V rest = c.normal;
-                       int largest = 0;
-                       c.normal.cwiseAbs().maxCoeff(&largest);
+                       const int largest = place_of_least(negated(V(c.normal.cwiseAbs())));
                        rest[largest] = 0;
-                       return std::atan2(rest.norm(), std::abs(c.normal[largest]));
+                       return std::atan2(length(rest), std::abs(c.normal[largest]));
                      }},
     ComparedQuantity{"the length of the shorter quaternion",
-                     [](const Collision& c) { return least(c, quaternion_length); }},
+                     [](const Collision& c) { return lesser(c, quaternion_length); }},
     ComparedQuantity{"the length of the longer quaternion",
-                     [](const Collision& c) { return greatest(c, quaternion_length); }},
-    ComparedQuantity{"the lesser turn that is not zero [rad]", [](const Collision& c) { return least(c, angle); }},
+                     [](const Collision& c) { return greater(c, quaternion_length); }},
+    ComparedQuantity{"the lesser turn that is not zero [rad]", [](const Collision& c) { return lesser(c, angle); }},
     ComparedQuantity{"the distance of the contact from the origin [m]",
-                     [](const Collision& c) { return c.point.norm(); }},
+                     [](const Collision& c) { return length(c.point); }},
     ComparedQuantity{"the restitution", [](const Collision& c) { return c.restitution; }},
     ComparedQuantity{"the friction", [](const Collision& c) { return c.friction; }},
     ComparedQuantity{"mass times speed of approach, of the lighter body [N s]",
-                     [](const Collision& c) { return least(c, mass) * approach_speed(c); }},
+                     [](const Collision& c) { return lesser(c, mass) * approach_speed(c); }},
 };
 
 }  // namespace

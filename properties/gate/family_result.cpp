@@ -25,7 +25,9 @@ void FamilyResult::keep_if_worst(const std::string& invariant, const WorstViolat
 FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   cases += other.cases;
   skipped += other.skipped;
-  not_held += other.not_held;
+  for (const Unjudged reason : all_reasons_unjudged) {
+    unjudged[reason] += other.unjudged[reason];
+  }
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
   for (const auto& [name, count] : other.counts) {

@@ -41,7 +41,7 @@ inline constexpr std::size_t most_violated_kept = 12;
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
-  std::uint64_t not_held = 0;                   // cases that the subject's precision cannot hold
+  UnjudgedCounts unjudged{};                    // valid cases that are not judged, by reason
   std::uint64_t violated = 0;                   // cases that violated any invariant
   double worst_backward_error = 0;              // ulps
   std::map<std::string, Count> counts;          // by invariant

@@ -189,8 +189,7 @@ class Worker {
  private:
   [[nodiscard]] std::uint64_t relations_every(const Subject& subject) const {
     constexpr std::uint64_t of_programs = 4;
-    const bool is_program = !subject.specification.empty();
-    return run_->options.relations_every > 0 ? run_->options.relations_every : (is_program ? of_programs : 1);
+    return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
   }
 
   /// A subject that throws is judged no further; what was found of it stays.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <carom/properties/gate/gate_result.hpp>
 
@@ -55,10 +56,12 @@ std::uint64_t SubjectResult::skipped() const {
   return sum;
 }
 
-std::uint64_t SubjectResult::not_held() const {
-  std::uint64_t sum = 0;
+UnjudgedCounts SubjectResult::unjudged() const {
+  UnjudgedCounts sum{};
   for (const FamilyResult& family : families) {
-    sum += family.not_held;
+    for (const Unjudged reason : all_reasons_unjudged) {
+      sum[reason] += family.unjudged[reason];
+    }
   }
   return sum;
 }
@@ -95,12 +98,13 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     if (family.cases == 0) {
       return "no case of the family " + std::string(families[f]->name) + " was judged";
     }
-    const std::uint64_t held = family.cases - family.not_held;
+    const std::uint64_t judged =
+        family.cases - std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
     const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
-    if (is_of_valid && held > 0 && family.skipped >= held) {
+    if (is_of_valid && judged > 0 && family.skipped >= judged) {
       return "every case of the family " + std::string(families[f]->name) + " was skipped";
     }
-    valid += is_of_valid ? held : 0;
+    valid += is_of_valid ? judged : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
   constexpr std::uint64_t one_in = 10;  // cases may be skipped

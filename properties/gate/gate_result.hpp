@@ -102,7 +102,7 @@ struct SubjectResult {
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;
-  [[nodiscard]] std::uint64_t not_held() const;
+  [[nodiscard]] UnjudgedCounts unjudged() const;
   [[nodiscard]] Count count(const std::string& invariant) const;
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
   /// Judged to the end, enough was exercised, and nothing was violated.

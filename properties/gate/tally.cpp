@@ -43,7 +43,9 @@ void Tally::add(std::size_t family, std::uint64_t index, const JudgedCase& judge
   FamilyResult& result = families[family];
   ++result.cases;
   result.skipped += judgement.skipped ? 1 : 0;
-  result.not_held += judgement.not_held.empty() ? 0 : 1;
+  if (judgement.unjudged) {
+    ++result.unjudged[*judgement.unjudged];
+  }
   if (judgement.accuracy && judgement.accuracy->is_decided) {
     result.worst_backward_error =
         std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));

@@ -103,6 +103,7 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
   if (const auto named = verdict_on_failure(examinee.claim, {questions[0]}, again[0])) {
     tally.add(asked.back().family, asked.back().index, {questions[0]}, again[0], *named);
   }
+  const Sameness sameness = sameness_of_answers(examinee.subject);
   for (const Invariant* invariant : examinee.claim.invariants) {
     const auto* about = std::get_if<AboutSession>(&invariant->about);
     for (std::size_t i = 0; about != nullptr && i < asked.size(); ++i) {
@@ -110,7 +111,7 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
       if (!examinee.claim.is_made_in(*invariant, *examinee.families[first.family])) {
         continue;
       }
-      const NamedVerdict named{invariant, about->check(first.answer, again[i + 1])};
+      const NamedVerdict named{invariant, about->check(first.answer, again[i + 1], sameness)};
       if (examinee.ends_at_first && named.verdict.status == Status::violated) {
         Judgement judgement;
         judgement.verdicts.push_back(named);
@@ -123,7 +124,6 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
 }
 
 void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, Tally& tally) {
-  const Subject& subject = examinee.subject;
   const Claim& claim = examinee.claim;
   Session& session = examinee.session;
   std::vector<Collision> collisions;
@@ -138,7 +138,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
   const auto trials_of = [&](bool with_relations) {
     std::vector<Trial> trials;
     for (std::size_t i = 0; i < batch.answers.size(); ++i) {
-      trials.emplace_back(cases[i], claim, lift(batch.answers[i]), shown_collision_matrix(subject, cases[i]),
+      trials.emplace_back(cases[i], claim, lift(batch.answers[i]),
                           with_relations ? RelationTurn{examinee.relations_every, task.case_number(i)} : no_relations);
     }
     return trials;

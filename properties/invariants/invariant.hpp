@@ -9,7 +9,6 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/filters/closeness.hpp>
-#include <carom/oracles/filters/lifted_matrix.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 
 namespace carom::properties {
@@ -64,9 +63,8 @@ struct Evidence {
   Model model;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
-  const oracles::Accuracy* accuracy;              // of the outcome; nullptr for models without a truth
-  const oracles::Closeness& closeness;            // of the outcome to the truth
-  const oracles::LiftedMatrix* collision_matrix;  // as the subject computed it; nullptr where it shows none
+  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for models without a truth
+  const oracles::Closeness& closeness;  // of the outcome to the truth
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
@@ -82,6 +80,12 @@ struct AboutOutcome {
   Verdict (*check)(const Evidence&);
 };
 
+/// One that speaks of the collision matrix that a subject shows with the outcome of a valid collision. It is claimed by
+/// subjects that show one.
+struct AboutMatrix {
+  Verdict (*check)(const Evidence&);
+};
+
 /// One that relates the outcome to those of further collisions, which are put to the subject: made from the collision
 /// alone, or with the outcome. `check` gets the answers to these, one each.
 struct AboutRelation {
@@ -92,9 +96,20 @@ struct AboutRelation {
   Verdict (*check)(const Evidence&, std::span<const Related>);
 };
 
+/// When two answers are the same.
+enum class Sameness {
+  of_bits,
+  of_numbers,  // 0 and −0 are one number, and NaN is as NaN
+};
+
+/// A program answers in text, in which equal numbers have several spellings. All other subjects answer in bits.
+[[nodiscard]] inline Sameness sameness_of_answers(const Subject& subject) {
+  return subject.is_program() ? Sameness::of_numbers : Sameness::of_bits;
+}
+
 /// One about sessions: the answers to one collision, asked first and asked again.
 struct AboutSession {
-  Verdict (*check)(const Answer& first, const Answer& again);
+  Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
 /// A named statement about a collision and its outcome.
@@ -105,15 +120,18 @@ struct Invariant {
   std::string_view source;
   std::string_view domain;    // the collisions that it speaks of
   std::vector<Model> models;  // that it is claimed for
-  std::variant<AboutAnswer, AboutOutcome, AboutRelation, AboutSession> about;
+  std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
 
   /// Whether it puts further collisions to the subject.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
 
   /// Whether it speaks of one answer alone.
   [[nodiscard]] bool is_of_one_answer() const {
-    return std::holds_alternative<AboutAnswer>(about) || std::holds_alternative<AboutOutcome>(about);
+    return std::holds_alternative<AboutAnswer>(about) || std::holds_alternative<AboutOutcome>(about) || is_of_matrix();
   }
+
+  /// Whether it speaks of the collision matrix that a subject shows.
+  [[nodiscard]] bool is_of_matrix() const { return std::holds_alternative<AboutMatrix>(about); }
 
   [[nodiscard]] bool claimed_for(Model model) const;
 };

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
@@ -10,10 +14,8 @@ namespace {
 
 using oracles::Approximation;
 using oracles::less_multiple_of_identity;
+using oracles::LiftedMatrix;
 using oracles::Rational;
-
-/// Of the exact C they are theorems, which say nothing of the subject.
-constexpr const char* no_matrix = "the subject shows no collision matrix";
 
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
   Verdict verdict{Status::violated, what, 0, 0, {}, {}};
@@ -26,28 +28,35 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
   return verdict;
 }
 
+/// What the inputs can move C by, in the Frobenius norm, over the allowance.
+double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
+
 /// What the rounding of the inputs can move an eigenvalue of the computed matrix by, at most its Frobenius norm (Weyl).
 Rational eigenvalue_rounding(const Evidence& e) {
-  return e.allowance() > 0 ? Rational(e.allowance() * e.exact_case.collision_matrix_sensitivity()) : Rational(0);
+  return e.allowance() > 0 ? Rational(e.allowance() * sensitivity(e)) : Rational(0);
 }
 
-bool may_be_filtered(const Evidence& e) {
-  const bool is_reported = e.collision_matrix->reported() != nullptr;
-  return is_reported && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
+/// Whether it is reported, and symmetric to the last bit, as nearly every one is.
+bool is_surely_symmetric(const LiftedMatrix& shown) {
+  const Matrix3<long double>* m = shown.reported();
+  return m != nullptr && (*m)(1, 0) == (*m)(0, 1) && (*m)(2, 0) == (*m)(0, 2) && (*m)(2, 1) == (*m)(1, 2);
 }
 
-template <class T>
-Matrix3<T> shown_matrix(const Evidence& e) {
-  return e.collision_matrix->reported()->unaryExpr([](long double x) { return T(x); });
+/// (C + Cᵀ) / 2, which has the same xᵀ C x.
+Matrix3<Rational> symmetric_part(const LiftedMatrix& shown) {
+  return (shown.exact() + shown.exact().transpose()) / Rational(2);
+}
+
+bool may_be_filtered(const Evidence& e, const LiftedMatrix& shown) {
+  return is_surely_symmetric(shown) && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
 /// Whether bounds show that λI ⪯ C for the computed C, but for less rounding than is allowed. The exact C needs no
 /// check (`ExactCase::is_definite`).
-bool is_surely_definite(const Evidence& e) {
+bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
-    return is_positive_semidefinite(less_multiple_of_identity<T>(shown_matrix<T>(e), lambda - T(rounding)))
-        .value_or(false);
+    return is_positive_semidefinite(less_multiple_of_identity<T>(shown.in<T>(), lambda - T(rounding))).value_or(false);
   };
   if (e.allowance() >= oracles::least_allowance_for_approximations &&
       is_surely_above(e.exact_case.bounds().approximate_inverse_mass())) {
@@ -62,29 +71,40 @@ bool is_surely_definite(const Evidence& e) {
 }
 
 /// Whether bounds show that C ⪯ 16 λI, without any rounding, for the exact C and for the computed one.
-bool is_surely_well_conditioned(const Evidence& e) {
+bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
     return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-matrix, -bound)).value_or(false);
   };
-  if (is_below(e.exact_case.bounds().collision_matrix()) && is_below(shown_matrix<Approximation>(e))) {
+  if (is_below(e.exact_case.bounds().collision_matrix()) && is_below(shown.in<Approximation>())) {
     count(oracles::Stage::approximation);
     return true;
   }
   return false;
 }
 
-Verdict check_definite(const Evidence& e) {
+/// What `check` says of the C that is shown, where one is: of the exact C these are theorems, which say nothing of the
+/// subject.
+template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
+Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
     return outside_domain("both bodies are immovable");
   }
-  if (e.collision_matrix == nullptr) {
-    return outside_domain(no_matrix);
+  const LiftedMatrix* shown = e.outcome.collision_matrix();
+  if (shown == nullptr) {
+    return outside_domain("no collision matrix is shown for this contact");
   }
-  if (may_be_filtered(e) && is_surely_definite(e)) {
+  if (!shown->is_finite()) {
+    return {Status::violated, "the shown C is not finite", 0, 0, {}, {}};
+  }
+  return check(e, *shown);
+}
+
+Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
+  if (may_be_filtered(e, shown) && is_surely_definite(e, shown)) {
     return {};
   }
-  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(sensitivity(e))) {
     return beyond_range();
   }
   const Rational lambda = inverse_mass(e.exact_case.exact());
@@ -92,24 +112,17 @@ Verdict check_definite(const Evidence& e) {
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
-  if (!oracles::is_at_least(e.collision_matrix->exact(), lambda - eigenvalue_rounding(e))) {
-    return bound_missed("the computed C and λI", e.collision_matrix->exact(), lambda);
+  if (!oracles::is_at_least(symmetric_part(shown), lambda - eigenvalue_rounding(e))) {
+    return bound_missed("the computed C and λI", shown.exact(), lambda);
   }
   return {};
 }
 
-/// `convex_uniform` says less than could be: that a body is star-shaped from the contact point is enough.
-Verdict check_well_conditioned(const Evidence& e) {
-  if (!e.convex_uniform || e.exact_case.approach() == oracles::Approach::inert) {
-    return outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
-  }
-  if (e.collision_matrix == nullptr) {
-    return outside_domain(no_matrix);
-  }
-  if (may_be_filtered(e) && is_surely_well_conditioned(e)) {
+Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
+  if (may_be_filtered(e, shown) && is_surely_well_conditioned(e, shown)) {
     return {};
   }
-  if (!e.yardstick.allowed(e.exact_case.collision_matrix_sensitivity())) {
+  if (!e.yardstick.allowed(sensitivity(e))) {
     return beyond_range();
   }
   count(oracles::Stage::rational);
@@ -119,10 +132,52 @@ Verdict check_well_conditioned(const Evidence& e) {
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
-  if (!oracles::is_at_most(e.collision_matrix->exact(), bound + rounding)) {
-    return bound_missed("the computed C and 16 λI", e.collision_matrix->exact(), bound);
+  if (!oracles::is_at_most(symmetric_part(shown), bound + rounding)) {
+    return bound_missed("the computed C and 16 λI", shown.exact(), bound);
   }
   return {};
+}
+
+/// `convex_uniform` says less than could be: that a body is star-shaped from the contact point is enough.
+Verdict check_well_conditioned_if_convex(const Evidence& e) {
+  return e.convex_uniform
+             ? of_shown_matrix<check_well_conditioned>(e)
+             : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
+}
+
+/// C = Cᵀ. The entries of C may be off by a matrix E with ‖E‖_F ≤ a S, a the allowance and S the sensitivity of K. Then
+/// (E_ij − E_ji)² ≤ 2 (E_ij² + E_ji²), so the three differences are at most √2 a S together.
+Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
+  if (is_surely_symmetric(shown)) {
+    count(oracles::Stage::same_bits);
+    return {};
+  }
+  const Matrix3<Rational>& c = shown.exact();
+  const std::vector<Rational> missed{c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1)};
+  const std::optional<double> allowed = e.yardstick.allowed(std::numbers::sqrt2 * sensitivity(e));
+  count(oracles::Stage::rational);
+  if (oracles::norm_at_most(missed, 0)) {
+    return {};
+  }
+  if (!allowed) {
+    return beyond_range();
+  }
+  if (oracles::norm_at_most(missed, *allowed)) {
+    return {};
+  }
+  Verdict verdict{Status::violated, "C and its transpose", 0, *allowed, {}, {}};
+  for (const auto& [row, column] : {std::pair{2, 1}, std::pair{0, 2}, std::pair{1, 0}}) {
+    verdict.left.push_back(oracles::to_double(c(row, column)));
+    verdict.right.push_back(oracles::to_double(c(column, row)));
+  }
+  verdict.residual =
+      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
+  return verdict;
+}
+
+Verdict check_matrix_used(const Evidence& e, const LiftedMatrix& shown) {
+  return both(check_symmetric(e, shown),
+              verdict_of(compare_change_by(shown, e.exact_case, e.outcome, e.yardstick), "V⁺ − V⁻ and C F"));
 }
 
 }  // namespace
@@ -131,7 +186,7 @@ std::vector<Invariant> matrix_invariants() {
   return {Invariant{"definite", "The collision matrix is positive definite, with the margin λ.",
                     R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
                     "note eq. 27, with QᵀJ⁻¹Q positive semidefinite", "a movable body, and a subject that shows its C",
-                    every_model(), AboutOutcome{check_definite}},
+                    every_model(), AboutMatrix{of_shown_matrix<check_definite>}},
           Invariant{
               "well_conditioned",
               "For uniform bodies that are star-shaped from the contact point, as convex ones touched inside are, the "
@@ -141,7 +196,12 @@ std::vector<Invariant> matrix_invariants() {
               "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
               "Geom. 13 (1995), Thm 4.1, with n = 3",
               "bodies known to be uniform and star-shaped from the contact point, and a subject that shows its C",
-              every_model(), AboutOutcome{check_well_conditioned}}};
+              every_model(), AboutMatrix{check_well_conditioned_if_convex}},
+          Invariant{"matrix_used",
+                    "The collision matrix that is shown is symmetric, and is the one that the impulse was solved with.",
+                    R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
+                    "a movable body, and a subject that shows its C", every_model(),
+                    AboutMatrix{of_shown_matrix<check_matrix_used>}}};
 }
 
 }  // namespace carom::properties

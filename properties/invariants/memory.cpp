@@ -1,40 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include <carom/properties/invariants/groups.hpp>
 
 namespace carom::properties {
 namespace {
 
-bool same_bits(long double x, long double y) {
-  return (x == y && std::signbit(x) == std::signbit(y)) || (std::isnan(x) && std::isnan(y));
+bool is_same(long double x, long double y, Sameness sameness) {
+  const bool is_same_number = x == y || (std::isnan(x) && std::isnan(y));
+  const bool is_zero_of_other_sign = x == 0 && std::signbit(x) != std::signbit(y);
+  return is_same_number && (sameness == Sameness::of_numbers || !is_zero_of_other_sign);
 }
 
 Verdict differs(const char* what) { return {Status::violated, what, 0, 0, {}, {}}; }
 
-Verdict check_memoryless(const Answer& first, const Answer& again) {
+/// The numbers of one place in both answers; none where they are the same.
+std::optional<Verdict> difference(std::string_view place, std::span<const long double> first,
+                                  std::span<const long double> again, Sameness sameness) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!is_same(first[i], again[i], sameness)) {
+      Verdict verdict{Status::violated, std::string(place) + ", asked first and asked again", 0, 0, {}, {}};
+      for (std::size_t j = 0; j < first.size(); ++j) {
+        verdict.left.push_back(static_cast<double>(first[j]));
+        verdict.right.push_back(static_cast<double>(again[j]));
+      }
+      verdict.residual = static_cast<double>(std::abs(first[i] - again[i]));
+      return verdict;
+    }
+  }
+  return std::nullopt;
+}
+
+template <class Numbers>
+std::span<const long double> numbers_of(const Numbers& numbers) {
+  return {numbers.data(), static_cast<std::size_t>(numbers.size())};
+}
+
+Verdict check_memoryless(const Answer& first, const Answer& again, Sameness sameness) {
   if (first.index() != again.index()) {
     return differs("asked again, it is answered otherwise: an outcome, a refusal and a skip are not the same");
   }
-  const auto* outcome = std::get_if<ReportedOutcome>(&first);
-  if (outcome == nullptr) {
+  const auto* before = std::get_if<ReportedOutcome>(&first);
+  if (before == nullptr) {
     return {};
   }
-  const auto before = vectors(*outcome);
-  const auto after = vectors(std::get<ReportedOutcome>(again));
+  const auto& after = std::get<ReportedOutcome>(again);
   for (const OutcomeVector k : all_outcome_vectors) {
-    for (int i = 0; i < 3; ++i) {
-      if (!same_bits((*before[k])[i], (*after[k])[i])) {
-        Verdict verdict = differs("asked again, it has other bits");
-        for (int j = 0; j < 3; ++j) {
-          verdict.left.push_back(static_cast<double>((*before[k])[j]));
-          verdict.right.push_back(static_cast<double>((*after[k])[j]));
-        }
-        verdict.detail = std::string(name_of(k)) + ", asked first and asked again";
-        verdict.residual = static_cast<double>(std::abs((*before[k])[i] - (*after[k])[i]));
-        return verdict;
-      }
+    if (const auto differing =
+            difference(name_of(k), numbers_of(*vectors(*before)[k]), numbers_of(*vectors(after)[k]), sameness)) {
+      return *differing;
     }
+  }
+  if (before->collision_matrix.has_value() != after.collision_matrix.has_value()) {
+    return differs("asked again, it is answered otherwise: with a collision matrix, and without one");
+  }
+  if (before->collision_matrix) {
+    const auto differing =
+        difference("C", numbers_of(*before->collision_matrix), numbers_of(*after.collision_matrix), sameness);
+    return differing.value_or(Verdict{});
   }
   return {};
 }
@@ -43,11 +68,11 @@ Verdict check_memoryless(const Answer& first, const Answer& again) {
 
 std::vector<Invariant> memory_invariants() {
   return {Invariant{"memoryless",
-                    "The same collision has the same bits whenever it is asked: later in a session, in another order, "
-                    "after an invalid one, in a session of its own.",
-                    R"(y_2(x) = y_1(x), \text{ bit for bit})",
-                    "caches, warm starts, and what a refused request leaves behind", "collisions that are asked again",
-                    every_model(), AboutSession{check_memoryless}}};
+                    "The same collision has the same answer whenever it is asked: later in a session, in another "
+                    "order, after an invalid one, in a session of its own. Of a program the numbers are the same, of "
+                    "all others the bits.",
+                    R"(y_2(x) = y_1(x))", "caches, warm starts, and what a refused request leaves behind",
+                    "collisions that are asked again", every_model(), AboutSession{check_memoryless}}};
 }
 
 }  // namespace carom::properties

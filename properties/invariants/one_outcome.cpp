@@ -34,8 +34,10 @@ Verdict holds(const Evidence& e, Relation relation, const char* what, const orac
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
 
 Verdict untouched_body(const Evidence& e, bool a) {
-  return holds(e, Relation::equal, a ? "velocities of A, after and before" : "velocities of B, after and before",
-               equation::Untouched{a});
+  const char* what = a ? "velocities of A, after and before" : "velocities of B, after and before";
+  const auto [velocity, angular_velocity] = vectors_of_body(a);
+  return both(holds(e, Relation::equal, what, equation::Untouched{velocity}),
+              holds(e, Relation::equal, what, equation::Untouched{angular_velocity}));
 }
 
 Verdict check_backward_error(const Evidence& e) {
@@ -230,7 +232,7 @@ std::vector<Invariant> outcome_invariants() {
   return {
       Invariant{
           "backward_error", "The outcome is exact for inputs within the limit of those at hand.",
-          R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \left(\sum_j \lVert \partial y_k / \partial x_j \rVert\, |x_j| + \lVert y_k^- \rVert\right)} \le \eta_{\max})",
+          R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \left(\sum_q \lVert \partial y_k / \partial q \rVert\, \lVert q \rVert + \lVert y_k^- \rVert\right)} \le \eta_{\max})",
           "mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5; y is exact",
           "valid collisions", with_truth(), AboutOutcome{check_backward_error}},
       Invariant{"linear_momentum", "What A gains in linear momentum, B loses.",

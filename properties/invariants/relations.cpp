@@ -470,13 +470,14 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   if (is_surely_untouched(second.exact_case, after, e.yardstick)) {
     return {};
   }
-  const auto untouched = [&](bool a) {
-    return verdict_of(oracles::compare(oracles::equation::Untouched{a}, oracles::Relation::equal, second.exact_case,
-                                       after, e.yardstick),
-                      a ? "velocities of A, after a second impulse and before it"
-                        : "velocities of B, after a second impulse and before it");
-  };
-  return both(untouched(true), untouched(false));
+  Verdict worst;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    worst =
+        both(std::move(worst), verdict_of(oracles::compare(oracles::equation::Untouched{k}, oracles::Relation::equal,
+                                                           second.exact_case, after, e.yardstick),
+                                          fmt::format("{}, after a second impulse and before it", name_of(k))));
+  }
+  return worst;
 }
 
 }  // namespace

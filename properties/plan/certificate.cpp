@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <carom/properties/plan/certificate.hpp>
-#include <carom/properties/trial/held.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 
 namespace carom::properties::plan {
 namespace {
@@ -106,9 +106,10 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
     result.digits = oracles::nearest_answer(exact(), answers_of_coulomb(), *reported).digits;
   }
   if (!demand_.digits) {
-    const std::string_view why = why_not_held(exact().collision(), unit_roundoff(candidate.subject.precision));
-    if (!why.empty()) {
-      result.failure = std::string(why);
+    oracles::Yardstick of_candidate = ulps_;
+    of_candidate.unit_roundoff = unit_roundoff(candidate.subject.precision);
+    if (const std::optional<Unjudged> why = reason_unjudged(exact(), of_candidate)) {
+      result.failure = in_words(*why);
     } else if (!is_allowed) {
       result.failure = "backward error";
     }

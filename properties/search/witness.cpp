@@ -63,7 +63,7 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   bool is_over = false;
   const auto verdict_on = [&](const Case& one) {
     try {
-      return is_over ? Verdict{} : single_verdict(judge_in_session(subject, only, session, one).judgement);
+      return is_over ? Verdict{} : single_verdict(judge_in_session(only, session, one).judgement);
     } catch (const SessionFailure&) {
       is_over = true;  // what was found until then stands
       return Verdict{};
@@ -75,7 +75,7 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
   Restarts once(2);
   Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
-  const AnswerAndJudgement shrunk = judge_in_session(subject, only, fresh, simplest);
+  const AnswerAndJudgement shrunk = judge_in_session(only, fresh, simplest);
   fresh.close();
   if (single_verdict(shrunk.judgement).status == Status::violated) {
     witness.shrunk = simplest;
@@ -107,10 +107,10 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
   return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
 }
 
-AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session, const Case& one) {
+AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one) {
   const JudgedCase judged_case(one, claim.yardstick.filtered);
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
-  const Trial trial(judged_case, claim, lift(answer), shown_collision_matrix(subject, judged_case));
+  const Trial trial(judged_case, claim, lift(answer));
   const std::vector<Answer> replies =
       trial.question_count() == 0 ? std::vector<Answer>{} : answers_of(session, trial.questions());
   return {answer, trial.judge(replies)};
@@ -118,7 +118,7 @@ AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, 
 
 AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
   Session session = subject.open();
-  AnswerAndJudgement judged = judge_in_session(subject, claim, session, one);
+  AnswerAndJudgement judged = judge_in_session(claim, session, one);
   session.close();
   return judged;
 }

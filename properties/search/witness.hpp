@@ -29,8 +29,7 @@ struct AnswerAndJudgement {
 
 /// A subject's answer to one collision, judged. Throws where the subject cannot be judged.
 /// Precondition: the session is one of the subject's.
-[[nodiscard]] AnswerAndJudgement judge_in_session(const Subject& subject, const Claim& claim, Session& session,
-                                                  const Case& one);
+[[nodiscard]] AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one);
 
 /// The same by a session of its own, which is then closed.
 [[nodiscard]] AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one);

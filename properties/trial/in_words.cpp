@@ -71,6 +71,10 @@ std::string in_words(const ReportedOutcome& outcome, const std::string& indent) 
     text += fmt::format("{}{}: velocity {}, angular velocity {}\n", indent, name, in_words(motion.velocity),
                         in_words(motion.angular_velocity));
   }
+  if (outcome.collision_matrix) {
+    const auto row = [&](int i) { return in_words(Vector3<long double>(outcome.collision_matrix->row(i))); };
+    text += fmt::format("{}C: {}, {}, {}\n", indent, row(0), row(1), row(2));
+  }
   return text;
 }
 

@@ -6,7 +6,6 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
-#include <carom/properties/trial/held.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
@@ -35,18 +34,18 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                     : oracles::Closeness();
 }
 
-/// `work_out()` where the unit roundoff is new.
+/// `work_out()` if the unit roundoff or the allowance is new.
 template <class T, class WorkOut>
-T remembered(std::vector<std::pair<double, T>>& known, double unit_roundoff, const WorkOut& work_out) {
-  const auto found =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == unit_roundoff; });
-  return found != known.end() ? found->second : known.emplace_back(unit_roundoff, work_out()).second;
+T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
+             const WorkOut& work_out) {
+  const std::pair key{yardstick.unit_roundoff, yardstick.allowance()};
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == key; });
+  return found != known.end() ? found->second : known.emplace_back(key, work_out()).second;
 }
 
-bool are_held(std::span<const oracles::ExactCase> questions, double unit_roundoff) {
-  return std::all_of(questions.begin(), questions.end(), [&](const oracles::ExactCase& question) {
-    return why_not_held(question.collision(), unit_roundoff).empty();
-  });
+bool are_judged(std::span<const oracles::ExactCase> questions, const oracles::Yardstick& yardstick) {
+  return std::all_of(questions.begin(), questions.end(),
+                     [&](const oracles::ExactCase& question) { return !reason_unjudged(question, yardstick); });
 }
 
 std::vector<Deviation> deviations_of(const Subject& subject) {
@@ -69,6 +68,16 @@ bool Claim::is_made_in(const Invariant& invariant, const Family& family) const {
   });
 }
 
+std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject) {
+  std::vector<const Invariant*> not_claimed;
+  for (const Invariant& invariant : all_invariants()) {
+    if (!subject.shows_collision_matrix && invariant.is_of_matrix() && invariant.claimed_for(subject.model)) {
+      not_claimed.push_back(&invariant);
+    }
+  }
+  return not_claimed;
+}
+
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
@@ -77,7 +86,8 @@ Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
         [&](const Deviation& deviation) { return deviation.invariant == &invariant && deviation.family == nullptr; });
-    if (invariant.claimed_for(subject.model) && !deviates) {
+    const bool shows_what_it_is_of = subject.shows_collision_matrix || !invariant.is_of_matrix();
+    if (invariant.claimed_for(subject.model) && shows_what_it_is_of && !deviates) {
       claim.invariants.push_back(&invariant);
     }
   }
@@ -100,22 +110,19 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
   return known->second.cases;
 }
 
-std::string_view JudgedCase::why_not_held_in(double unit_roundoff) const {
-  return remembered(why_not_held_, unit_roundoff, [&] { return why_not_held(generated_.collision, unit_roundoff); });
+std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
+  return remembered(unjudged_, yardstick, [&] { return reason_unjudged(*exact_, yardstick); });
 }
 
-bool JudgedCase::are_questions_held_in(double unit_roundoff, const Invariant& invariant) const {
+bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {
   const std::span<const oracles::ExactCase> questions = questions_of(invariant);
-  return remembered(questions_.at(&invariant).are_held, unit_roundoff,
-                    [&] { return are_held(questions, unit_roundoff); });
+  return remembered(questions_.at(&invariant).are_judged, yardstick, [&] { return are_judged(questions, yardstick); });
 }
 
-Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-             std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations)
+Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations)
     : judged_case_(&judged_case),
       claim_(&claim),
       answer_(std::move(answer)),
-      collision_matrix_(std::move(collision_matrix)),
       relations_(relations),
       questions_(claim.invariants.size()) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
@@ -201,8 +208,8 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     return judgement;
   }
   if (judged_case_->is_valid()) {
-    judgement.not_held = judged_case_->why_not_held_in(claim_->yardstick.unit_roundoff);
-    if (!judgement.not_held.empty()) {
+    judgement.unjudged = judged_case_->reason_unjudged_by(claim_->yardstick);
+    if (judgement.unjudged) {
       return judgement;
     }
   }
@@ -217,7 +224,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   if (is_of_valid) {
     evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->model,
                               claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
-                              closeness, collision_matrix_ ? &*collision_matrix_ : nullptr});
+                              closeness});
   }
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
@@ -239,6 +246,10 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
       continue;
     }
+    if (const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about)) {
+      judgement.verdicts.push_back({&invariant, of_matrix->check(*evidence)});
+      continue;
+    }
     if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {
       continue;
     }
@@ -247,15 +258,13 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
       continue;
     }
     const auto& relation = std::get<AboutRelation>(invariant.about);
-    const double unit_roundoff = claim_->yardstick.unit_roundoff;
-    const bool is_held = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
-                             ? judged_case_->are_questions_held_in(unit_roundoff, invariant)
-                             : are_held(questions_[i], unit_roundoff);
+    const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
+                               ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
+                               : are_judged(questions_[i], claim_->yardstick);
     const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
     next_question += questions_[i].size();
-    if (!is_held) {
-      judgement.verdicts.push_back(
-          {&invariant, outside_domain("the subject's precision cannot hold the related collision")});
+    if (!is_judged) {
+      judgement.verdicts.push_back({&invariant, outside_domain("the related collision is not judged")});
       continue;
     }
     related.clear();
@@ -267,25 +276,13 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   return judgement;
 }
 
-Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                   const std::optional<oracles::LiftedMatrix>& collision_matrix) {
-  const Trial trial(judged_case, claim, solve(judged_case.generated().collision), collision_matrix);
+Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve) {
+  const Trial trial(judged_case, claim, solve(judged_case.generated().collision));
   std::vector<ExactAnswer> answers;
   for (const Collision& question : trial.questions()) {
     answers.push_back(solve(question));
   }
   return trial.judge(answers);
-}
-
-std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject, const JudgedCase& judged_case) {
-  if (!subject.collision_matrix || !judged_case.is_valid()) {
-    return std::nullopt;
-  }
-  const Matrix3<long double> shown = subject.collision_matrix(judged_case.generated().collision);
-  const bool is_finite =
-      std::all_of(shown.data(), shown.data() + shown.size(), [](long double x) { return std::isfinite(x); });
-  // A matrix that is not finite bounds nothing: shown as zero it violates `definite`.
-  return oracles::LiftedMatrix(is_finite ? shown : Matrix3<long double>(Matrix3<long double>::Zero()));
 }
 
 }  // namespace carom::properties

@@ -14,6 +14,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/deviation.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 
 /// One case put to one subject and judged on every invariant that the subject claims.
 namespace carom::properties {
@@ -22,11 +23,15 @@ namespace carom::properties {
 struct Claim {
   Model model = Model::any;
   oracles::Yardstick yardstick;
-  std::vector<const Invariant*> invariants;  // claimed for the model, without those the subject deviates from
+  /// Claimed for the model, without those that the subject deviates from, and those of a matrix that it does not show.
+  std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // from these in single families; a trial does not know of which its case is
 
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
+
+/// What is said of the collision matrix for the subject's model, where it shows none: so it cannot be judged.
+[[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
 /// What the subject is said to deviate from and is no invariant, or in no family, is passed over.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
@@ -49,25 +54,25 @@ class JudgedCase {
   /// relation takes out of range). Preconditions: is_valid(); the invariant has `questions`.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
-  /// `why_not_held` of the collision, and whether it is empty for each of those questions; remembered for each
-  /// precision. Preconditions: is_valid(); as of `questions_of`.
-  [[nodiscard]] std::string_view why_not_held_in(double unit_roundoff) const;
-  [[nodiscard]] bool are_questions_held_in(double unit_roundoff, const Invariant& invariant) const;
+  /// `reason_unjudged` of the collision, and whether there is none for each of those questions; remembered for each
+  /// unit roundoff and allowance. Preconditions: is_valid(); as of `questions_of`.
+  [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
+  [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const;
 
  private:
-  /// What was worked out for each unit roundoff: there are few.
+  /// What was worked out for each unit roundoff and allowance: there are few.
   template <class T>
-  using PerRoundoff = std::vector<std::pair<double, T>>;
+  using PerYardstick = std::vector<std::pair<std::pair<double, double>, T>>;
   struct Questions {
     std::vector<oracles::ExactCase> cases;
-    PerRoundoff<bool> are_held;
+    PerYardstick<bool> are_judged;
   };
 
   Case generated_;
   bool filtered_;
   std::optional<oracles::ExactCase> exact_;
   mutable std::map<const Invariant*, Questions> questions_;
-  mutable PerRoundoff<std::string_view> why_not_held_;
+  mutable PerYardstick<std::optional<Unjudged>> unjudged_;
 };
 
 /// The verdict of one invariant.
@@ -81,7 +86,7 @@ struct Judgement {
   std::vector<NamedVerdict> verdicts;
   std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
   std::optional<Skipped> skipped;             // the subject could not be posed the case
-  std::string_view not_held;                  // why its precision cannot hold the case; else empty
+  std::optional<Unjudged> unjudged;           // why the case is not judged; then there are no verdicts
 };
 
 /// Which of the invariants that ask about further collisions are judged on a case: each on one in `every` cases, and
@@ -98,10 +103,9 @@ inline constexpr RelationTurn no_relations{0, 0};
 /// A trial in two steps, so that many can be put to a subject at once.
 class Trial {
  public:
-  /// `answer` is the subject's to the case's collision; `collision_matrix` as the subject computed it, if it shows it.
-  /// The invariants that ask about further collisions are left out where it is not their turn.
-  Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
-        std::optional<oracles::LiftedMatrix> collision_matrix, RelationTurn relations = {});
+  /// `answer` is the subject's to the case's collision. The invariants that ask about further collisions are left out
+  /// where it is not their turn.
+  Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations = {});
 
   // It refers to questions that it holds itself.
   Trial(const Trial&) = delete;
@@ -130,7 +134,6 @@ class Trial {
   const JudgedCase* judged_case_;
   const Claim* claim_;
   ExactAnswer answer_;
-  std::optional<oracles::LiftedMatrix> collision_matrix_;
   RelationTurn relations_;
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // of the invariants whose questions depend on it
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
@@ -140,12 +143,6 @@ class Trial {
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
 /// A whole trial of one case.
-[[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve,
-                                 const std::optional<oracles::LiftedMatrix>& collision_matrix = std::nullopt);
-
-/// The collision matrix that the subject shows for a valid collision, lifted, zero where it is not finite; none where
-/// it shows none.
-[[nodiscard]] std::optional<oracles::LiftedMatrix> shown_collision_matrix(const Subject& subject,
-                                                                          const JudgedCase& judged_case);
+[[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve);
 
 }  // namespace carom::properties

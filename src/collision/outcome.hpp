@@ -22,9 +22,6 @@ struct Outcome {
   BodyVelocity<S> b;
 };
 
-/// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
-using ReportedOutcome = Outcome<long double>;
-
 /// The four vectors of an outcome.
 enum class OutcomeVector { velocity_of_a, angular_velocity_of_a, velocity_of_b, angular_velocity_of_b };
 
@@ -45,6 +42,12 @@ static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_ve
       break;
   }
   return "b.angular_velocity";
+}
+
+/// The velocity and the angular velocity of A or of B.
+[[nodiscard]] constexpr std::array<OutcomeVector, 2> vectors_of_body(bool a) {
+  return a ? std::array{OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a}
+           : std::array{OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 }
 
 /// A value for each of the four vectors of an outcome.

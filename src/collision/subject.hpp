@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <carom/collision/model.hpp>
-#include <carom/collision/outcome.hpp>
 #include <carom/collision/precision.hpp>
+#include <carom/collision/solved_outcome.hpp>
 
 namespace carom {
 
@@ -96,9 +96,11 @@ struct Subject {
   std::string absent;
   /// A session of its own for each thread. Empty where `absent` is not.
   std::function<Session()> open;
-  /// The collision matrix as the subject computes it, in an orthonormal basis of its choice; empty where it shows none.
-  /// Precondition: the collision is valid.
-  std::function<Matrix3<long double>(const Collision&)> collision_matrix;
+  /// Whether it shows the collision matrix with the outcome of each colliding contact that it solves by one.
+  bool shows_collision_matrix = false;
+
+  /// Whether it is a program that answers in text.
+  [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };
 
 }  // namespace carom

@@ -23,6 +23,13 @@ template <class S, class Inertia>
   return collision_matrix(contact.a) + collision_matrix(contact.b);
 }
 
+/// What a law hands the collision matrix that it solves with, where nobody asks for it. A law calls `see(K)` with K in
+/// world axes, once it is formed; not where it answers without one.
+struct UnseenMatrix {
+  template <class S>
+  constexpr void operator()(const Matrix3<S>& /*matrix*/) const {}
+};
+
 /// C = Bᵀ K B: the collision matrix in the basis that the columns of B are. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> in_basis(const Matrix3<S>& matrix, const Matrix3<S>& basis) {

@@ -71,8 +71,8 @@ class SlipResistance {
 /// ν > 0 in between puts it on the surface: there always is an answer (docs/guide/laws.md), and bisection finds one.
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
-template <class S>
-[[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact) {
+template <class S, class See = UnseenMatrix>
+[[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact, const See& see = {}) {
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {
     return {false, contact.normal};
@@ -81,17 +81,18 @@ template <class S>
   const Vector3<S> velocity = relative_velocity_along_normal(contact);
   const Vector3<S> change{-(S(1) + contact.restitution) * approach / std::sqrt(dot(contact.normal, contact.normal)),
                           -basis.col(1).dot(velocity), -basis.col(2).dot(velocity)};
-  const detail::SlipResistance<S> law(in_basis<S>(collision_matrix(contact), basis), change, inverse_mass(contact),
-                                      contact.friction);
+  const Matrix3<S> matrix = collision_matrix(contact);
+  see(matrix);
+  const detail::SlipResistance<S> law(in_basis<S>(matrix, basis), change, inverse_mass(contact), contact.friction);
   const Vector3<S> sticking = law.impulse(S(0));
   return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
 }
 
 /// A contact that is not colliding keeps its velocities; without friction the answer is the frictionless one.
 /// Precondition: the contact was made from a valid collision.
-template <class S>
-[[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact) {
-  return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact)) : frictionless(contact);
+template <class S, class See = UnseenMatrix>
+[[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact, const See& see = {}) {
+  return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact, see)) : frictionless(contact);
 }
 
 }  // namespace carom::impulse

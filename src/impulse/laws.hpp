@@ -12,23 +12,39 @@
 /// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
 namespace carom::impulse {
 
+namespace detail {
+
+/// It forms no collision matrix, so that there is none to see.
+struct FrictionlessLaw {
+  template <class Contact>
+  [[nodiscard]] auto operator()(const Contact& contact) const {
+    return frictionless_impulse(contact);
+  }
+  template <class Contact, class S, class... See>
+  [[nodiscard]] auto operator()(const Contact& contact, const S& approach, const See&... /*see*/) const {
+    return frictionless_impulse(contact, approach);
+  }
+};
+
+}  // namespace detail
+
 /// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known better than from
-/// the contact, to its ContactImpulse, NormalImpulse or RoughImpulse; not where the model is not one of
-/// `models_with_truth`.
+/// the contact, and behind that what is to see the collision matrix, to its ContactImpulse, NormalImpulse or
+/// RoughImpulse; not where the model is not one of `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {
     case Model::frictionless:
-      use([](const auto& contact, const auto&... approach) { return frictionless_impulse(contact, approach...); });
+      use(detail::FrictionlessLaw());
       return;
     case Model::reflection:
-      use([](const auto& contact, const auto&... approach) { return reflection_impulse<Ldlt>(contact, approach...); });
+      use([](const auto& contact, const auto&... given) { return reflection_impulse<Ldlt>(contact, given...); });
       return;
     case Model::sticking:
-      use([](const auto& contact, const auto&... approach) { return sticking_impulse<Ldlt>(contact, approach...); });
+      use([](const auto& contact, const auto&... given) { return sticking_impulse<Ldlt>(contact, given...); });
       return;
     case Model::rough:
-      use([](const auto& contact, const auto&... approach) { return rough_impulse<Ldlt>(contact, approach...); });
+      use([](const auto& contact, const auto&... given) { return rough_impulse<Ldlt>(contact, given...); });
       return;
     case Model::coulomb:
     case Model::any:

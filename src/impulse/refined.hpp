@@ -61,8 +61,8 @@ template <class Low, class S>
 
 /// The reflection law, the 3×3 solves in Low by one of solve3.hpp. Precondition: the contact was made from a valid
 /// collision.
-template <class Low, class Solve, class S>
-[[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact) {
+template <class Low, class Solve, class S, class See = UnseenMatrix>
+[[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact, const See& see = {}) {
   const Vector3<S>& n = contact.normal;
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {
@@ -70,6 +70,7 @@ template <class Low, class Solve, class S>
   }
   const Contact<Low> low = rounded<Low>(contact);
   const Matrix3<Low> k = collision_matrix(low);
+  see(k);
   const auto solve = [&](const Vector3<S>& change) -> Vector3<S> {
     return Solve::template solve<Low>(k, change.template cast<Low>(), inverse_mass(low)).template cast<S>();
   };

@@ -25,8 +25,9 @@ template <class S, class Inertia>
 /// named.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve = Ldlt, class S, class Inertia>
-[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
+[[nodiscard]] ContactImpulse<S> reflection_impulse(const Contact<S, Inertia>& contact, const S& approach,
+                                                   const See& see = {}) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
@@ -34,7 +35,9 @@ template <class Solve = Ldlt, class S, class Inertia>
   }
   const S factor = -(S(1) + contact.restitution) * approach / dot(n, n);
   const Vector3<S> velocity_change = n * factor;
-  const Vector3<S> solved = Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact));
+  const Matrix3<S> matrix = collision_matrix(contact);
+  see(matrix);
+  const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
   // K N = λ N where N lies along both lever arms, and what rounding leaves elsewhere in K is to turn nothing.
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
@@ -52,14 +53,25 @@ template <class S>
   return Matrix3<S>::Identity() * inverse_mass(contact) + (of_body(contact.a) + of_body(contact.b));
 }
 
-/// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25.
+/// B C Bᵀ: the matrix in world axes, of an orthonormal basis that the columns of B are.
 template <class S>
-[[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis) {
+[[nodiscard]] Matrix3<S> in_world_axes(const Matrix3<S>& matrix, const Matrix3<S>& basis) {
+  return in_basis<S>(matrix, basis.transpose());
+}
+
+/// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25. `see`
+/// gets its C in world axes.
+template <class S, class See = UnseenMatrix>
+[[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
+                                                   const See& see = {}) {
   const S approach = normal_velocity(contact) / std::sqrt(contact.normal.dot(contact.normal));
   if (!is_colliding(contact, approach)) {
     return unchanged(contact);
   }
   const Matrix3<S> c = printed_collision_matrix(contact, basis);
+  if constexpr (!std::is_same_v<See, UnseenMatrix>) {
+    see(in_world_axes(c, basis));
+  }
   const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * approach, S(0), S(0)};
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
@@ -67,23 +79,23 @@ template <class S>
 /// The reflection law as note §2 prints it, with the fall-back to eq. 18 that implementations take where V⁻ has no
 /// tangential part. Kept because it fails: near head-on T0 is rounding noise and not orthogonal to N. Use `reflection`
 /// instead.
-template <class S>
-[[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact) {
+template <class S, class See = UnseenMatrix>
+[[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
   if ((basis.col(1).array() == S(0)).all()) {
     return frictionless(contact);
   }
-  return reflection_in_given_basis(contact, basis);
+  return reflection_in_given_basis(contact, basis, see);
 }
 
 /// The same with a T0 that does not depend on V⁻: the choice of T0 is all that fails in `reflection_in_basis`. Where N
 /// lies along both lever arms F lies along N (eq. 18), and what rounding leaves of T0 and T1 is to turn nothing.
-template <class S>
-[[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact) {
+template <class S, class See = UnseenMatrix>
+[[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {
     return frictionless(contact);
   }
-  return reflection_in_given_basis(contact, stable_tangent_basis(contact));
+  return reflection_in_given_basis(contact, stable_tangent_basis(contact), see);
 }
 
 }  // namespace carom::impulse

@@ -40,8 +40,9 @@ template <class S>
 ///
 /// Solve is one of solve3.hpp, Ldlt where none is named. Preconditions: the contact was made from a valid collision;
 /// `approach` is N·V⁻.
-template <class Solve = Ldlt, class S, class Inertia>
-[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
+[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
+                                            const See& see = {}) {
   const Vector3<S>& n = contact.normal;
   const NormalImpulse<S> normal = frictionless_impulse(contact, approach);
   if (none_of(normal.colliding)) {
@@ -50,8 +51,9 @@ template <class Solve = Ldlt, class S, class Inertia>
   // P_II by itself: K⁻¹ (V⁻ + K P_I) would multiply what rounding leaves of K P_I by κ(K).
   const Vector3<S> velocity = relative_velocity(contact);
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
-  const Vector3<S> stops_point =
-      -Solve::template solve<S>(collision_matrix(contact), approaching, inverse_mass(contact));
+  const Matrix3<S> matrix = collision_matrix(contact);
+  see(matrix);
+  const Vector3<S> stops_point = -Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
   // (1 + ε) D, and κ / (1 + ε) with it, need one division only.
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;

@@ -45,8 +45,9 @@ template <class S, class Inertia>
 /// is named.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
-template <class Solve = Ldlt, class S, class Inertia>
-[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
+[[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact, const S& approach,
+                                                 const See& see = {}) {
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {
@@ -55,7 +56,9 @@ template <class Solve = Ldlt, class S, class Inertia>
   const Vector3<S> velocity = relative_velocity_along_normal(contact);
   const S factor = contact.restitution * approach / dot(n, n);
   const Vector3<S> velocity_change = -(velocity + n * factor);
-  return {colliding, Solve::template solve<S>(collision_matrix(contact), velocity_change, inverse_mass(contact))};
+  const Matrix3<S> matrix = collision_matrix(contact);
+  see(matrix);
+  return {colliding, Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact))};
 }
 template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact) {

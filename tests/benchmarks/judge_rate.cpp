@@ -39,7 +39,6 @@ std::vector<Subject> sound_subjects() {
 /// A subject's answers to a case and to all its questions.
 struct Asked {
   Answer answer;
-  std::optional<oracles::LiftedMatrix> collision_matrix;
   std::vector<Answer> related;
 };
 
@@ -68,10 +67,8 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
     const JudgedCase judged(one);
     std::vector<Asked>& all = result.asked.emplace_back();
     for (std::size_t s = 0; s < sessions.size(); ++s) {
-      Asked asked{properties::answers_of(sessions[s], std::span(&one.collision, 1)).front(),
-                  properties::shown_collision_matrix(result.subjects[s], judged),
-                  {}};
-      const Trial trial(judged, claims[s], properties::lift(asked.answer), std::nullopt, relations_if(with_relations));
+      Asked asked{properties::answers_of(sessions[s], std::span(&one.collision, 1)).front(), {}};
+      const Trial trial(judged, claims[s], properties::lift(asked.answer), relations_if(with_relations));
       if (trial.question_count() > 0) {
         asked.related = properties::answers_of(sessions[s], trial.questions());
       }
@@ -89,8 +86,7 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
     const JudgedCase judged(work.cases[i]);
     for (std::size_t s = 0; s < work.subjects.size(); ++s) {
       const Asked& asked = work.asked[i][s];
-      const Trial trial(judged, claims[s], properties::lift(asked.answer), asked.collision_matrix,
-                        relations_if(with_relations));
+      const Trial trial(judged, claims[s], properties::lift(asked.answer), relations_if(with_relations));
       const properties::Judgement judgement =
           trial.judge(std::span(asked.related).first(trial.question_count()), known[s]);
       verdicts += judgement.verdicts.size();

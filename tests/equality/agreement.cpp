@@ -44,10 +44,8 @@ class Judge {
   Judgement operator()(const Subject& subject, Claim claim, Relations relations, const Answers& answers,
                        double known_backward_error, std::chrono::nanoseconds& spent) const {
     claim.yardstick.filtered = filtered_;
-    const auto collision_matrix = properties::shown_collision_matrix(subject, judged_case_);
     const auto start = std::chrono::steady_clock::now();
-    const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), collision_matrix,
-                                  turn_of(relations));
+    const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), turn_of(relations));
     Judgement judgement = trial.judge(answers.related, known_backward_error);
     spent += std::chrono::steady_clock::now() - start;
     return judgement;
@@ -60,7 +58,7 @@ class Judge {
 
 Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& session, Relations relations) {
   Answers answers{properties::answers_of(session, std::span(&judged_case.generated().collision, 1)).front(), {}};
-  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), std::nullopt, turn_of(relations));
+  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), turn_of(relations));
   if (trial.question_count() > 0) {
     answers.related = properties::answers_of(session, trial.questions());
   }

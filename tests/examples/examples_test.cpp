@@ -28,7 +28,7 @@ json report_on(const std::string& subject, const std::string& cases) {
 
 TEST(Examples, StandWordForWordInTheGuide) {
   const std::string guide = content_of(documents / "guide" / "plug-in.md");
-  for (const char* name : {"solver.py", "solver.mjs", "solver.cpp"}) {
+  for (const char* name : {"solver.py", "solver.mjs", "solver.cpp", "reflection.py"}) {
     const std::string text = content_of(documents / "examples" / name);
     ASSERT_FALSE(text.empty()) << name;
     EXPECT_NE(guide.find(text), std::string::npos) << name << " differs from what docs/guide/plug-in.md shows";
@@ -51,12 +51,27 @@ TEST(Examples, InJavaScriptIsSound) {
   EXPECT_EQ(report.at("status"), "sound") << report;
 }
 
-/// A line of the Python example, what stands there in its place, and the invariant that points to it.
+/// It shows its matrix, which is judged.
+TEST(Examples, OfReflectionIsSound) {
+  const json report = report_on("exec:python3 " + (documents / "examples" / "reflection.py").string(), "200");
+  EXPECT_EQ(report.at("status"), "sound") << report;
+  EXPECT_EQ(report.at("shows_collision_matrix"), true);
+  for (const char* invariant : {"definite", "well_conditioned", "matrix_used"}) {
+    std::uint64_t held = 0;
+    for (const json& family : report.at("families")) {
+      held += family.at("invariants").at(invariant).at("holds").get<std::uint64_t>();
+    }
+    EXPECT_GT(held, 100U) << invariant;
+  }
+}
+
+/// A line of an example, what stands there in its place, and the invariant that points to it.
 struct Defect {
   std::string name;
   std::string line;
   std::string planted;
   std::string invariant;
+  std::string example = "solver.py";
 };
 
 std::ostream& operator<<(std::ostream& out, const Defect& defect) { return out << defect.name; }
@@ -64,7 +79,7 @@ std::ostream& operator<<(std::ostream& out, const Defect& defect) { return out <
 class Defects : public testing::TestWithParam<Defect> {};
 
 TEST_P(Defects, AreFoundInTheExample) {
-  std::string text = content_of(documents / "examples" / "solver.py");
+  std::string text = content_of(documents / "examples" / GetParam().example);
   const std::size_t at = text.find(GetParam().line);
   ASSERT_NE(at, std::string::npos) << GetParam().line;
   text.replace(at, GetParam().line.size(), GetParam().planted);
@@ -129,7 +144,12 @@ INSTANTIATE_TEST_SUITE_P(
                "for x in v]\n"
                "    return {\"velocity\": single(body.velocity), \"angular_velocity\": single(body.spin)}",
                "backward_error"},
-        Defect{"nothing_done", "if approach < 0 and movable:", "if False:", "non_penetration"}),
+        Defect{"nothing_done", "if approach < 0 and movable:", "if False:", "non_penetration"},
+        Defect{"matrix_left_out", "return reply if matrix is None else", "return reply if True else", "finite",
+               "reflection.py"},
+        Defect{"matrix_of_one_body_shown", "    return a, b, k\n", "    return a, b, collision_matrix([a])\n",
+               "matrix_used", "reflection.py"},
+        Defect{"angular_term_subtracted", "+ sum(t[i] * t[j]", "- sum(t[i] * t[j]", "definite", "reflection.py"}),
     [](const auto& each) { return each.param.name; });
 
 }  // namespace

@@ -55,8 +55,7 @@ void judge_law(Bytes bytes, Model model) {
     require(!std::holds_alternative<Refused>(first[0]), "a valid collision was refused");
     return;
   }
-  const properties::AnswerAndJudgement judged =
-      properties::judge_in_session(solver.subject, solver.claim, solver.session, read.one);
+  const properties::AnswerAndJudgement judged = properties::judge_in_session(solver.claim, solver.session, read.one);
   for (const properties::NamedVerdict& named : judged.judgement.verdicts) {
     if (named.verdict.status == properties::Status::violated) {
       fail_on(solver, collision, *named.invariant, named.verdict);
@@ -64,7 +63,8 @@ void judge_law(Bytes bytes, Model model) {
   }
   for (const properties::Invariant* invariant : solver.claim.invariants) {
     if (const auto* about = std::get_if<properties::AboutSession>(&invariant->about)) {
-      const properties::Verdict verdict = about->check(first[0], judged.answer);
+      const properties::Verdict verdict =
+          about->check(first[0], judged.answer, properties::sameness_of_answers(solver.subject));
       if (verdict.status == properties::Status::violated) {
         fail_on(solver, collision, *invariant, verdict);
       }

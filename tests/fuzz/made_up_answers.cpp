@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -25,8 +26,19 @@ ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Model model, I
 }
 
 ReportedOutcome any_outcome(Input& input) {
-  return map_outcome<long double>(ReportedOutcome{},
+  return map_outcome<long double>(Outcome<long double>{},
                                   [&](long double) { return static_cast<long double>(input.number()); });
+}
+
+/// The exact collision matrix, one of its entries moved by so many units in the last place.
+Matrix3<long double> moved_matrix(const Collision& collision, Precision precision, int place, int ulps) {
+  Matrix3<long double> matrix;
+  const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();
+  for (int i = 0; i < 9; ++i) {
+    matrix(i / 3, i % 3) = static_cast<long double>(oracles::to_double(exact(i / 3, i % 3)));
+  }
+  matrix(place / 3, place % 3) *= static_cast<long double>(1 + ulps * unit_roundoff(precision));
+  return matrix;
 }
 
 Answer made_up_answer(const Collision& collision, Model model, Precision precision, Input& input) {
@@ -61,21 +73,16 @@ Subject made_up_subject(Input& input) {
   const Precision precision = subject.precision;
   const int place = input.byte() % 9;
   const int ulps = input.byte() - 128;
-  // Both judges ask for it: it has to be the same for both.
-  subject.collision_matrix = [=](const Collision& collision) {
-    Matrix3<long double> matrix;
-    const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();
-    for (int i = 0; i < 9; ++i) {
-      matrix(i / 3, i % 3) = static_cast<long double>(oracles::to_double(exact(i / 3, i % 3)));
-    }
-    matrix(place / 3, place % 3) *= static_cast<long double>(1 + ulps * unit_roundoff(precision));
-    return matrix;
-  };
+  subject.shows_collision_matrix = true;
   subject.open = [=, &input] {
     return Session([=, &input](std::span<const Collision> collisions) {
       std::vector<Answer> answers;
       for (const Collision& collision : collisions) {
-        answers.push_back(made_up_answer(collision, model, precision, input));
+        Answer answer = made_up_answer(collision, model, precision, input);
+        if (auto* outcome = std::get_if<ReportedOutcome>(&answer); outcome != nullptr && validate(collision).empty()) {
+          outcome->collision_matrix = moved_matrix(collision, precision, place, ulps);
+        }
+        answers.push_back(std::move(answer));
       }
       return answers;
     });

@@ -62,8 +62,8 @@ void read(Bytes bytes) {
     const protocol::Introduction again = protocol::introduction_from(protocol::introduction_reply(*introduction));
     require(again == *introduction || !is_whole(*introduction), "an introduction does not survive being written");
   }
-  if (const auto answer = read_or_none([&] { return protocol::answer_from(line, 1, precision); })) {
-    const Answer again = protocol::answer_from(protocol::answer_reply(1, *answer, precision), 1, precision);
+  if (const auto answer = read_or_none([&] { return protocol::answer_from(line, 1, precision, true); })) {
+    const Answer again = protocol::answer_from(protocol::answer_reply(1, *answer, precision), 1, precision, true);
     require(same_answer(*answer, again), "an answer does not survive being written");
   }
 }

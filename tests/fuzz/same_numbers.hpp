@@ -29,7 +29,12 @@ template <class S>
       same &= same_number((*of_x[k])[i], (*of_y[k])[i]);
     }
   }
-  return same;
+  if (x.collision_matrix && y.collision_matrix) {
+    for (int i = 0; i < 9; ++i) {
+      same &= same_number((*x.collision_matrix)(i / 3, i % 3), (*y.collision_matrix)(i / 3, i % 3));
+    }
+  }
+  return same && x.collision_matrix.has_value() == y.collision_matrix.has_value();
 }
 
 }  // namespace carom::fuzz

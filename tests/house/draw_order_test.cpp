@@ -13,7 +13,10 @@ namespace {
 
 /// The first such pair of draws; empty where there is none. What a `?` or the commas of braces put in order may pass.
 std::string unordered_draws(const std::string& text) {
-  static const std::regex pair(R"re(stream\.\w+\([^()]*\)\)*\s*[-+*/,][^;?{}]*stream\.\w+)re");
+  // A draw, of the stream or of a function that is given it; what ends the braces or parentheses about it; an operator
+  // or a comma; and another draw in the same statement.
+  static const std::regex pair(
+      R"re((stream\.\w+\([^()]*\)|\w+\(stream\b[^()]*\)|stream\.\w+\([^()]*\)[^;?{}()]*\})\)*\s*[-+*/,][^;?{}]*(stream\.\w|\(stream\b))re");
   std::smatch match;
   return std::regex_search(text, match, pair) ? match.str() : std::string();
 }
@@ -23,7 +26,10 @@ TEST(DrawOrder, IsFoundLackingWherePlanted) {
        {"p = stream.vector() * stream.power_of_two(-2, 2);", "return stream.power_of_two(-6, 6) * (1 + stream.unit());",
         "r = stream.power_of_ten(-18, -1) * (stream.chance(4) ? 1 : -1);",
         "e = (1 + stream.between(0.125, 8)) * (stream.chance(2) ? 1 : -1);",
-        "p = stream.vector() *\n    stream.unit();", "x = std::ldexp(stream.unit(), stream.integer(0, 3));"}) {
+        "p = stream.vector() *\n    stream.unit();", "x = std::ldexp(stream.unit(), stream.integer(0, 3));",
+        "p = turned_across(stream, along, c.normal) * stream.power_of_two(-40, -28);",
+        "p = stream.vector() * size_of(stream, c);", "p = V{stream.unit(), 0, 0} * length + stream.vector() * width;",
+        "set(drawn(stream, c), stream.unit());"}) {
     EXPECT_NE(unordered_draws(text), "") << text;
   }
 }
@@ -31,7 +37,8 @@ TEST(DrawOrder, IsFoundLackingWherePlanted) {
 TEST(DrawOrder, IsNotMissedWhereItIsThere) {
   for (const char* text : {"const double size = stream.power_of_two(-2, 2);\np = stream.vector() * size;",
                            "x = stream.chance(2) ? 1 : stream.unit();", "x = stream.unit() * 2;\ny = stream.unit();",
-                           "v[stream.integer(0, 2)] = stream.unit();"}) {
+                           "v[stream.integer(0, 2)] = stream.unit();", "make(stream, c);\nturn(stream, c);",
+                           "turn(stream, b, stream.chance(2) ? 1 : -1);"}) {
     EXPECT_EQ(unordered_draws(text), "") << text;
   }
 }

@@ -720,6 +720,18 @@ const std::array mutants{
            "40",
            "the outcome of the previous collision is returned",
            {"linear_momentum", "restitution", "separating_untouched", "repeat", "memoryless"}},
+    Mutant{"one_triangle_shown",
+           Defect::one_triangle_shown,
+           reflection,
+           "",
+           "of the collision matrix one triangle is shown, and zeros in place of the other",
+           {"matrix_used"}},
+    Mutant{"diagonal_shown",
+           Defect::diagonal_shown,
+           sticking,
+           "",
+           "of the collision matrix the diagonal is shown",
+           {"matrix_used"}},
 };
 
 }  // namespace

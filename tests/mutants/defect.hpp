@@ -129,6 +129,8 @@ enum class Defect {
   contact_skipped_at_times,
   constant_outcome,
   previous_outcome,
+  one_triangle_shown,
+  diagonal_shown,
 };
 
 }  // namespace carom::mutants

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <carom/properties/features/feature.hpp>
-#include <carom/properties/trial/held.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 
 #include "leaves_truth.hpp"
 
@@ -118,10 +118,12 @@ const Seen& Detection::seen(Model model, Damage damage, std::size_t x, std::size
 void Detection::add(const JudgedCase& one, const Collision& previous) {
   const Collision& collision = one.generated().collision;
   ++cases_;
-  if (!properties::why_not_held(collision, unit_roundoff(Precision::binary64)).empty()) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  if (properties::reason_unjudged(one.exact(), yardstick)) {
     return;
   }
-  ++held_;
+  ++judged_;
   const std::vector<std::size_t> present = features_present(collision);
   const oracles::ExactCase read(as_read(collision));
   for (std::size_t m = 0; m < models_.size(); ++m) {
@@ -159,7 +161,7 @@ Detection& Detection::operator+=(const Detection& other) {
   std::transform(seen_.begin(), seen_.end(), other.seen_.begin(), seen_.begin(),
                  [](Seen sum, const Seen& more) { return sum += more; });
   cases_ += other.cases_;
-  held_ += other.held_;
+  judged_ += other.judged_;
   sound_rejected_ += other.sound_rejected_;
   return *this;
 }

@@ -54,14 +54,14 @@ class Detection {
 
   /// Cases that were booked, those of them that binary64 holds, and sound outcomes of these that were rejected.
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
-  [[nodiscard]] std::uint64_t held() const { return held_; }
+  [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t sound_rejected() const { return sound_rejected_; }
 
  private:
   std::vector<Model> models_;
   std::vector<Seen> seen_;
   std::uint64_t cases_ = 0;
-  std::uint64_t held_ = 0;
+  std::uint64_t judged_ = 0;
   std::uint64_t sound_rejected_ = 0;
 };
 

@@ -194,8 +194,8 @@ std::string to_text(const Detection& detection, bool markdown) {
     }
   }
   print_score(out, row, "all", "all", scores_of(detection));
-  fmt::format_to(out, "\n{} colliding cases, {} of them held by binary64, {} sound outcomes rejected\n",
-                 detection.cases(), detection.held(), detection.sound_rejected());
+  fmt::format_to(out, "\n{} colliding cases, {} of them judged in binary64, {} sound outcomes rejected\n",
+                 detection.cases(), detection.judged(), detection.sound_rejected());
   if (markdown) {
     print_kinds(out, detection);
     return text;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,11 +88,13 @@ class Solver {
         return Refused{"normal: expected a vector of length 1"};
       }
     }
-    return map_outcome<long double>(answered(collision), [](double x) { return static_cast<long double>(x); });
-  }
-
-  [[nodiscard]] Matrix collision_matrix(const Collision& collision) const {
-    return collision_matrix(read(misread(defect_, collision)));
+    formed_.reset();
+    ReportedOutcome outcome =
+        map_outcome<long double>(answered(collision), [](double x) { return static_cast<long double>(x); });
+    if (formed_) {
+      outcome.collision_matrix = shown(*formed_).cast<long double>();
+    }
+    return outcome;
   }
 
  private:
@@ -284,7 +287,16 @@ class Solver {
     if (has(Defect::regularised)) {
       matrix += Matrix::Identity() * regularisation;
     }
+    formed_ = matrix;
     return matrix;
+  }
+
+  /// What is shown of the matrix that was solved with.
+  [[nodiscard]] Matrix shown(const Matrix& matrix) const {
+    if (has(Defect::one_triangle_shown)) {
+      return matrix.triangularView<Eigen::Lower>();
+    }
+    return has(Defect::diagonal_shown) ? Matrix(matrix.diagonal().asDiagonal()) : matrix;
   }
 
   // The law.
@@ -653,6 +665,7 @@ class Solver {
   double tangential_restitution_ = 0;  // of this collision
   Vector contact_normal_ = Vector::Zero();
   unsigned contacts_ = 0;
+  mutable std::optional<Matrix> formed_;  // the collision matrix of this solve
 };
 
 }  // namespace
@@ -671,9 +684,7 @@ Subject make_subject(std::string name, Model model, Defect defect) {
       return answers;
     };
   };
-  subject.collision_matrix = [solver = Solver(model, defect)](const Collision& collision) -> Matrix3<long double> {
-    return solver.collision_matrix(collision).cast<long double>();
-  };
+  subject.shows_collision_matrix = model != Model::frictionless;
   return subject;
 }
 

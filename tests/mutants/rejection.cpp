@@ -25,8 +25,7 @@ std::set<std::string_view> rejecting_invariants(const Subject& subject, std::spa
         }
         return properties::lift(answer);
       };
-      const properties::Judgement judgement =
-          properties::try_case(judged_case, claim, solve, properties::shown_collision_matrix(subject, judged_case));
+      const properties::Judgement judgement = properties::try_case(judged_case, claim, solve);
       for (const properties::NamedVerdict& named : judgement.verdicts) {
         if (named.verdict.status == properties::Status::violated) {
           rejecting.insert(named.invariant->name);
@@ -39,7 +38,8 @@ std::set<std::string_view> rejecting_invariants(const Subject& subject, std::spa
   for (const properties::Invariant* invariant : claim.invariants) {
     if (const auto* about = std::get_if<properties::AboutSession>(&invariant->about)) {
       for (const auto& [collision, answer] : asked) {
-        if (about->check(answer, ask(collision)).status == properties::Status::violated) {
+        if (about->check(answer, ask(collision), properties::sameness_of_answers(subject)).status ==
+            properties::Status::violated) {
           rejecting.insert(invariant->name);
         }
       }

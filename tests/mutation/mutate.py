@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Changes one operator, sign, number, comparison or term of the judge at a time, and asks whether the tests notice.
 
-In a copy of the sources, build-mutation/source, each change that is drawn stands behind a switch (change.hpp), so all
+In a copy of the sources, build-mutation, each change that is drawn stands behind a switch (change.hpp), so all
 are compiled at once. The tests below run once for each change, with CAROM_MUTANT=NUMBER set. A test that fails, crashes
 or takes too long notices the change. What is decided while compiling (static_assert, if constexpr, template arguments,
 enumerators) is no place for a change. A change that does not compile is dropped, with its reason. Exit status 1: less
@@ -22,11 +22,13 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-WORK = ROOT / "build-mutation"
+WORK = ROOT / "build-mutation"  # a copy of this tree, and its build
 PAGE = "docs/internals/mutation.md"
 MUTATED = [*(f"oracles/{one}" for one in ("laws", "exact", "judge", "filters", "models")), "properties/invariants"]
 # Program and GoogleTest filter, in the order in which they run: what notices most in the least time comes first.
-TESTS = [("oracles/oracles_tests", "*"), ("oracles/bounds/bounds_tests", "*")]
+TESTS = [("oracles/oracles_tests", "*"), ("oracles/bounds/bounds_tests", "*"), ("properties/properties_tests", "*"),
+         ("equality/carom_equality_tests", "*"), ("properties/invariants/invariants_tests", "*"),
+         ("mutants/carom_mutant_tests", "Mutants*")]
 LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
 LIMITS = ["timeout", "120", "prlimit", "--as=8589934592"]  # seconds, bytes
 
@@ -161,7 +163,7 @@ def write_copy(places):
         folders[:] = [one for one in folders if not re.match(r"\.git$|node_modules$|__pycache__$|build", one)]
         for path in (str((pathlib.Path(folder) / name).relative_to(ROOT)) for name in files):
             of_file = {number: place for number, place in places.items() if place.path == path}
-            copy, new = WORK / "source" / path, (ROOT / path).read_bytes()
+            copy, new = WORK / path, (ROOT / path).read_bytes()
             new = changed(new.decode(), of_file).encode() if of_file else new
             if not copy.exists() or copy.read_bytes() != new:
                 copy.parent.mkdir(parents=True, exist_ok=True)
@@ -191,8 +193,8 @@ def build(places, jobs):
         left = {n: place for n, place in places.items() if place.name not in known}
         write_copy(left)
         if not (WORK / "build/build.ninja").exists():
-            subprocess.run(["cmake", "-S", WORK / "source", "-B", WORK / "build", "-G", "Ninja", "-Wno-dev",
-                            "--log-level=WARNING", "-C", ROOT / "src/cmake/caches/mutation.cmake"], check=True)
+            subprocess.run(["cmake", "-S", WORK, "-B", WORK / "build", "-G", "Ninja", "-Wno-dev", "--log-level=WARNING",
+                            "-C", ROOT / "src/cmake/caches/everything.cmake"], check=True, stdout=subprocess.DEVNULL)
         run = subprocess.run(["ninja", "-C", WORK / "build", "-j", str(jobs), "-k", "0",
                               *(program.split("/")[-1] for program, _ in TESTS)], text=True, stdout=subprocess.PIPE)
         if run.returncode == 0:

@@ -72,6 +72,33 @@ TEST(Deviates, IsShownInEveryReport) {
   EXPECT_NE(content_of(out.path() / "report.json").find("energy@head_on"), std::string::npos);
 }
 
+/// A method that forms no collision matrix claims nothing of it; one that forms one is judged on it.
+TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
+  const TemporaryDirectory out;
+  const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",
+                                      "--families", "head_on", "--cases", "20", "--out", out.path().string()});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  const std::string said = "not claimed, as it shows no collision matrix: definite, well_conditioned, matrix_used\n";
+  const std::size_t at = result.output.find(said);
+  ASSERT_NE(at, std::string::npos) << result.output;
+  EXPECT_NE(result.output.find(said, at + 1), std::string::npos);
+  EXPECT_EQ(result.output.find(said, result.output.find(said, at + 1) + 1), std::string::npos);
+  const std::string html = content_of(out.path() / "report.html");
+  EXPECT_NE(html.find("as it shows no collision matrix"), std::string::npos);
+  const json report = json::parse(content_of(out.path() / "report.json"));
+  for (const auto& [subject, shows] : {std::pair{0, false}, std::pair{1, true}, std::pair{2, false}}) {
+    const json& record = report.at("subjects").at(static_cast<std::size_t>(subject));
+    const json& invariants = record.at("families").at(0).at("invariants");
+    EXPECT_EQ(record.at("shows_collision_matrix"), shows);
+    EXPECT_EQ(record.at("not_claimed"),
+              shows ? json::array() : json::array({"definite", "well_conditioned", "matrix_used"}));
+    for (const char* name : {"definite", "matrix_used"}) {
+      EXPECT_EQ(invariants.contains(name), shows) << name;
+      EXPECT_TRUE(!shows || invariants.at(name).at("holds") > 0) << name;
+    }
+  }
+}
+
 TEST(Deviates, OfNothingKnownNamesTheNearest) {
   const RunResult invariant = run_carom({"gate", "frictionless-double", "--deviates", "restitutoin"});
   EXPECT_EQ(invariant.exit_status, 2);

@@ -245,8 +245,8 @@ Collision collision_from_json(const json& value, const std::string& place) {
   return collision;
 }
 
-ReportedOutcome outcome_from_json(const WideJson& value) {
-  ReportedOutcome outcome;
+Outcome<long double> outcome_from_json(const WideJson& value) {
+  Outcome<long double> outcome;
   ObjectReader reader(value, {});
   const auto read = [&](const char* name, BodyVelocity<long double>& motion) {
     ObjectReader body(reader.required(name), reader.at(name));
@@ -256,6 +256,21 @@ ReportedOutcome outcome_from_json(const WideJson& value) {
   read("a", outcome.a);
   read("b", outcome.b);
   return outcome;
+}
+
+Matrix3<long double> collision_matrix_from_json(const WideJson& value) {
+  ObjectReader reader(value, {});
+  const WideJson& rows = reader.required("C");
+  if (!rows.is_array() || rows.size() != 3) {
+    throw FormatError(reader.at("C"), "expected an array of 3 rows" + found(rows));
+  }
+  Matrix3<long double> matrix;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector3<long double> row;
+    detail::read_numbers(rows[i], row, [&] { return reader.at("C") + '/' + std::to_string(i); });
+    matrix.row(static_cast<Eigen::Index>(i)) = row;
+  }
+  return matrix;
 }
 
 }  // namespace carom

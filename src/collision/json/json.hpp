@@ -56,6 +56,9 @@ using WideJson =
 
 /// An outcome of the line protocol: the objects `a` and `b` of a reply, which may have further fields. Numbers as
 /// number_from_json reads them. Throws FormatError.
-[[nodiscard]] ReportedOutcome outcome_from_json(const WideJson& json);
+[[nodiscard]] Outcome<long double> outcome_from_json(const WideJson& json);
+
+/// The field C of such a reply: three rows of three numbers. Throws FormatError where it is missing, or something else.
+[[nodiscard]] Matrix3<long double> collision_matrix_from_json(const WideJson& json);
 
 }  // namespace carom

@@ -50,6 +50,18 @@ template <class Number, class Json, class Place>
   throw FormatError(place(), "expected a number" + found(value));
 }
 
+/// As many numbers as the vector has. `place` is called where they are something else.
+template <class Json, class Vector, class Place>
+void read_numbers(const Json& array, Vector& into, const Place& place) {
+  if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
+    throw FormatError(place(), "expected an array of " + std::to_string(into.size()) + " numbers" + found(array));
+  }
+  for (Eigen::Index i = 0; i < into.size(); ++i) {
+    into[i] = read_number<typename Vector::Scalar>(array[static_cast<std::size_t>(i)],
+                                                   [&] { return place() + '/' + std::to_string(i); });
+  }
+}
+
 /// Reads the fields of one JSON object, and knows which were asked for.
 template <class Json>
 class ObjectReader {
@@ -88,15 +100,7 @@ class ObjectReader {
 
   template <class Vector>
   void numbers(const char* name, Vector& into) {
-    const Json& array = required(name);
-    if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
-      throw FormatError(at(name), "expected an array of " + std::to_string(into.size()) + " numbers" + found(array));
-    }
-    for (Eigen::Index i = 0; i < into.size(); ++i) {
-      using Number = typename Vector::Scalar;
-      into[i] =
-          read_number<Number>(array[static_cast<std::size_t>(i)], [&] { return at(name) + '/' + std::to_string(i); });
-    }
+    read_numbers(required(name), into, [&] { return at(name); });
   }
 
   void reject_others() const {

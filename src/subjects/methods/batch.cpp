@@ -51,7 +51,6 @@ Method batch_method(Model model) {
   subject.open = [model] {
     return [model](std::span<const Collision> collisions) { return answers_of<S>(collisions, model); };
   };
-  subject.collision_matrix = collision_matrix_of<S>;
   method.prepare = [model](std::span<const Collision> collisions) -> Kernel {
     auto contacts = std::make_shared<const impulse::ContactBatch<S>>(batch_of<S>(collisions));
     auto outcomes = std::make_shared<impulse::OutcomeBatch<S>>(collisions.size());

@@ -19,11 +19,20 @@ Method guaranteed_method(Model model) {
   impulse::with_law(model, [&](const auto& law) {
     method = method_of<double>(
         {std::string(name_of(model)) + "-guaranteed", description_in_words(model) + ", the exact N·V⁺ never negative",
-         model},
+         model, model != Model::frictionless},
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
-        [law](const Posed& posed) { return impulse::guaranteed(posed.collision, posed.contact, law); });
+        [law](const Posed& posed, const auto& see) {
+          const auto seen_law = [&](const impulse::Contact<double>& contact, const auto&... approach) {
+            if constexpr (sizeof...(approach) == 0) {
+              return law(contact, impulse::normal_velocity(contact), see);
+            } else {
+              return law(contact, approach..., see);
+            }
+          };
+          return impulse::guaranteed(posed.collision, posed.contact, seen_law);
+        });
   });
   return method;
 }

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 #include <carom/impulse/solve3_pivoting.hpp>
 #include <carom/subjects/methods/scalar_methods.hpp>
 
 namespace carom::subjects {
 
+/// Solves that are stable by norms alone. In binary32 they lose the margin λ of K on a thin body that is struck far
+/// from its axis, where κ(K) u is 1 or more: the contact is then pulled, or left as it was.
 template <class S>
 [[nodiscard]] std::vector<Method> pivoting_methods() {
-  return {reflection_method<S, impulse::EigenLdlt>("reflection-ldlt-eigen", "Eigen's LDLT"),
-          reflection_method<S, impulse::EigenPartialPivLu>("reflection-partial-lu", "Eigen's PartialPivLU"),
-          reflection_method<S, impulse::EigenFullPivLu>("reflection-full-lu", "Eigen's FullPivLU"),
-          expected_to_fail(
-              reflection_method<S, impulse::EigenColPivHouseholderQr>("reflection-qr", "Eigen's ColPivHouseholderQR"),
-              "stable by norms alone: loses the small components where lever arms differ by orders of magnitude")};
+  std::vector<Method> methods{
+      reflection_method<S, impulse::EigenLdlt>("reflection-ldlt-eigen", "Eigen's LDLT"),
+      reflection_method<S, impulse::EigenPartialPivLu>("reflection-partial-lu", "Eigen's PartialPivLU"),
+      reflection_method<S, impulse::EigenFullPivLu>("reflection-full-lu", "Eigen's FullPivLU"),
+      reflection_method<S, impulse::EigenColPivHouseholderQr>("reflection-qr", "Eigen's ColPivHouseholderQR")};
+  if constexpr (std::is_same_v<S, float>) {
+    for (Method& method : methods) {
+      method = expected_to_fail(std::move(method), "stable by norms alone: loses the margin λ of K where κ(K) u ≥ 1");
+    }
+  }
+  return methods;
 }
 
 }  // namespace carom::subjects

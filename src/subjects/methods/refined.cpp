@@ -6,16 +6,16 @@
 namespace carom::subjects {
 
 std::vector<Method> refined_methods() {
-  const auto frictionless = [](const impulse::Contact<double>& contact) {
+  const auto frictionless = [](const impulse::Contact<double>& contact, const auto& /*see*/) {
     return impulse::frictionless_refined<float>(contact);
   };
-  const auto reflection = [](const impulse::Contact<double>& contact) {
-    return impulse::reflection_refined<float, impulse::Ldlt>(contact);
+  const auto reflection = [](const impulse::Contact<double>& contact, const auto& see) {
+    return impulse::reflection_refined<float, impulse::Ldlt>(contact, see);
   };
   std::vector<Method> methods{solver_method<double>({"frictionless-float-refined",
                                                      "the frictionless law solved in float, one step of refinement in "
                                                      "double; 13 digits, but not binary64's 32 ulps",
-                                                     Model::frictionless},
+                                                     Model::frictionless, false},
                                                     frictionless),
                               solver_method<double>({"reflection-float-refined",
                                                      "basis-free reflection, LDLᵀ in float, one step of refinement in "

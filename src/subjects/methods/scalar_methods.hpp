@@ -26,8 +26,10 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
   Method method;
   impulse::with_law(model, [&](const auto& law) {
     method = solver_method<S, Inertia>(
-        {std::string(name_of(model)) + suffix, summary, model},
-        [law](const impulse::Contact<S, Inertia>& contact) { return impulse::apply_impulse(contact, law(contact)); });
+        {std::string(name_of(model)) + suffix, summary, model, model != Model::frictionless},
+        [law](const impulse::Contact<S, Inertia>& contact, const auto& see) {
+          return impulse::apply_impulse(contact, law(contact, impulse::normal_velocity(contact), see));
+        });
   });
   return method;
 }
@@ -57,43 +59,38 @@ template <class S>
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   return solver_method<S>({name, "basis-free reflection, 3×3 solve by " + solve, Model::reflection},
-                          [](const impulse::Contact<S>& contact) { return impulse::reflection<Solve>(contact); });
-}
-
-/// `basis_of` gives the basis of a contact, for the matrix that is shown.
-template <class S, class BasisOf, class Solve>
-[[nodiscard]] Method basis_method(MethodFacts facts, BasisOf basis_of, Solve solve) {
-  Method method = solver_method<S>(std::move(facts), solve);
-  method.subject.collision_matrix = [basis_of](const Collision& collision) -> Matrix3<long double> {
-    const auto contact = impulse::make_contact<S>(collision);
-    return impulse::printed_collision_matrix<S>(contact, basis_of(contact)).template cast<long double>();
-  };
-  return method;
+                          [](const impulse::Contact<S>& contact, const auto& see) {
+                            return impulse::apply_impulse(
+                                contact,
+                                impulse::reflection_impulse<Solve>(contact, impulse::normal_velocity(contact), see));
+                          });
 }
 
 template <class S>
 [[nodiscard]] Method reflection_in_basis_method() {
   return expected_to_fail(
-      basis_method<S>(
+      solver_method<S>(
           {"reflection-in-basis", "reflection in the basis {N, T0, T1} as note §2 prints it", Model::reflection},
-          impulse::tangent_basis<S>,
-          [](const impulse::Contact<S>& contact) { return impulse::reflection_in_basis(contact); }),
+          [](const impulse::Contact<S>& contact, const auto& see) {
+            return impulse::reflection_in_basis(contact, see);
+          }),
       "fails near head-on");
 }
 
 template <class S>
 [[nodiscard]] Method reflection_in_stable_basis_method() {
-  return basis_method<S>(
+  return solver_method<S>(
       {"reflection-in-stable-basis", "reflection in a basis {N, T0, T1} that does not depend on V⁻", Model::reflection},
-      impulse::stable_tangent_basis<S>,
-      [](const impulse::Contact<S>& contact) { return impulse::reflection_in_stable_basis(contact); });
+      [](const impulse::Contact<S>& contact, const auto& see) {
+        return impulse::reflection_in_stable_basis(contact, see);
+      });
 }
 
 template <class S>
 [[nodiscard]] Method coulomb_method() {
   return solver_method<S>(
       {"coulomb", "Coulomb friction opposed to the slip after the impulse, by bisection", Model::coulomb},
-      [](const impulse::Contact<S>& contact) { return impulse::coulomb(contact); });
+      [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
 /// What every scalar type has.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,13 +38,18 @@ template <class S>
   return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
 }
 
-/// K as the solvers in S compute it that keep inertia so.
-template <class S, class Inertia = impulse::PrincipalInertia<S>>
-[[nodiscard]] Matrix3<long double> collision_matrix_of(const Collision& collision) {
-  return impulse::collision_matrix(impulse::make_contact<S, Inertia>(collision)).template cast<long double>();
+/// The outcome by `solve`, with the collision matrix that it solved with, where it formed one.
+template <class S, class Solve, class Input>
+[[nodiscard]] ReportedOutcome reported_by(const Solve& solve, const Input& input) {
+  std::optional<Matrix3<long double>> seen;
+  ReportedOutcome outcome =
+      reported<S>(solve(input, [&](const auto& matrix) { seen = matrix.template cast<long double>(); }));
+  outcome.collision_matrix = seen;
+  return outcome;
 }
 
-/// A kernel that takes `solve` from each input to the outcome in its place.
+/// A kernel that takes `solve` (input, what sees the collision matrix → outcome) from each input to the outcome in its
+/// place.
 template <class S, class Input, class Solve>
 [[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
   struct Memory {
@@ -55,7 +61,7 @@ template <class S, class Input, class Solve>
   memory->inputs = std::move(inputs);
   return [memory, solve] {
     for (std::size_t i = 0; i < memory->inputs.size(); ++i) {
-      memory->outcomes[i] = solve(memory->inputs[i]);
+      memory->outcomes[i] = solve(memory->inputs[i], impulse::UnseenMatrix());
     }
   };
 }
@@ -72,9 +78,10 @@ struct MethodFacts {
   std::string name;
   std::string summary;
   Model model = Model::any;
+  bool forms_matrix = true;  // the collision matrix, where the contact collides
 };
 
-/// A solver in S of what `lay_out` makes of a collision.
+/// A solver in S of what `lay_out` makes of a collision: (input, what sees the collision matrix) → Outcome<S>.
 template <class S, class LayOut, class Solve>
 [[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
@@ -85,9 +92,9 @@ template <class S, class LayOut, class Solve>
   subject.precision = claimed_precision<S>;
   subject.open = [lay_out, solve] {
     return session_of(
-        [lay_out, solve](const Collision& collision) -> Answer { return reported<S>(solve(lay_out(collision))); });
+        [lay_out, solve](const Collision& collision) -> Answer { return reported_by<S>(solve, lay_out(collision)); });
   };
-  subject.collision_matrix = collision_matrix_of<S>;
+  subject.shows_collision_matrix = facts.forms_matrix;
   method.prepare = [lay_out, solve](std::span<const Collision> collisions) {
     std::vector<decltype(lay_out(collisions[0]))> inputs;
     inputs.reserve(collisions.size());
@@ -99,12 +106,10 @@ template <class S, class LayOut, class Solve>
   return method;
 }
 
-/// A solver Contact<S, Inertia> → Outcome<S> as a method.
+/// A solver (Contact<S, Inertia>, what sees the collision matrix) → Outcome<S> as a method.
 template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
 [[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
-  Method method = method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);
-  method.subject.collision_matrix = collision_matrix_of<S, Inertia>;
-  return method;
+  return method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);
 }
 
 /// The method, kept although it fails, for this reason.

@@ -39,7 +39,7 @@ class Conversation {
     }
     try {
       process_.exchange(requests, collisions.size(), [&](std::string_view line) {
-        answers.push_back(answer_from(line, next_id_ + answers.size(), introduction_.precision));
+        answers.push_back(answer_to(collisions[answers.size()], line, next_id_ + answers.size()));
       });
     } catch (const ChildError& error) {
       fail(collisions, answers, error, error.what());
@@ -57,6 +57,16 @@ class Conversation {
   }
 
  private:
+  [[nodiscard]] Answer answer_to(const Collision& collision, std::string_view line, std::uint64_t id) const {
+    Answer answer = answer_from(line, id, introduction_.precision, introduction_.matrix);
+    const auto* outcome = std::get_if<ReportedOutcome>(&answer);
+    if (outcome != nullptr && introduction_.matrix && !outcome->collision_matrix &&
+        owes_matrix(collision, *outcome, introduction_.precision)) {
+      throw FormatError("/C", "is missing, and the contact collides");
+    }
+    return answer;
+  }
+
   /// The request of that place in this call.
   [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
@@ -148,6 +158,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     subject.model = introduction.model;
     subject.precision = introduction.precision;
     subject.deviates = introduction.deviates;
+    subject.shows_collision_matrix = introduction.matrix;
     const auto first = std::make_shared<FirstConversation>(std::move(conversation));
     subject.open = [words, options, introduction, first] { return open_session(words, options, introduction, *first); };
   } catch (const std::exception& error) {

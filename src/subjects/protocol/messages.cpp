@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/validate.hpp>
+#include <carom/impulse/normal_velocity.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 #include <carom/subjects/protocol/text.hpp>
@@ -89,6 +91,15 @@ std::string motion_text(const BodyVelocity<long double>& motion, Precision preci
                      vector_text(motion.angular_velocity, precision));
 }
 
+/// The field C behind others; empty where no matrix is shown.
+std::string matrix_text(const std::optional<Matrix3<long double>>& matrix, Precision precision) {
+  if (!matrix) {
+    return {};
+  }
+  const auto row = [&](int i) { return vector_text(matrix->row(i), precision); };
+  return fmt::format(",\"C\":[{},{},{}]", row(0), row(1), row(2));
+}
+
 }  // namespace
 
 std::string start_request() { return json{{"cmd", "start"}, {"protocol", version}}.dump() + '\n'; }
@@ -128,10 +139,17 @@ Introduction introduction_from(std::string_view line) {
       introduction.deviates.push_back(text_of(name, "/deviates", longest_name));
     }
   }
+  if (reply.contains("matrix")) {
+    const json& matrix = reply.at("matrix");
+    if (!matrix.is_boolean()) {
+      throw FormatError("/matrix", "expected true or false, found " + printable(matrix.dump(), longest_name));
+    }
+    introduction.matrix = matrix.get<bool>();
+  }
   return introduction;
 }
 
-Answer answer_from(std::string_view line, std::uint64_t id, Precision precision) {
+Answer answer_from(std::string_view line, std::uint64_t id, Precision precision, bool shows_matrix) {
   const auto reply = parse_reply(line, precision);
   const WideJson& reply_id = required(reply, "id");
   if (!reply_id.is_number_integer() || reply_id != id) {
@@ -149,29 +167,49 @@ Answer answer_from(std::string_view line, std::uint64_t id, Precision precision)
   if (is_refused) {
     return Refused{required_text(reply, "error", longest_text)};
   }
-  ReportedOutcome outcome = outcome_from_json(reply);
-  if (precision != Precision::extended) {
-    outcome = map_outcome<long double>(
-        outcome, [](long double number) { return static_cast<long double>(static_cast<double>(number)); });
+  const auto in_precision = [&](long double number) {
+    return precision == Precision::extended ? number : static_cast<long double>(static_cast<double>(number));
+  };
+  ReportedOutcome outcome = map_outcome<long double>(outcome_from_json(reply), in_precision);
+  if (shows_matrix && reply.contains("C")) {
+    outcome.collision_matrix = collision_matrix_from_json(reply).unaryExpr(in_precision);
   }
   return outcome;
 }
 
+bool owes_matrix(const Collision& collision, const Outcome<long double>& outcome, Precision precision) {
+  const auto computed = [&](auto number) {
+    return precision == Precision::binary32 ? static_cast<long double>(static_cast<float>(number))
+                                            : static_cast<long double>(number);
+  };
+  const bool can_move = !(collision.a.immovable && collision.b.immovable);
+  const Outcome<double> before = unchanged(collision);
+  bool is_changed = false;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      is_changed = is_changed || computed((*vectors(outcome)[k])[i]) != computed((*vectors(before)[k])[i]);
+    }
+  }
+  return can_move && is_changed && validate(collision).empty() && impulse::normal_velocity_sign(collision, before) < 0;
+}
+
 std::string introduction_reply(const Introduction& introduction) {
-  return json{{"protocol", version},
-              {"name", introduction.name},
-              {"version", introduction.version},
-              {"precision", name_of(introduction.precision)},
-              {"model", name_of(introduction.model)},
-              {"deviates", introduction.deviates}}
-             .dump() +
-         '\n';
+  json reply{{"protocol", version},
+             {"name", introduction.name},
+             {"version", introduction.version},
+             {"precision", name_of(introduction.precision)},
+             {"model", name_of(introduction.model)},
+             {"deviates", introduction.deviates}};
+  if (introduction.matrix) {
+    reply["matrix"] = true;
+  }
+  return reply.dump() + '\n';
 }
 
 std::string answer_reply(std::uint64_t id, const Answer& answer, Precision precision) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-    return fmt::format("{{\"id\":{},\"a\":{},\"b\":{}}}\n", id, motion_text(outcome->a, precision),
-                       motion_text(outcome->b, precision));
+    return fmt::format("{{\"id\":{},\"a\":{},\"b\":{}{}}}\n", id, motion_text(outcome->a, precision),
+                       motion_text(outcome->b, precision), matrix_text(outcome->collision_matrix, precision));
   }
   if (const auto* skipped = std::get_if<Skipped>(&answer)) {
     return json{{"id", id}, {"skipped", skipped->why}}.dump() + '\n';

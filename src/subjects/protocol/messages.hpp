@@ -20,6 +20,7 @@ struct Introduction {
   Precision precision = Precision::binary64;
   Model model = Model::any;
   std::vector<std::string> deviates;
+  bool matrix = false;  // whether each outcome of a colliding contact has the collision matrix with it
 
   bool operator==(const Introduction&) const = default;
 };
@@ -33,8 +34,14 @@ struct Introduction {
 [[nodiscard]] Introduction introduction_from(std::string_view line);
 
 /// The reply to the `solve` of that number. Where the subject computes in binary32 or binary64, its numbers are read as
-/// binary64. Throws FormatError.
-[[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision);
+/// binary64. A matrix is read where the subject says that it shows one, and passed over elsewhere. Throws FormatError.
+[[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
+                                 bool shows_matrix = false);
+
+/// Whether a subject of that precision that shows its matrix owes it with this outcome: the contact collides, and a
+/// velocity changed. A subject that takes a contact that barely approaches for one that does not, by rounding, forms no
+/// matrix.
+[[nodiscard]] bool owes_matrix(const Collision& collision, const Outcome<long double>& outcome, Precision precision);
 
 [[nodiscard]] std::string introduction_reply(const Introduction& introduction);
 /// A subject that computes in extended is written with all its digits.

@@ -13,8 +13,8 @@
 #include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/answers.hpp>
-#include <carom/properties/trial/held.hpp>
 #include <carom/properties/trial/trial.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 
 namespace carom::tool::chart {
 namespace {
@@ -34,9 +34,18 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
   return found;
 }
 
+oracles::Yardstick yardstick_of(const Subject& subject, double limit_ulps) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(subject.precision);
+  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
+  yardstick.limit_ulps = limit_ulps;
+  return yardstick;
+}
+
 void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
                 const Answer& answer, double limit_ulps) {
-  if (!properties::why_not_held(exact_case.collision(), unit_roundoff(subject.precision)).empty()) {
+  const oracles::Yardstick yardstick = yardstick_of(subject, limit_ulps);
+  if (properties::reason_unjudged(exact_case, yardstick)) {
     return;
   }
   const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
@@ -44,10 +53,6 @@ void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case,
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
   }
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(subject.precision);
-  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
-  yardstick.limit_ulps = limit_ulps;
   if (exact_case.is_open(subject.model, yardstick.allowance())) {
     return;
   }
@@ -91,7 +96,7 @@ properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps)
 
 void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const Subject& subject, const Answer& answer,
                         double limit_ulps) {
-  if (!properties::why_not_held(one.judged.exact().collision(), unit_roundoff(subject.precision)).empty()) {
+  if (properties::reason_unjudged(one.judged.exact(), yardstick_of(subject, limit_ulps))) {
     return;
   }
   const auto* const outcome = std::get_if<ReportedOutcome>(&answer);

@@ -34,7 +34,7 @@ constexpr unsigned most_failures = 100;
 bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
 
 /// Whether all answers are the first, as every claimed invariant of sessions has it.
-std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& claim,
+std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& claim, properties::Sameness sameness,
                                                        const std::vector<ReplayedCase>& cases) {
   std::vector<properties::NamedVerdict> verdicts;
   for (const properties::Invariant* invariant : claim.invariants) {
@@ -42,7 +42,7 @@ std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& 
       properties::NamedVerdict& named = verdicts.emplace_back(properties::NamedVerdict{invariant, {}});
       for (const ReplayedCase& other : cases) {
         if (named.verdict.status == properties::Status::holds) {
-          named.verdict = about->check(cases.front().answer, other.answer);
+          named.verdict = about->check(cases.front().answer, other.answer, sameness);
         }
       }
     }
@@ -77,7 +77,7 @@ ReplayedCase OpenSubject::judge(const properties::Case& one) {
   std::vector<ReplayedCase> cases;
   for (Session& session : sessions_) {
     auto [answer, judgement] =
-        in_its_name(subject_, [&] { return properties::judge_in_session(subject_, claim_, session, one); });
+        in_its_name(subject_, [&] { return properties::judge_in_session(claim_, session, one); });
     cases.push_back({std::move(answer), std::move(judgement)});
   }
   const auto shows = [](const ReplayedCase& replayed) { return is_violated(replayed.judgement); };
@@ -85,7 +85,8 @@ ReplayedCase OpenSubject::judge(const properties::Case& one) {
   const auto chosen = static_cast<std::size_t>((found == cases.end() ? cases.begin() : found) - cases.begin());
   ReplayedCase result = cases[chosen];
   if (cases.size() > 1) {
-    const std::vector<properties::NamedVerdict> verdicts = session_verdicts(claim_, cases);
+    const std::vector<properties::NamedVerdict> verdicts =
+        session_verdicts(claim_, properties::sameness_of_answers(subject_), cases);
     result.judgement.verdicts.insert(result.judgement.verdicts.end(), verdicts.begin(), verdicts.end());
     result.spellings = cases.size();
     result.violated_spellings = static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), shows));

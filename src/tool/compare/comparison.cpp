@@ -175,6 +175,10 @@ ComparedSubject compare_subjects(const ReadSubject* before, const ReadSubject* n
   }
   if (before != nullptr && now != nullptr) {
     subject.no_longer_claimed = without(now->summary.deviates, before->summary.deviates);
+    if (before->summary.not_claimed && now->summary.not_claimed) {
+      const std::vector<std::string> more = without(*now->summary.not_claimed, *before->summary.not_claimed);
+      subject.no_longer_claimed.insert(subject.no_longer_claimed.end(), more.begin(), more.end());
+    }
   }
   subject.cannot_be_judged_now =
       now != nullptr && cannot_be_judged(now->summary) && (before == nullptr || !cannot_be_judged(before->summary));

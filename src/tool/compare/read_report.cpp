@@ -95,6 +95,9 @@ ReadSubject subject_of(const Field& record) {
   summary.model = record.at("model").line();
   summary.precision = record.at("precision").line();
   summary.deviates = lines_of(record.at("deviates"));
+  if (const std::optional<Field> not_claimed = record.find("not_claimed")) {
+    summary.not_claimed = lines_of(*not_claimed);
+  }
   if (summary.status != "absent") {
     read_judged(record, subject);
   }

@@ -42,6 +42,9 @@ struct SubjectSummary {
   std::optional<double> digits_worst;
   std::optional<double> nanoseconds_per_solve;
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
+  /// Invariants of the collision matrix, where the subject shows none; none where the report is of before they were
+  /// listed.
+  std::optional<std::vector<std::string>> not_claimed;
 
   [[nodiscard]] bool is_judged() const { return status == "sound" || status == "violated"; }
 };

@@ -56,6 +56,7 @@ std::vector<std::pair<std::string, std::string>> common_facts(const GateRun& run
     facts.emplace_back("law" + of, std::string(name_of(subject.model)));
     facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
     facts.emplace_back("deviates" + of, fmt::format("{}", fmt::join(subject.deviates, ", ")));
+    facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");
     facts.emplace_back("counts" + of, run.counts[s] ? "true" : "false");
   }
   return facts;

@@ -171,6 +171,7 @@ Subject subject_from(const Field& record) {
   subject.precision = *found;
   subject.expected_to_pass = record.at("expected_to_pass").flag();
   subject.deviates = texts_of(record.at("deviates"));
+  subject.shows_collision_matrix = record.at("shows_collision_matrix").flag();
   subject.specification = optional_text(record, "specification");
   subject.version = optional_text(record, "version");
   return subject;
@@ -183,7 +184,9 @@ properties::FamilyResult family_result_from(const Field& record, const propertie
   properties::FamilyResult result;
   result.cases = record.at("cases").count();
   result.skipped = record.at("skipped").count();
-  result.not_held = record.at("not_held").count();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    result.unjudged[reason] = record.at("not_judged").at(std::string(properties::name_of(reason))).count();
+  }
   result.violated = record.at("violated").count();
   result.worst_backward_error = record.at("worst_backward_error_ulps").number();
   for (const auto& [name, count] : record.at("invariants").members()) {

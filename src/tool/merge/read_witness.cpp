@@ -39,6 +39,18 @@ BodyVelocity<long double> motion_from(const Field& field) {
   return {vector_from(field.at("velocity")), vector_from(field.at("angular_velocity"))};
 }
 
+Matrix3<long double> matrix_from(const Field& field) {
+  const std::vector<Field> rows = field.elements();
+  if (rows.size() != 3) {
+    field.fail("three rows");
+  }
+  Matrix3<long double> matrix;
+  for (std::size_t i = 0; i < 3; ++i) {
+    matrix.row(static_cast<Eigen::Index>(i)) = vector_from(rows[i]);
+  }
+  return matrix;
+}
+
 std::vector<double> numbers_from(const Field& field) {
   std::vector<double> numbers;
   for (const Field& element : field.elements()) {
@@ -59,7 +71,11 @@ Answer answer_from(const Field& field) {
   if (const auto failed = field.find("failed")) {
     return Failed{failed->text(), field.at("said").text()};
   }
-  return ReportedOutcome{motion_from(field.at("a")), motion_from(field.at("b"))};
+  ReportedOutcome outcome(motion_from(field.at("a")), motion_from(field.at("b")));
+  if (const auto matrix = field.find("C")) {
+    outcome.collision_matrix = matrix_from(*matrix);
+  }
+  return outcome;
 }
 
 properties::Verdict verdict_from(const Field& field) {

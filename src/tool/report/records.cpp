@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "compare/comparison_record.hpp"
 #include "merge/shard_record.hpp"
+#include "report/not_claimed.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -102,7 +103,9 @@ json subject_facts(const Subject& subject) {
              {"model", name_of(subject.model)},
              {"precision", name_of(subject.precision)},
              {"expected_to_pass", subject.expected_to_pass},
-             {"deviates", subject.deviates}};
+             {"deviates", subject.deviates},
+             {"shows_collision_matrix", subject.shows_collision_matrix},
+             {"not_claimed", not_claimed_without_matrix(subject)}};
   if (!subject.specification.empty()) {
     facts["specification"] = subject.specification;
   }
@@ -117,6 +120,14 @@ json diagnosis_record(const properties::diagnosis::Diagnosis& diagnosis) {
           {"what", diagnosis.what},       {"where", diagnosis.where},       {"look_at", diagnosis.look_at}};
 }
 
+json unjudged_record(const properties::UnjudgedCounts& counts) {
+  json record = json::object();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    record[properties::name_of(reason)] = counts[reason];
+  }
+  return record;
+}
+
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
   json record = subject_facts(result.subject);
   record["counts"] = counts;
@@ -124,7 +135,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
   record["error"] = result.error.empty() ? result.not_judged : result.error;
   record["cases"] = result.cases();
   record["skipped"] = result.skipped();
-  record["not_held"] = result.not_held();
+  record["not_judged"] = unjudged_record(result.unjudged());
   const auto worst = result.worst_backward_error(options);
   record["worst_backward_error"] = {{"ulps", number_to_json(worst.backward_error)}, {"family", worst.family}};
   record["digits"] = {{"p50", optional_number(result.digits_at_least(0.5))},
@@ -144,7 +155,7 @@ json subject_record(const properties::SubjectResult& result, const properties::G
     record["families"].push_back({{"family", options.families[f]->name},
                                   {"cases", family.cases},
                                   {"skipped", family.skipped},
-                                  {"not_held", family.not_held},
+                                  {"not_judged", unjudged_record(family.unjudged)},
                                   {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});
@@ -163,11 +174,22 @@ json subject_record(const properties::SubjectResult& result, const properties::G
 }  // namespace
 
 json outcome_record(const ReportedOutcome& outcome) {
-  return velocities_record(outcome, [](long double number) -> json {
+  const auto number_record = [](long double number) -> json {
     const auto rounded = static_cast<double>(number);
     const bool is_binary64 = static_cast<long double>(rounded) == number || number != number;
     return is_binary64 ? number_to_json(rounded) : json(fmt::format("{:.21g}", number));
-  });
+  };
+  json record = velocities_record<long double>(outcome, number_record);
+  if (outcome.collision_matrix) {
+    for (int i = 0; i < 3; ++i) {
+      json row = json::array();
+      for (int j = 0; j < 3; ++j) {
+        row.push_back(number_record((*outcome.collision_matrix)(i, j)));
+      }
+      record["C"].push_back(std::move(row));
+    }
+  }
+  return record;
 }
 
 json answer_record(const Answer& answer) {

@@ -11,6 +11,7 @@
 #include "report/extent.hpp"
 #include "report/findings_text.hpp"
 #include "report/html_report.hpp"
+#include "report/not_claimed.hpp"
 #include "version.hpp"
 
 namespace carom::tool {
@@ -68,8 +69,10 @@ std::string deviations_text(const Subject& subject, const std::vector<std::strin
     const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
     (is_own ? own : others).push_back(deviation);
   }
+  const std::vector<std::string> of_matrix = not_claimed_without_matrix(subject);
   return (own.empty() ? "" : "    not claimed, by its own word: " + listed(own) + '\n') +
-         (others.empty() ? "" : "    not claimed, by --deviates: " + listed(others) + '\n');
+         (others.empty() ? "" : "    not claimed, by --deviates: " + listed(others) + '\n') +
+         (of_matrix.empty() ? "" : fmt::format("    not claimed, {}: {}\n", shows_no_matrix, listed(of_matrix)));
 }
 
 std::string subject_line(const SubjectResult& result, const GateRun& run) {
@@ -86,9 +89,11 @@ std::string subject_line(const SubjectResult& result, const GateRun& run) {
   if (result.skipped() > 0) {
     line += fmt::format("    {} cases skipped\n", result.skipped());
   }
-  if (result.not_held() > 0) {
-    line += fmt::format("    {} cases that {} cannot hold, not judged\n", result.not_held(),
-                        name_of(result.subject.precision));
+  const properties::UnjudgedCounts unjudged = result.unjudged();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    if (unjudged[reason] > 0) {
+      line += fmt::format("    {} cases not judged: {}\n", unjudged[reason], in_words(reason));
+    }
   }
   if (!result.error.empty()) {
     line += properties::indented("    error: " + result.error, "      ") + '\n';

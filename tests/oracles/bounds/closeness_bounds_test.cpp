@@ -57,7 +57,7 @@ TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   const auto note = [&](const PerVector<double>& errors) {
     most = std::max(most, *std::max_element(errors.begin(), errors.end()) + roundings_of_norm);
   };
-  note(errors_of_slopes(equation::Untouched{true}));
+  note(errors_of_slopes(equation::Untouched{OutcomeVector::velocity_of_a}));
   note(errors_of_slopes(equation::AngularMomentum{true}));
   note(errors_of_slopes(equation::AngularMomentum{false}));
   note(errors_of_slopes(equation::TotalAngularMomentum{}));

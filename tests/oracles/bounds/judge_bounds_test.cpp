@@ -49,13 +49,13 @@ TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   }
 }
 
-/// Each of a column's three squares loses half the least number; of an orientation or the normal, eleven numbers, it is
-/// multiplied by up to D, of the other 32 by up to M.
+/// Each square of a component's derivative by a number loses half the least number; up to twelve make a norm. That of
+/// an orientation or of the normal, three of the quantities, is multiplied by up to 2 D, of the other 18 by up to 3 M.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
-  const double lost =
-      std::sqrt(3 * 0x1p-1074 / 2) * (11 * oracles::largest_moderate_direction + 32 * oracles::largest_moderate);
+  const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
+                      (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);
   EXPECT_TRUE(covers(oracles::least_sum_by_squares, lost / oracles::ten_digits, 0x1p10));
-  // A column whose squares overflow is at least 2^511 long, and |x_j| is zero or 1/D at least.
+  // A norm whose squares overflow is at least 2^511, and ‖q‖ is zero or 1/D at least.
   EXPECT_LE(oracles::largest_sum_by_squares, 0x1p511 * oracles::smallest_moderate_direction);
   EXPECT_TRUE(covers(1e-10, oracles::ten_digits, 2));
 }

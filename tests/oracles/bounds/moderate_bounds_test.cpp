@@ -20,7 +20,8 @@ template <class Visit>
 void for_each_law(const Collision& c, const Visit& visit) {
   namespace equation = oracles::equation;
   for (const bool a : {true, false}) {
-    visit(equation::Untouched{a});
+    visit(equation::Untouched{a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b});
+    visit(equation::Untouched{a ? OutcomeVector::angular_velocity_of_a : OutcomeVector::angular_velocity_of_b});
     if (!(a ? c.a.immovable : c.b.immovable)) {
       visit(equation::AngularMomentum{a});
       visit(equation::Push{a});
@@ -121,14 +122,10 @@ TEST(ModerateBounds, CoverTheScaleOfFriction) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// Σ_j ‖∂y/∂x_j‖ |x_j| of the components.
-Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vector<double>& magnitude) {
-  Magnitude sum(0);
-  for (std::size_t j = 0; j < magnitude.size(); ++j) {
-    sum += oracles::root_of_squares(y.size(), [&](std::size_t i) { return y[i]->derivative[j]; }) *
-           Magnitude(magnitude[j]);
-  }
-  return sum;
+/// Σ_q ‖∂y/∂q‖ ‖q‖ of the components.
+Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vector<oracles::Quantity>& quantities) {
+  return oracles::sum_over_quantities(quantities, y.size(),
+                                      [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
 /// (1), (3), (4), of the linear laws; `rough` is made of two of them, and case_bounds.hpp has the rest. Masses and
@@ -153,12 +150,13 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
       for (const OutcomeVector part : all_outcome_vectors) {
         const Vector3<MagnitudeDual>& y = *vectors(truth.outcome)[part];
         const Vector3<MagnitudeDual>& before = *vectors(at_rest)[part];
-        const Magnitude of_vector = sensitivity({&y[0], &y[1], &y[2]}, inputs.magnitude) +
+        const Magnitude of_vector = sensitivity({&y[0], &y[1], &y[2]}, inputs.quantities) +
                                     length({before[0].value, before[1].value, before[2].value});
         largest.scale = std::max(largest.scale, of_vector.above());
       }
-      const Magnitude of_matrix = sensitivity(
-          {&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)}, inputs.magnitude);
+      const Magnitude of_matrix =
+          sensitivity({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
+                      inputs.quantities);
       EXPECT_LE(of_matrix.above(), largest.scale);
     }
   }

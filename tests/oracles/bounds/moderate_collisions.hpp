@@ -83,6 +83,18 @@ void leave_one_component(Direction& direction) {
   leave_one_component(inputs.collision.a.orientation);
   leave_one_component(inputs.collision.b.orientation);
   leave_one_component(inputs.collision.normal);
+  // A body may be as large as a moderate number, whatever its mass and its moments are.
+  std::size_t first = 0;
+  for_each_number(
+      [&](const FieldPath& path, const double&) {
+        if (path.field == "position" && path.component == 0) {
+          for (oracles::Quantity& q : inputs.quantities) {
+            q.length += q.first == first ? oracles::largest_moderate : 0;
+          }
+        }
+        ++first;
+      },
+      c);
   return inputs;
 }
 

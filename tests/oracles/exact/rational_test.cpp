@@ -227,12 +227,12 @@ TEST(ToText, WritesLowestTerms) {
 }
 
 TEST(IsFinite, SeesEachComponent) {
-  ReportedOutcome outcome;
+  Outcome<long double> outcome;
   EXPECT_TRUE(is_finite(outcome));
   for (const OutcomeVector k : all_outcome_vectors) {
     for (int i = 0; i < 3; ++i) {
       for (const long double bad : {LongLimits::infinity(), -LongLimits::infinity(), LongLimits::quiet_NaN()}) {
-        ReportedOutcome spoiled = outcome;
+        Outcome<long double> spoiled = outcome;
         (*vectors(spoiled)[k])[i] = bad;
         EXPECT_FALSE(is_finite(spoiled)) << name_of(k) << ' ' << i;
       }

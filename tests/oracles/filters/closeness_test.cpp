@@ -26,7 +26,9 @@ void for_each_affine_equation(const ExactCase& exact_case, Model model, const Vi
   for (const bool a : {true, false}) {
     const bool immovable = a ? c.a.immovable : c.b.immovable;
     if (immovable || !collides) {
-      visit(Relation::equal, equation::Untouched{a});
+      visit(Relation::equal, equation::Untouched{a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b});
+      visit(Relation::equal,
+            equation::Untouched{a ? OutcomeVector::angular_velocity_of_a : OutcomeVector::angular_velocity_of_b});
     }
     if (!immovable) {
       visit(Relation::equal, equation::AngularMomentum{a});

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/reflection.hpp>
 #include <carom/properties/conformance/subject.hpp>
 
 namespace carom::conformance {
@@ -52,6 +54,27 @@ TEST(CallableSubject, TakesContactsOfEachScalarAndCollisions) {
     ASSERT_TRUE(std::holds_alternative<ReportedOutcome>(answer));
     EXPECT_EQ(std::get<ReportedOutcome>(answer).b.velocity[1], -1);
   }
+}
+
+/// Those that return it show their collision matrix, and all others show none.
+TEST(CallableSubject, MayShowItsCollisionMatrix) {
+  const auto shown = [](const auto& contact) -> SolvedOutcome<float> {
+    const auto see = impulse::collision_matrix(contact);
+    return {impulse::reflection(contact), see};
+  };
+  const std::vector<Subject> showing{
+      subject("", Model::reflection, [=](const impulse::Contact<float>& contact) { return shown(contact); }),
+      subject("", Model::reflection,
+              [=](const Collision& collision) { return shown(impulse::make_contact<float>(collision)); })};
+  for (const Subject& one : showing) {
+    EXPECT_TRUE(one.shows_collision_matrix);
+    EXPECT_EQ(one.precision, Precision::binary32);
+    const auto outcome = std::get<ReportedOutcome>(answer_of(one, along_y()));
+    ASSERT_TRUE(outcome.collision_matrix);
+    EXPECT_EQ(outcome.collision_matrix->diagonal(), (Vector3<long double>{4, 2, 4}));
+  }
+  EXPECT_FALSE(subject("", Model::frictionless, of_contact<float>).shows_collision_matrix);
+  EXPECT_FALSE(subject("", Model::frictionless, of_collision).shows_collision_matrix);
 }
 
 TEST(CallableSubject, IsJudgedInThePrecisionThatIsGiven) {

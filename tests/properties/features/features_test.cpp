@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/infeasible.hpp>
+#include <carom/properties/features/seldom.hpp>
 #include <carom/properties/gate/gate_result.hpp>
 
 namespace carom::properties {
@@ -112,6 +114,27 @@ TEST(Features, AreAllThereInPairs) {
           << all[x].name << " with " << all[y].name << ", said to be infeasible: " << why_infeasible(all[x], all[y]);
     }
   }
+}
+
+/// A pair that nothing can have is asked for in vain, and so is one of a feature that was renamed.
+TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
+  const auto place_of = [](const Feature* feature) {
+    return static_cast<std::size_t>(feature - all_features().data());
+  };
+  EXPECT_GE(seldom_together().size(), 50U);
+  for (const SeldomPair& pair : seldom_together()) {
+    bool can = false;
+    for (const Feature* first : pair.first) {
+      for (const Feature* second : pair.second) {
+        can = can || is_feasible(place_of(first), place_of(second));
+      }
+    }
+    ASSERT_FALSE(pair.first.empty() || pair.second.empty());
+    EXPECT_TRUE(can) << pair.first[0]->name << " with " << pair.second[0]->name;
+  }
+  EXPECT_EQ(features_beginning("near_head_on"), std::vector{feature_named("near_head_on")});
+  EXPECT_EQ(features_beginning("a.moments_two").size(), 1U);
+  EXPECT_THROW((void)features_beginning("near_head_off"), std::logic_error);
 }
 
 TEST(Features, AreMissedWhereNothingHasThem) {

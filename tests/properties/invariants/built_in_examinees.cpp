@@ -37,9 +37,7 @@ std::vector<Examinee> built_in_examinees() {
     examinee.solve = [session = std::make_shared<Session>(subject.open())](const Collision& collision) {
       return lift((*session)(std::span(&collision, 1)).at(0));
     };
-    examinee.collision_matrix = [subject](const JudgedCase& judged_case) {
-      return shown_collision_matrix(subject, judged_case);
-    };
+    examinee.shows_matrix = subject.shows_collision_matrix;
     examinees.push_back(std::move(examinee));
   }
   return examinees;
@@ -57,17 +55,16 @@ Examinee idle(Examinee examinee) {
 }
 
 Examinee erratic(Examinee examinee) {
-  examinee.solve = [](const Collision& collision) -> ExactAnswer {
+  examinee.solve = [shows_matrix = examinee.shows_matrix](const Collision& collision) -> ExactAnswer {
     Stream stream = stream_of(collision);
     const auto by_chance = [&](double) { return static_cast<long double>(stream.between(-4, 4)); };
-    return oracles::LiftedOutcome(map_outcome<long double>(unchanged(collision), by_chance));
-  };
-  examinee.collision_matrix = [](const JudgedCase& judged_case) -> std::optional<oracles::LiftedMatrix> {
-    if (!judged_case.is_valid()) {
-      return std::nullopt;
+    ReportedOutcome outcome = map_outcome<long double>(unchanged(collision), by_chance);
+    if (shows_matrix && validate(collision).empty()) {
+      const long double factor = stream.chance(2) ? 20 : -1;
+      outcome.collision_matrix = oracles::ExactCase(collision).collision_matrix().unaryExpr(
+          [&](const oracles::Rational& x) { return factor * static_cast<long double>(oracles::to_double(x)); });
     }
-    const oracles::Rational factor(stream_of(judged_case.generated().collision).chance(2) ? 20 : -1);
-    return oracles::LiftedMatrix(Matrix3<oracles::Rational>(judged_case.exact().collision_matrix() * factor));
+    return oracles::LiftedOutcome(outcome);
   };
   return examinee;
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <utility>
+
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
@@ -15,33 +18,44 @@ using Contact = impulse::Contact<Rational>;
 
 Contact contact_of(const Collision& collision) { return impulse::make_contact<Rational>(oracles::lift(collision)); }
 
-Examinee exactly(std::string name, Model model, Outcome<Rational> (*solver)(const Contact&)) {
+/// `solve` makes a contact, and what sees its collision matrix, an outcome.
+template <class Solve>
+Examinee exactly(std::string name, Model model, Solve solve) {
   Examinee examinee;
   examinee.name = std::move(name);
   examinee.model = model;
   examinee.yardstick.unit_roundoff = 0;
-  examinee.solve = [solver](const Collision& collision) -> ExactAnswer {
+  examinee.shows_matrix = model != Model::frictionless;
+  examinee.solve = [solve](const Collision& collision) -> ExactAnswer {
     if (!validate(collision).empty()) {
       return Refused{"invalid"};
     }
-    return oracles::LiftedOutcome(solver(contact_of(collision)));
-  };
-  examinee.collision_matrix = [](const JudgedCase& judged_case) -> std::optional<oracles::LiftedMatrix> {
-    if (!judged_case.is_valid()) {
-      return std::nullopt;
-    }
-    return oracles::LiftedMatrix(impulse::collision_matrix(contact_of(judged_case.generated().collision)));
+    std::optional<Matrix3<Rational>> seen;
+    const Outcome<Rational> outcome =
+        solve(contact_of(collision), [&](const Matrix3<Rational>& matrix) { seen = matrix; });
+    return oracles::LiftedOutcome(SolvedOutcome<Rational>(outcome, seen));
   };
   return examinee;
+}
+
+template <class Solve>
+Examinee reflection_exactly(std::string name) {
+  return exactly(std::move(name), Model::reflection, [](const Contact& contact, const auto& see) {
+    return apply_impulse(contact, impulse::reflection_impulse<Solve>(contact, normal_velocity(contact), see));
+  });
 }
 
 }  // namespace
 
 std::vector<Examinee> exact_examinees() {
-  return {exactly("frictionless_rational", Model::frictionless, impulse::frictionless<Rational>),
-          exactly("reflection_rational", Model::reflection, impulse::reflection<impulse::Ldlt, Rational>),
-          exactly("sticking_rational", Model::sticking, impulse::sticking<impulse::Ldlt, Rational>),
-          exactly("reflection_adjugate_rational", Model::reflection, impulse::reflection<impulse::Adjugate, Rational>)};
+  return {exactly("frictionless_rational", Model::frictionless,
+                  [](const Contact& contact, const auto& /*see*/) { return impulse::frictionless(contact); }),
+          reflection_exactly<impulse::Ldlt>("reflection_rational"),
+          exactly("sticking_rational", Model::sticking,
+                  [](const Contact& contact, const auto& see) {
+                    return apply_impulse(contact, impulse::sticking_impulse(contact, normal_velocity(contact), see));
+                  }),
+          reflection_exactly<impulse::Adjugate>("reflection_adjugate_rational")};
 }
 
 }  // namespace carom::properties

@@ -43,7 +43,7 @@ std::string text_of(const Verdict& verdict) {
 Question invariant_holds(const Invariant& invariant) {
   return [&invariant](const Examinee& examinee, const JudgedCase& judged_case) -> Verdict {
     const Claim claim{examinee.model, examinee.yardstick, {&invariant}};
-    const Judgement judgement = try_case(judged_case, claim, examinee.solve, examinee.collision_matrix(judged_case));
+    const Judgement judgement = try_case(judged_case, claim, examinee.solve);
     if (judgement.skipped) {
       return {Status::violated, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
     }

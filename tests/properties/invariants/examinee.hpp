@@ -17,7 +17,7 @@ struct Examinee {
   Model model = Model::any;
   oracles::Yardstick yardstick;
   ExactSolve solve;
-  std::function<std::optional<oracles::LiftedMatrix>(const JudgedCase&)> collision_matrix;
+  bool shows_matrix = false;
 };
 
 /// How GoogleTest prints it.

@@ -30,7 +30,8 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
     for (const Invariant& invariant : all_invariants()) {
       // About sessions is what tests/properties/gate/memory_test.cpp asks.
       const bool is_of_sessions = std::holds_alternative<AboutSession>(invariant.about);
-      if (invariant.claimed_for(examinee.model) && !is_of_sessions) {
+      const bool shows_what_it_is_of = examinee.shows_matrix || !invariant.is_of_matrix();
+      if (invariant.claimed_for(examinee.model) && shows_what_it_is_of && !is_of_sessions) {
         claimed.push_back({&invariant, examinee});
       }
     }

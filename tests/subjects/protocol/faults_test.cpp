@@ -95,6 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"no-outcome", {"solve 3", "expected either"}},
                     Fault{"missing-component", {"solve 3", "/a/velocity: expected an array of 3 numbers"}},
                     Fault{"not-a-number", {"solve 3", "/b/velocity/1: expected a number, found \"fast\""}},
+                    Fault{"matrix-missing", {"solve ", "/C: is missing, and the contact collides"}},
+                    Fault{"matrix-of-two-rows", {"solve ", "/C: expected an array of 3 rows, found"}},
+                    Fault{"matrix-not-a-number", {"solve ", "/C/1/2: expected a number, found \"much\""}},
                     Fault{"leave-group", {"solve 3", "wrote no line within 0.7 s"}},
                     Fault{"wide", {"solve 3", "/skipped: expected a string"}},
                     Fault{"bare-nan", {"solve 3", "not JSON"}}, Fault{"deep", {"solve 3", "levels deep"}},
@@ -189,6 +192,18 @@ TEST(Faults, NumbersThatAreNotFiniteAreAViolation) {
   const Gate gate({misbehaving("nan-as-text")});
   EXPECT_EQ(gate.run.exit_status, 1);
   EXPECT_EQ(gate.subject(0).at("violations").at(0).at("invariant"), "finite");
+}
+
+/// The outcome is finite, and only what is said of the matrix is violated.
+TEST(Faults, AMatrixThatIsNotFiniteIsAViolation) {
+  const Gate gate({misbehaving("matrix-nan"), misbehaving("matrix", "sound")});
+  std::vector<std::string> violated;
+  for (const json& violation : gate.subject(0).at("violations")) {
+    violated.push_back(violation.at("invariant"));
+  }
+  EXPECT_EQ(violated, (std::vector<std::string>{"definite", "matrix_used"}));
+  EXPECT_EQ(gate.subject(1).at("status"), "sound");
+  EXPECT_GT(gate.subject(1).at("families").at(0).at("invariants").at("definite").at("holds"), 0);
 }
 
 TEST(Faults, AFloodOfErrorsIsCutAndDoesNoHarm) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -39,6 +40,14 @@ TEST(Introduction, IsReadAsTheProtocolHasIt) {
   EXPECT_EQ(introduction_from(introduction_reply(read)), read);
 }
 
+TEST(Introduction, MaySayThatAMatrixIsShown) {
+  EXPECT_FALSE(introduction_from(sound).matrix);
+  EXPECT_FALSE(introduction_from(with(sound, "}", R"(,"matrix":false})")).matrix);
+  const Introduction shown = introduction_from(with(sound, "}", R"(,"matrix":true})"));
+  EXPECT_TRUE(shown.matrix);
+  EXPECT_EQ(introduction_from(introduction_reply(shown)), shown);
+}
+
 TEST(Introduction, MayClaimEveryModelOfTheProtocol) {
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).model, Model::reflection);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).model, Model::any);
@@ -56,6 +65,7 @@ TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
                                                {"binary32", "binary16", "/precision"},
                                                {"frictionless", "sticky", "/model"},
                                                {"}", R"(,"deviates":"push"})", "/deviates"},
+                                               {"}", R"(,"matrix":1})", "/matrix: expected true or false, found 1"},
                                                {"}", R"(,"name":"twice"})", "twice"},
                                                {"{", "", "not JSON"}}) {
     const std::string text = with(sound, part, replacement);
@@ -155,6 +165,70 @@ TEST(Reply, IsRefusedWithThePlaceWhereItIsWrong) {
                       "zero byte");
   expect_format_error([] { return answer_from("[]", 5, Precision::binary64); }, "expected an object");
   expect_format_error([] { return answer_from(std::string(1000, '['), 5, Precision::binary64); }, "levels deep");
+}
+
+const std::string matrix_reply = with(reply, R"({"id":5)", R"({"id":5,"C":[[1,2,3],[4,"nan",6],[7,8,"-inf"]])");
+
+TEST(Reply, HasItsMatrixByRows) {
+  const auto outcome = std::get<ReportedOutcome>(answer_from(matrix_reply, 5, Precision::binary64, true));
+  ASSERT_TRUE(outcome.collision_matrix);
+  EXPECT_EQ((*outcome.collision_matrix)(0, 2), 3);
+  EXPECT_EQ((*outcome.collision_matrix)(2, 0), 7);
+  EXPECT_TRUE(std::isnan((*outcome.collision_matrix)(1, 1)));
+  EXPECT_EQ((*outcome.collision_matrix)(2, 2), -std::numeric_limits<long double>::infinity());
+  EXPECT_FALSE(std::get<ReportedOutcome>(answer_from(reply, 5, Precision::binary64, true)).collision_matrix);
+  EXPECT_FALSE(std::get<ReportedOutcome>(answer_from(matrix_reply, 5, Precision::binary64)).collision_matrix)
+      << "who does not say that it shows one may write what it likes";
+}
+
+TEST(Reply, WithAMatrixSurvivesBeingWritten) {
+  ReportedOutcome outcome;
+  outcome.collision_matrix = Matrix3<long double>::Identity() / 3;
+  (*outcome.collision_matrix)(0, 1) = 2;
+  const std::string text = answer_reply(5, outcome, Precision::extended);
+  const auto read = std::get<ReportedOutcome>(answer_from(text, 5, Precision::extended, true));
+  EXPECT_EQ(read.collision_matrix, outcome.collision_matrix);
+}
+
+TEST(Reply, IsRefusedWithThePlaceWhereItsMatrixIsWrong) {
+  for (const auto& [part, replacement, says] : std::vector<std::array<std::string, 3>>{
+           {R"([[1,2,3],[4,"nan",6],[7,8,"-inf"]])", "7", "/C: expected an array of 3 rows, found 7"},
+           {R"(,[7,8,"-inf"])", "", "/C: expected an array of 3 rows, found [[1,2,3],[4,\"nan\",6]]"},
+           {"[1,2,3]", "[1,2]", "/C/0: expected an array of 3 numbers, found [1,2]"},
+           {"\"nan\"", "\"none\"", "/C/1/1: expected a number, found \"none\""},
+           {"\"nan\"", "null", "/C/1/1: expected a number, found null"}}) {
+    const std::string text = with(matrix_reply, part, replacement);
+    expect_format_error([&] { return answer_from(text, 5, Precision::binary64, true); }, says);
+  }
+}
+
+/// With an outcome that changes a velocity of a contact that collides.
+TEST(Matrix, IsOwedWhereTheContactCollides) {
+  Collision hit;
+  hit.a.position = {0, 1, 0};
+  hit.a.velocity = {0, -0.1, 0};
+  hit.b.immovable = true;
+  hit.normal = {0, 1, 0};
+  Outcome<long double> outcome{{{0, 0.1L, 0}, {0, 0, 0}}, {}};
+  EXPECT_TRUE(owes_matrix(hit, outcome, Precision::binary64));
+
+  const Outcome<long double> as_before =
+      map_outcome<long double>(unchanged(hit), [](double x) { return static_cast<long double>(x); });
+  EXPECT_FALSE(owes_matrix(hit, as_before, Precision::binary64)) << "it took the contact for one that does not";
+  const Outcome<long double> rounded = map_outcome<long double>(
+      unchanged(hit), [](double x) { return static_cast<long double>(static_cast<float>(x)); });
+  EXPECT_FALSE(owes_matrix(hit, rounded, Precision::binary32));
+  EXPECT_TRUE(owes_matrix(hit, rounded, Precision::binary64));
+
+  Collision part = hit;
+  part.a.velocity[1] = 0.1;
+  EXPECT_FALSE(owes_matrix(part, outcome, Precision::binary64));
+  Collision inert = hit;
+  inert.a.immovable = true;
+  EXPECT_FALSE(owes_matrix(inert, outcome, Precision::binary64));
+  Collision invalid = hit;
+  invalid.a.mass = 0;
+  EXPECT_FALSE(owes_matrix(invalid, outcome, Precision::binary64));
 }
 
 TEST(ForeignText, IsMadePrintable) {

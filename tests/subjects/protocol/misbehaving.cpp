@@ -141,6 +141,18 @@ const std::map<std::string, Fault>& faults() {
   return all;
 }
 
+/// What is done to every matrix that is shown.
+const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
+  static const std::map<std::string, std::function<void(json & reply)>> all{
+      {"matrix", [](json&) {}},
+      {"matrix-missing", [](json& reply) { reply.erase("C"); }},
+      {"matrix-of-two-rows", [](json& reply) { reply["C"].erase(2); }},
+      {"matrix-not-a-number", [](json& reply) { reply["C"][1][2] = "much"; }},
+      {"matrix-nan", [](json& reply) { reply["C"][0][0] = "nan"; }},
+  };
+  return all;
+}
+
 /// The exit status.
 int run(int argc, char** argv) {
   const std::string fault = argc > 1 ? argv[1] : "none";
@@ -153,7 +165,12 @@ int run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   subjects::protocol::Introduction introduction{
       argc > 2 ? argv[2] : std::to_string(getpid()), "1", Precision::binary64, Model::frictionless, {}};
-  Session session = subjects::subject_named("frictionless-double")->open();
+  const auto of_matrix = matrix_faults().find(fault);
+  if (of_matrix != matrix_faults().end()) {
+    introduction.model = Model::reflection;
+    introduction.matrix = true;
+  }
+  Session session = subjects::subject_named(introduction.matrix ? "reflection-double" : "frictionless-double")->open();
   const auto known = faults().find(fault);
   for (std::string line; std::getline(std::cin, line);) {
     const json request = json::parse(line);
@@ -179,6 +196,11 @@ int run(int argc, char** argv) {
       if (fault == "crash-where-bouncy" && collision.restitution > 0.7 && collision.restitution < 0.8) {
         std::cerr << "assertion failed: restitution <= 0.7" << std::endl;
         std::abort();
+      }
+      if (of_matrix != matrix_faults().end() && reply.find("\"C\"") != std::string::npos) {
+        json changed = json::parse(reply);
+        of_matrix->second(changed);
+        reply = changed.dump() + '\n';
       }
       if (fault == "markup" && id >= faulty_solve) {
         reply = json{{"id", id}, {"error", "<b onclick=alert(3)>refused</b>"}}.dump() + '\n';

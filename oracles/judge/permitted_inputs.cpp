@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <carom/oracles/judge/permitted_inputs.hpp>
+
+namespace carom::oracles {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vector3<double> middle(const Vector3<Enclosure>& v) {
+  return v.unaryExpr([](const Enclosure& x) { return x.middle(); });
+}
+
+}  // namespace
+
+PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : allowance_(allowance) {
+  const Collision& c = bounds.collision();
+  const VectorBall point = vector(c.point);
+  const auto body_with_arm = [&](const Body& body) -> OfBody {
+    const VectorBall position{body.position, allowance * length_of_position(body)};
+    return {body, point - position};
+  };
+  a_ = body_with_arm(c.a);
+  b_ = body_with_arm(c.b);
+  // ‖δ‖ ≤ a ‖N‖ turns N by at most asin(a), a chord of less than a / (1 − a).
+  unit_normal_ = {c.normal / norm_of(c.normal), allowance / (1 - allowance)};
+  const auto at_point = [&](const OfBody& of) {
+    return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
+  };
+  // Of what cancels in V⁻ binary64 may keep nothing.
+  const Vector3<double> velocity =
+      middle(oracles::relative_velocity<Enclosure>(bounds.enclosed(), unchanged(bounds.enclosed())));
+  relative_velocity_ = {velocity, (at_point(a_) - at_point(b_)).radius};
+  normal_velocity_ = dot(unit_normal_, relative_velocity_);
+  restitution_ = scalar(c.restitution);
+  friction_ = scalar(c.friction);
+  whole_share_ = ScalarBall{1, 0} + scalar(c.tangential_restitution);
+  least_inverse_mass_ = inverse_mass(c) / (1 + allowance);
+  if (least_inverse_mass_ > 0) {
+    const detail::RoughImpulses<Enclosure> of(bounds.enclosed(), nullptr);
+    stops_approach_ = middle(of.stops_approach);
+    stops_point_ = middle(of.stops_point);
+  }
+}
+
+bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance, double normal_velocity_sensitivity) {
+  constexpr double a_good_part = 32;
+  double products = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    const double length = norm_of(lever_arm<double>(*body, c.point));
+    products += norm_of(body->angular_velocity) * length;
+    if (body->immovable) {
+      continue;
+    }
+    const double rounding = a_good_part * allowance * (norm_of(c.point) + length_of_position(*body));
+    if ((length > 0 && rounding > length) ||
+        rounding > std::sqrt(body->principal_inertia.minCoeff()) / std::sqrt(body->mass)) {
+      return true;
+    }
+  }
+  return norm_of(c.normal) * products > a_good_part * normal_velocity_sensitivity;
+}
+
+bool PermittedInputs::is_finite() const {
+  bool finite = std::isfinite(relative_velocity_.largest()) && std::isfinite(normal_velocity_.radius);
+  for (const OfBody* of : {&a_, &b_}) {
+    finite = finite && std::isfinite(of->arm.largest());
+  }
+  return finite && std::isfinite(response_at_point(unit_normal_).largest());
+}
+
+/// A quaternion that moves by a of its length turns by 2 asin(a) at most, and moves v by 2 a ‖v‖.
+VectorBall PermittedInputs::rotated(const VectorBall& v, const Quaternion<double>& orientation) const {
+  return {turned<double>(orientation, v.centre), v.radius + 2 * allowance_ * v.largest()};
+}
+
+PermittedInputs::Change PermittedInputs::response(const OfBody& of, const VectorBall& impulse) const {
+  if (of.body.immovable) {
+    return {};
+  }
+  const double growth = 1 / (1 - allowance_);  // of the reciprocal of a mass or a moment
+  const ScalarBall inverse{1 / of.body.mass, allowance_ * growth / of.body.mass};
+  const VectorBall torque = rotated(cross(of.arm, impulse), conjugate(of.body.orientation));
+  const Vector3<double> spin = torque.centre.cwiseQuotient(of.body.principal_inertia);
+  const VectorBall in_body{
+      spin, growth * (torque.radius / of.body.principal_inertia.minCoeff() + allowance_ * norm_of(spin))};
+  return {inverse * impulse, rotated(in_body, of.body.orientation)};
+}
+
+VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
+  VectorBall sum;
+  for (const OfBody* of : {&a_, &b_}) {
+    const Change change = response(*of, impulse);
+    sum = sum + change.velocity + cross(change.angular_velocity, of->arm);
+  }
+  return sum;
+}
+
+/// N·K F′ = N·b for F′ = φ′ N: φ′ − φ is N·(b − K φ N) over N·K N, which is at least λ for a unit normal.
+VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
+  const double share = unit_normal_.centre.dot(impulse);
+  const ScalarBall along{share, 0};
+  const double missed = wanted.radius + dot(unit_normal_, response_at_point(along * unit_normal_)).radius;
+  const double divisor = std::max(least_inverse_mass_, dot(unit_normal_, response_at_point(unit_normal_)).least());
+  return ScalarBall{share, missed / divisor} * unit_normal_;
+}
+
+/// K F′ = b: F′ − F is K⁻¹ (b − K F), of length at most ‖b − K F‖ / λ.
+VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const {
+  const double missed = wanted.radius + response_at_point({impulse, 0}).radius;
+  return {impulse, missed / least_inverse_mass_};
+}
+
+PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
+  const VectorBall stops_approach = along_normal(stops_approach_, -normal_velocity_);
+  const VectorBall stops_point = by_matrix(stops_point_, -relative_velocity_);
+  const VectorBall difference = stops_point - stops_approach;
+  const ScalarBall numerator = friction_ * (ScalarBall{1, 0} + restitution_) * dot(unit_normal_, stops_approach);
+  const VectorBall tangential = cross(unit_normal_, difference);
+  const ScalarBall divisor =
+      ScalarBall{norm_of(tangential.centre), tangential.radius} + -(friction_ * dot(unit_normal_, difference));
+  // The cone is convex, and F lies in it for κ = 0: it is left for good at the κ that puts F on its surface, if any.
+  const auto share = [](double above, double below) { return below > 0 ? std::max(above, 0.0) / below : infinity; };
+  return {stops_approach, difference, share(numerator.least(), divisor.largest()),
+          share(numerator.largest(), divisor.least())};
+}
+
+VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
+  const RoughParts parts = rough_parts();
+  const ScalarBall approach_share = ScalarBall{1, 0} + restitution_;
+  const Vector3<double>& d = parts.difference.centre;
+  const Vector3<double> friction = impulse - approach_share.centre * parts.stops_approach.centre;
+  const double length = norm_of(d);
+  const double share = length > 0 ? friction.dot(d / length) / length : 0;
+  const double least = std::min(std::max(whole_share_.least(), 0.0), parts.least_share);
+  const double largest = std::min(whole_share_.largest(), parts.largest_share);
+  const double change = std::max({largest - share, share - least, 0.0});
+  return {impulse,
+          (approach_share * parts.stops_approach).radius + largest * parts.difference.radius + change * length};
+}
+
+VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Model model, Branch branch) const {
+  const ScalarBall rebound = ScalarBall{1, 0} + restitution_;
+  switch (model == Model::rough && branch == Branch::only ? Model::frictionless : model) {
+    case Model::frictionless:
+      return along_normal(impulse, -(rebound * normal_velocity_));
+    case Model::reflection:
+      return by_matrix(impulse, -(rebound * normal_velocity_) * unit_normal_);
+    case Model::sticking:
+      return by_matrix(impulse, -(relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_));
+    case Model::rough:
+      return rough(impulse);
+    case Model::coulomb:
+    case Model::any:
+      break;
+  }
+  determines_no_outcome(model);
+}
+
+PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
+                                                       bool from_rest) const {
+  VectorBall all = impulses(impulse, model, branch);
+  if (from_rest) {
+    all = {Vector3<double>::Zero(), all.largest()};
+  }
+  PerVector<double> distance{};
+  const auto add_body = [&](const OfBody& of, OutcomeVector velocity, OutcomeVector spin) {
+    const Change change = response(of, all);
+    // The velocity before is perturbed, and so is its sum with the change.
+    distance[velocity] = change.velocity.radius + 2 * allowance_ * norm_of(of.body.velocity);
+    distance[spin] = change.angular_velocity.radius + 2 * allowance_ * norm_of(of.body.angular_velocity);
+  };
+  add_body(a_, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
+  add_body(b_, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    distance[k] = std::isfinite(distance[k]) ? distance[k] : infinity;
+  }
+  return distance;
+}
+
+double PermittedInputs::second_order_of_matrix() const {
+  double sum = 0;
+  for (const OfBody* of : {&a_, &b_}) {
+    if (!of->body.immovable) {
+      // The Frobenius norm of [δr] is √2 ‖δr‖.
+      sum += std::sqrt(2.0) * of->arm.radius * of->arm.radius / of->body.principal_inertia.minCoeff();
+    }
+  }
+  return sum;
+}
+
+bool PermittedInputs::reach_both_sides_of_cone() const {
+  const RoughParts parts = rough_parts();
+  return !(parts.least_share > whole_share_.largest()) && !(parts.largest_share < whole_share_.least());
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/oracles/filters/bounded_case.hpp>
+#include <carom/oracles/numbers/ball.hpp>
+
+namespace carom::oracles {
+
+/// All collisions whose quantities differ from those of one by at most `allowance` times their lengths
+/// (quantities.hpp), and an enclosure of the law over them. It judges the cases in which the first order of the
+/// backward error is blind: a lever arm, or a body, is not much longer than its position is rounded by.
+///
+/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K: whatever the lever arms
+/// are, an impulse that makes up for a relative velocity of length d is at most d / λ.
+class PermittedInputs {
+ public:
+  /// Preconditions: the collision is valid; 0 < allowance < 1/2.
+  PermittedInputs(const BoundedCase& bounds, double allowance);
+
+  /// Whether derivatives say little of how the law answers to these inputs. With a the allowance and
+  /// ρ = a (‖P‖ + ‖X‖ + s) that of a lever arm r, for a movable body:
+  ///
+  ///   (1) 32 ρ > ‖r‖, r ≠ 0: the lever arm changes by a good part of itself;
+  ///   (2) 32 ρ > √(min I / m): the body's thickness is no more than the rounding of its position;
+  ///   (3) ‖N‖ Σ ‖w‖ ‖r‖ > 32 Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: w, r and N are parallel but for little, and N·V⁻ owes its rounding
+  ///       to products that no single quantity changes.
+  [[nodiscard]] static bool first_order_is_blind(const Collision& collision, double allowance,
+                                                 double normal_velocity_sensitivity);
+
+  /// Whether velocities, lever arms, and the bodies' responses to an impulse are enclosed by finite numbers.
+  [[nodiscard]] bool is_finite() const;
+
+  /// How far the answers to permitted inputs are from the law's answer to a contact that collides. `impulse` is the
+  /// impulse of that answer. If `from_rest`, the distance is from no impulse at all. Infinite beyond the range of
+  /// numbers. Preconditions: a body is movable; the model is one of `models_with_truth`.
+  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
+                                                      bool from_rest) const;
+
+  /// Whether permitted inputs are answered on both sides of the cone's surface by the law `rough`. Precondition: a body
+  /// is movable.
+  [[nodiscard]] bool reach_both_sides_of_cone() const;
+
+  /// At least Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies, of what K changes by the squares of the changes δr of lever arms.
+  [[nodiscard]] double second_order_of_matrix() const;
+
+  /// V⁻, and N·V⁻ / ‖N‖.
+  [[nodiscard]] const VectorBall& relative_velocity() const { return relative_velocity_; }
+  [[nodiscard]] const ScalarBall& normal_velocity() const { return normal_velocity_; }
+
+  /// N / ‖N‖, and the lever arms.
+  [[nodiscard]] const VectorBall& unit_normal() const { return unit_normal_; }
+  [[nodiscard]] const VectorBall& lever_arm_of_a() const { return a_.arm; }
+  [[nodiscard]] const VectorBall& lever_arm_of_b() const { return b_.arm; }
+
+  [[nodiscard]] double allowance() const { return allowance_; }
+  [[nodiscard]] ScalarBall scalar(double x) const { return {x, allowance_ * std::abs(x)}; }
+  [[nodiscard]] VectorBall vector(const Vector3<double>& v) const { return {v, allowance_ * norm_of(v)}; }
+
+ private:
+  struct OfBody {
+    Body body;
+    VectorBall arm;
+  };
+  struct Change {
+    VectorBall velocity;
+    VectorBall angular_velocity;
+  };
+  /// The impulses P_I and D = P_II − P_I of the law `rough`, and the least and the largest κ that puts F on its cone.
+  struct RoughParts {
+    VectorBall stops_approach;
+    VectorBall difference;
+    double least_share;
+    double largest_share;
+  };
+
+  [[nodiscard]] VectorBall rotated(const VectorBall& v, const Quaternion<double>& orientation) const;
+  [[nodiscard]] Change response(const OfBody& of, const VectorBall& impulse) const;
+  /// K F.
+  [[nodiscard]] VectorBall response_at_point(const VectorBall& impulse) const;
+  /// All F = φ N with N·K F = N·b, and all F with K F = b.
+  [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const;
+  [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;
+  [[nodiscard]] RoughParts rough_parts() const;
+  [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;
+  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Model model, Branch branch) const;
+
+  double allowance_;
+  OfBody a_;
+  OfBody b_;
+  VectorBall unit_normal_;
+  VectorBall relative_velocity_;
+  ScalarBall normal_velocity_;
+  ScalarBall restitution_;
+  ScalarBall friction_;
+  ScalarBall whole_share_;          // 1 + e_t
+  double least_inverse_mass_ = 0;   // of λ
+  Vector3<double> stops_approach_ = Vector3<double>::Zero();  // P_I
+  Vector3<double> stops_point_ = Vector3<double>::Zero();     // P_II
+};
+
+}  // namespace carom::oracles

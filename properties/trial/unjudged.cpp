@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <carom/collision/precision.hpp>
+#include <carom/oracles/laws/mechanics.hpp>
+#include <carom/oracles/numbers/norm.hpp>
+#include <carom/properties/trial/unjudged.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::norm_of;
+
+/// Whether sizes stay away from the ends of binary32.
+class RangeOfBinary32 {
+ public:
+  /// Zero, or within the range.
+  void require(double size) {
+    constexpr int largest_exponent = 120;
+    int exponent = 0;
+    std::frexp(size, &exponent);
+    holds_ = holds_ && std::isfinite(size) && (size == 0 || std::abs(exponent) <= largest_exponent);
+  }
+  [[nodiscard]] bool holds() const { return holds_; }
+
+ private:
+  bool holds_ = true;
+};
+
+/// Whether all that a law makes of a contact stays in the range. `rounding` is that of N·V⁻ / ‖N‖.
+bool stays_in_binary32(const Collision& c, double rounding) {
+  RangeOfBinary32 range;
+  double lightest = 0;  // the smaller mass, by which the impulse is bounded
+  double fastest = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    const double length = norm_of(oracles::lever_arm<double>(*body, c.point));
+    const double spin = norm_of(body->angular_velocity);
+    fastest = std::max({fastest, norm_of(body->velocity), spin * length});
+    range.require(norm_of(body->velocity));
+    range.require(spin);
+    if (body->immovable) {
+      continue;
+    }
+    lightest = lightest == 0 ? body->mass : std::min(lightest, body->mass);
+    range.require(body->mass);
+    for (const double moment : body->principal_inertia) {
+      range.require(moment);
+      range.require(length / moment);
+      range.require(length / moment * length);
+    }
+  }
+  // The impulse is made of the speed of approach, or of its rounding if that is more, and of no more than the fastest.
+  const double approach = std::abs(oracles::normal_velocity_before(c)) / norm_of(c.normal);
+  for (const double speed : {std::max(approach, rounding), fastest}) {
+    range.require(speed);
+    range.require(lightest * speed);
+    for (const Body* body : {&c.a, &c.b}) {
+      if (!body->immovable) {
+        const double torque = lightest * speed * norm_of(oracles::lever_arm<double>(*body, c.point));
+        range.require(torque);
+        range.require(torque / body->principal_inertia.minCoeff());
+        range.require(torque / body->principal_inertia.maxCoeff());
+      }
+    }
+  }
+  return range.holds();
+}
+
+}  // namespace
+
+std::string_view name_of(Unjudged reason) {
+  switch (reason) {
+    case Unjudged::leaves_range:
+      return "leaves_range";
+    case Unjudged::no_finite_enclosure:
+      break;
+  }
+  return "no_finite_enclosure";
+}
+
+std::string_view in_words(Unjudged reason) {
+  switch (reason) {
+    case Unjudged::leaves_range:
+      return "masses, moments, impulse or torque leave the range of the precision";
+    case Unjudged::no_finite_enclosure:
+      break;
+  }
+  return "the enclosure of the law over the permitted inputs is not finite";
+}
+
+std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case, const oracles::Yardstick& yardstick) {
+  const double u = yardstick.unit_roundoff;
+  if (u >= unit_roundoff(Precision::binary32)) {
+    const Collision& c = exact_case.collision();
+    if (!stays_in_binary32(c, u * exact_case.normal_velocity_sensitivity() / norm_of(c.normal))) {
+      return Unjudged::leaves_range;
+    }
+  }
+  const oracles::PermittedInputs* permitted = exact_case.permitted_inputs(yardstick.allowance());
+  if (permitted != nullptr && !permitted->is_finite()) {
+    return Unjudged::no_finite_enclosure;
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom::properties

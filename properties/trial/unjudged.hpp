@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <carom/collision/enum_array.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
+
+namespace carom::properties {
+
+/// Why a valid collision is not judged. No case is left out because it is hard.
+enum class Unjudged {
+  leaves_range,         // of the numbers of the subject's precision
+  no_finite_enclosure,  // of the law over the permitted inputs, where derivatives say little (oracles::PermittedInputs)
+};
+inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure};
+static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_enclosure));
+
+/// How many cases were not judged, by reason.
+using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.size()>;
+
+/// As reports name it: `leaves_range`, …
+[[nodiscard]] std::string_view name_of(Unjudged reason);
+
+/// A sentence's end: "… whose masses, moments, impulse or torque leave the range of the precision".
+[[nodiscard]] std::string_view in_words(Unjudged reason);
+
+/// Why a collision is not judged by a yardstick; none if it is. A subject in binary32 is judged if all that a law makes
+/// of the contact (masses, moments, impulse, torque) stays a factor of 2⁶ away from the ends of its range.
+[[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
+                                                      const oracles::Yardstick& yardstick);
+
+}  // namespace carom::properties

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <optional>
+
+#include <carom/collision/outcome.hpp>
+#include <carom/collision/vector.hpp>
+
+namespace carom {
+
+/// An outcome, and the collision matrix C that it was solved with, in world axes [1/kg]; without one where none was
+/// formed, or none is shown.
+template <class S>
+struct SolvedOutcome : Outcome<S> {
+  std::optional<Matrix3<S>> collision_matrix;
+
+  SolvedOutcome() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): an outcome is one that shows no matrix
+  SolvedOutcome(const Outcome<S>& outcome, const std::optional<Matrix3<S>>& matrix = std::nullopt)
+      : Outcome<S>(outcome), collision_matrix(matrix) {}
+  SolvedOutcome(const BodyVelocity<S>& of_a, const BodyVelocity<S>& of_b) : Outcome<S>{of_a, of_b} {}
+};
+
+/// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
+using ReportedOutcome = SolvedOutcome<long double>;
+
+}  // namespace carom

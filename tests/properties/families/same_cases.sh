@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Draws the same cases by other compilers, for other instruction sets, and compares every bit:
+#   same_cases.sh SOURCE WORK [CASES]
+# builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs it. The first thousand cases
+# of each family have to be those of first_thousand.txt, and the first CASES (20000 where nothing is said) those of the
+# first build. A build needs its compiler; those for other machines need what src/bootstrap.sh same-cases installs.
+set -euo pipefail
+
+source=$(cd "$1" && pwd)
+mkdir -p "$2"
+work=$(cd "$2" && pwd)
+cases=${3:-20000}
+table=$source/tests/properties/families/first_thousand.txt
+foreign=(i386 arm64)
+
+# The option of the target that draws: where it is gone, so is the promise.
+contraction=$(grep -o -m 1 -e '-ffp-contract=off' "$source/properties/CMakeLists.txt")
+
+# The folders as the headers name them, and of this machine's headers those that are the same for every machine.
+include() {
+  mkdir -p "$work/include/carom"
+  ln -sfn "$source/src/collision" "$work/include/carom/collision"
+  ln -sfn "$source/oracles" "$work/include/carom/oracles"
+  ln -sfn "$source/properties" "$work/include/carom/properties"
+  local library
+  for library in CGAL boost fmt; do
+    ln -sfn "/usr/include/$library" "$work/include/$library"
+  done
+}
+
+# GMP and MPFR of Debian for another architecture, unpacked beside the builds: the system stays as it is.
+foreign_libraries() {
+  local apt=$work/apt arch
+  mkdir -p "$apt/lists/partial" "$apt/archives/partial"
+  {
+    echo "APT::Architectures { \"$(dpkg --print-architecture)\"; $(printf '"%s"; ' "${foreign[@]}")};"
+    echo "Dir::State::lists \"$apt/lists\"; Dir::Cache \"$apt\"; APT::Sandbox::User \"root\";"
+  } >"$apt/apt.conf"
+  # Where one of several sources is out of date, the others may have it all.
+  APT_CONFIG=$apt/apt.conf apt-get update -qq || true
+  for arch in "${foreign[@]}"; do
+    (cd "$apt" && APT_CONFIG=apt.conf apt-get download -qq "libgmp-dev:$arch" "libmpfr-dev:$arch")
+    for package in "$apt"/lib*_"$arch".deb; do
+      dpkg-deb --extract "$package" "$work/$arch"
+    done
+  done
+}
+
+# draw NAME RUNNER COMPILER [OPTION…]: builds it, and writes the checksums to NAME.thousand and NAME.all.
+draw() {
+  local name=$1 runner=$2
+  shift 2
+  mkdir -p "$work/$name"
+  # The shell that compiles has the folder as $0, and the file as $1 before the command.
+  # shellcheck disable=SC2016
+  printf '%s\0' "$source"/properties/{families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
+    "$source"/tests/properties/families/same_cases{,_main}.cpp |
+    xargs -0 -P "$(nproc)" -I{} sh -c 'out=$0/$(basename "$1").o && shift && exec "$@" -o "$out"' "$work/$name" {} \
+      "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" -c {}
+  "$@" "$work/$name"/*.o -o "$work/$name/same_cases" -lmpfr -lgmp
+  # The runner is empty, or a word.
+  # shellcheck disable=SC2086
+  $runner "$work/$name/same_cases" 1000 >"$work/$name.thousand"
+  # shellcheck disable=SC2086
+  $runner "$work/$name/same_cases" "$cases" >"$work/$name.all"
+}
+
+status=0
+first=
+# agree NAME RUNNER COMPILER [OPTION…]: draws, and compares.
+agree() {
+  local name=$1
+  if ! command -v "$3" >/dev/null || { [ -n "$2" ] && ! command -v "$2" >/dev/null; }; then
+    echo "$name: NOT BUILT, there is no ${2:+$2 or }$3"
+    status=1
+    return
+  fi
+  draw "$@"
+  first=${first:-$name}
+  if diff "$table" "$work/$name.thousand" && diff "$work/$first.all" "$work/$name.all"; then
+    echo "$name: the same cases (${*:3})"
+  else
+    echo "$name: OTHER CASES (${*:3})"
+    status=1
+  fi
+}
+
+# cross ARCH TRIPLET: the headers and libraries of another architecture, linked into the program.
+cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/usr/include" "-L$work/$1/usr/lib/$2" -static; }
+
+include
+agree gcc "" g++ -O2
+agree gcc-O0 "" g++ -O0
+agree gcc-O3 "" g++ -O3
+agree without-packets "" g++ -O2 -DEIGEN_DONT_VECTORIZE
+agree native "" g++ -O3 -march=native
+agree clang "" clang++ -O2
+agree clang-native "" clang++ -O3 -march=native
+foreign_libraries
+mapfile -t options < <(cross i386 i386-linux-gnu)
+agree x86-32 "" i686-linux-gnu-g++ -O2 -msse2 -mfpmath=sse "${options[@]}"
+mapfile -t options < <(cross arm64 aarch64-linux-gnu)
+agree aarch64 qemu-aarch64 aarch64-linux-gnu-g++ -O2 "${options[@]}"
+exit "$status"

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <iostream>
+
+#include "same_cases.hpp"
+
+/// Prints the checksums of the first COUNT cases, 1000 where nothing is said, of seed SEED, 1 where nothing is said.
+int main(int count, char** arguments) {
+  const std::uint64_t cases = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1000;
+  const std::uint64_t seed = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
+  for (const carom::properties::Checksum& checksum : carom::properties::checksums(seed, cases)) {
+    std::cout << line_of(checksum) << '\n';
+  }
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/trial/trial.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "support/cases.hpp"
+
+/// What is said of the collision matrix that a subject shows, of a right one and of planted ones.
+namespace carom::properties {
+namespace {
+
+using Matrix = Matrix3<long double>;
+using Vector = Vector3<long double>;
+
+/// A colliding case, and what a sound solver answers to it.
+struct Solved {
+  Case one;
+  ReportedOutcome outcome;
+
+  [[nodiscard]] const Matrix& matrix() const { return *outcome.collision_matrix; }
+
+  /// F on A, read off the lighter movable body.
+  [[nodiscard]] Vector impulse() const {
+    const Collision& c = one.collision;
+    const bool off_a = oracles::reads_impulse_off_a(c);
+    const auto of = [](const Body& body, const BodyVelocity<long double>& after) -> Vector {
+      return static_cast<long double>(body.mass) * (after.velocity - body.velocity.cast<long double>());
+    };
+    return off_a ? of(c.a, outcome.a) : Vector(-of(c.b, outcome.b));
+  }
+};
+
+Solved solved(std::string_view family, std::uint64_t index, const Subject& subject) {
+  Solved result{unit::case_of(family, index), {}};
+  Session session = subject.open();
+  result.outcome = std::get<ReportedOutcome>(session(std::span(&result.one.collision, 1)).at(0));
+  return result;
+}
+
+/// The invariants of the matrix that are violated where `matrix` is shown in place of that of the solve.
+std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, bool filtered = true) {
+  Subject claims = *subjects::subject_named("reflection-double");
+  oracles::Yardstick yardstick;
+  yardstick.filtered = filtered;
+  Claim claim = claim_of(claims, yardstick);
+  std::erase_if(claim.invariants, [](const Invariant* invariant) { return !invariant->is_of_matrix(); });
+  ReportedOutcome outcome = solved.outcome;
+  outcome.collision_matrix = matrix;
+  const JudgedCase judged_case(solved.one, filtered);
+  std::set<std::string_view> names;
+  for (const auto& [invariant, verdict] :
+       try_case(judged_case, claim, [&](const Collision&) { return lift(outcome); }).verdicts) {
+    EXPECT_FALSE(verdict.is_undecided) << invariant->name;
+    if (verdict.status == Status::violated) {
+      names.insert(invariant->name);
+    }
+  }
+  return names;
+}
+
+using Names = std::set<std::string_view>;
+
+/// Puts what is planted into the matrices of many contacts; both judges say the same.
+void expect_violated(const std::function<Matrix(const Solved&)>& planted, const Names& expected) {
+  const Subject subject = *subjects::subject_named("reflection-double");
+  for (const char* family : {"generic", "physical", "mass_ratio", "immovable_a"}) {
+    int colliding = 0;
+    for (std::uint64_t i = 0; i < 25; ++i) {
+      const Solved one = solved(family, i, subject);
+      if (!one.outcome.collision_matrix) {
+        continue;
+      }
+      ++colliding;
+      for (const bool filtered : {true, false}) {
+        EXPECT_EQ(violated(one, planted(one), filtered), expected) << family << ' ' << i << ' ' << filtered;
+      }
+    }
+    EXPECT_GT(colliding, 5) << family;
+  }
+}
+
+TEST(ShownMatrix, OfASoundSolverIsRight) {
+  expect_violated([](const Solved& one) { return one.matrix(); }, {});
+}
+
+/// By an ulp of each entry, which the inputs' rounding covers.
+TEST(ShownMatrix, MayBeRounded) {
+  expect_violated(
+      [](const Solved& one) -> Matrix {
+        return one.matrix().unaryExpr(
+            [](long double x) { return static_cast<long double>(std::nextafter(static_cast<double>(x), 1e300)); });
+      },
+      {});
+}
+
+TEST(ShownMatrix, IsNotUsedWhereItIsOffByAMillionth) {
+  expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-6L); }, {"matrix_used"});
+}
+
+TEST(ShownMatrix, IsNotUsedWhereItIsOfMassesAlone) {
+  expect_violated(
+      [](const Solved& one) -> Matrix {
+        const Collision& c = one.one.collision;
+        const double lambda = (c.a.immovable ? 0 : 1 / c.a.mass) + (c.b.immovable ? 0 : 1 / c.b.mass);
+        return Matrix::Identity() * lambda;
+      },
+      {"matrix_used"});
+}
+
+/// [F]× F = 0, so C F is as it was.
+TEST(ShownMatrix, IsToBeSymmetric) {
+  expect_violated(
+      [](const Solved& one) -> Matrix {
+        const Vector f = one.impulse().normalized() * (one.matrix().trace() / 1000);
+        Matrix skew;
+        skew << 0, -f[2], f[1], f[2], 0, -f[0], -f[1], f[0], 0;
+        return one.matrix() + skew;
+      },
+      {"matrix_used"});
+}
+
+/// What the impulse does not see, `definite` does.
+TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
+  expect_violated(
+      [](const Solved& one) -> Matrix {
+        const Vector f = one.impulse().normalized();
+        const Vector across = f.cross(std::abs(f[0]) < 0.5L ? Vector::UnitX() : Vector::UnitY()).normalized();
+        return one.matrix() - across * across.transpose() * (2 * across.dot(one.matrix() * across));
+      },
+      {"definite"});
+}
+
+TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
+  for (const long double wrong :
+       {std::numeric_limits<long double>::quiet_NaN(), std::numeric_limits<long double>::infinity()}) {
+    const Solved one = solved("physical", 3, *subjects::subject_named("reflection-double"));
+    ASSERT_TRUE(one.outcome.collision_matrix);
+    Matrix matrix = one.matrix();
+    matrix(1, 2) = wrong;
+    for (const bool filtered : {true, false}) {
+      const Names names = violated(one, matrix, filtered);
+      EXPECT_TRUE(names.contains("definite"));
+      EXPECT_TRUE(names.contains("matrix_used"));
+    }
+  }
+}
+
+/// Extreme numbers are judged, or not decided; nothing overflows on the way.
+TEST(ShownMatrix, MayHoldAnyNumber) {
+  const Solved one = solved("generic", 0, *subjects::subject_named("reflection-double"));
+  ASSERT_TRUE(one.outcome.collision_matrix);
+  for (const long double scale : {1e300L, 1e-300L, 1e4000L, 1e-4900L}) {
+    for (const bool filtered : {true, false}) {
+      EXPECT_TRUE(violated(one, one.matrix() * scale, filtered).contains("matrix_used")) << static_cast<double>(scale);
+    }
+  }
+}
+
+/// Where a built-in solver says that it shows its matrix it does, and it is the one that the solve formed: the
+/// contact's in the solver's own numbers.
+TEST(ShownMatrix, IsThatOfTheSolve) {
+  for (const Subject& subject : subjects::built_in_subjects()) {
+    int shown = 0;
+    int changed = 0;
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Solved one = solved("sliding", i, subject);
+      const oracles::ExactCase exact_case(one.one.collision);
+      shown += one.outcome.collision_matrix ? 1 : 0;
+      changed += exact_case.approach() == oracles::Approach::colliding ? 1 : 0;
+    }
+    EXPECT_GT(changed, 5);
+    EXPECT_EQ(shown, subject.shows_collision_matrix ? changed : 0) << subject.name;
+    const bool forms_none = subject.model == Model::frictionless || subject.name.find("-batch-") != std::string::npos;
+    EXPECT_EQ(subject.shows_collision_matrix, !forms_none) << subject.name;
+  }
+}
+
+/// Without friction the law `coulomb` is solved along the normal, by no matrix.
+TEST(ShownMatrix, IsNoneWhereTheSolveFormsNone) {
+  const Subject subject = *subjects::subject_named("coulomb-double");
+  Case one = unit::case_of("sliding", 0);
+  Session session = subject.open();
+  one.collision.friction = 0.5;
+  EXPECT_TRUE(std::get<ReportedOutcome>(session(std::span(&one.collision, 1)).at(0)).collision_matrix.has_value());
+  one.collision.friction = 0;
+  EXPECT_FALSE(std::get<ReportedOutcome>(session(std::span(&one.collision, 1)).at(0)).collision_matrix.has_value());
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/numbers/quantities.hpp>
+#include <carom/properties/trial/trial.hpp>
+
+#include "support/exact.hpp"
+
+/// What the yardstick promises: an outcome that is exact for inputs within the allowance passes, however hard the case.
+namespace carom::properties {
+namespace {
+
+using oracles::ExactCase;
+using oracles::Rational;
+
+/// A direction of so many components, of at most unit length.
+std::vector<double> direction(Stream& stream, std::size_t count) {
+  std::vector<double> components(count);
+  double squares = 0;
+  for (double& x : components) {
+    x = stream.signed_unit();
+    squares += x * x;
+  }
+  const double length = squares > 0 ? std::sqrt(squares) : 1;
+  for (double& x : components) {
+    x /= length;
+  }
+  return components;
+}
+
+/// The collision with each quantity moved by `share` of its length, in a random direction.
+BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, double share) {
+  std::vector<double> change;
+  for (const oracles::Quantity& q : oracles::quantities_of(collision)) {
+    for (const double x : direction(stream, q.count)) {
+      change.push_back(x * share * q.length);
+    }
+  }
+  std::size_t next = 0;
+  BasicCollision<Rational> result =
+      map_numbers<Rational>(collision, [&](double x) { return Rational(x) + Rational(change[next++]); });
+  // Restitutions are in [0, 1], and e_t in [−1, 1].
+  result.restitution = std::min(Rational(1), std::max(Rational(0), result.restitution));
+  result.tangential_restitution = std::min(Rational(1), std::max(Rational(-1), result.tangential_restitution));
+  return result;
+}
+
+/// The law's answer to a collision that is not stored in binary64; of `rough` in its rational branch.
+std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Model model) {
+  const bool collides = oracles::normal_velocity_before(c) < 0;
+  oracles::Branch branch = oracles::Branch::only;
+  if (model == Model::rough && c.friction != 0) {
+    const auto sign = [](const Rational& x) { return std::optional<int>(oracles::sign_of(x)); };
+    if (!*oracles::is_inside_cone<Rational>(c, nullptr, sign)) {
+      return std::nullopt;
+    }
+    branch = oracles::Branch::inside_cone;
+  }
+  return collides ? oracles::colliding_truth(c, model, branch).outcome : unchanged(c);
+}
+
+/// Near and far from the origin: there the position of a body is rounded by its length and more.
+std::vector<Collision> cases(Stream& stream) {
+  std::vector<Collision> all;
+  for (const char* family : {"generic", "physical", "collinear_spheres", "sticking", "grazing", "driven_wall"}) {
+    for (std::uint64_t i = 0; i < 12; ++i) {
+      Collision c = unit::case_of(family, i).collision;
+      all.push_back(c);
+      const Vector3<double> away = stream.direction() * stream.power_of_ten(1, 7);
+      for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+        *place += away;
+      }
+      all.push_back(c);
+    }
+  }
+  return all;
+}
+
+struct Seen {
+  std::size_t judged = 0;
+  std::size_t blind = 0;
+};
+
+/// Every claimed invariant holds of an outcome that is exact for permitted inputs. The velocities before may have moved
+/// too, so what is untouched is so but for that.
+void expect_to_pass(const Collision& collision, Model model, Precision precision, Stream& stream, Seen& seen) {
+  Subject subject;
+  subject.model = model;
+  subject.precision = precision;
+  Claim claim = claim_of(subject, {});
+  std::erase_if(claim.invariants,
+                [](const Invariant* one) { return !std::holds_alternative<AboutOutcome>(one->about); });
+  const JudgedCase judged({collision, false});
+  if (reason_unjudged(judged.exact(), claim.yardstick)) {
+    return;
+  }
+  // The rest is for the second order, 1/32 of the first where that is not blind.
+  constexpr double share = 0.9;
+  const double allowance = claim.yardstick.allowance();
+  const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), model);
+  if (!outcome) {
+    return;
+  }
+  const Judgement judgement =
+      try_case(judged, claim, [&](const Collision&) -> ExactAnswer { return oracles::LiftedOutcome(*outcome); });
+  ++seen.judged;
+  seen.blind += judged.exact().permitted_inputs(allowance) != nullptr ? 1 : 0;
+  for (const NamedVerdict& named : judgement.verdicts) {
+    EXPECT_NE(named.verdict.status, Status::violated)
+        << named.invariant->name << ": " << named.verdict.detail << ", " << named.verdict.residual << " of "
+        << named.verdict.allowed << ", " << name_of(model) << ", " << name_of(precision);
+  }
+}
+
+TEST(Permitted, OutcomesOfPermittedInputsPass) {
+  Stream stream = stream_from(33);
+  Seen seen;
+  for (const Collision& collision : cases(stream)) {
+    for (const Model model : {Model::frictionless, Model::reflection, Model::sticking, Model::rough}) {
+      for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+        expect_to_pass(collision, model, precision, stream, seen);
+      }
+    }
+  }
+  EXPECT_GT(seen.judged, 500U);
+  EXPECT_GT(seen.blind, 100U);
+}
+
+/// The enclosure is of use: what it allows of a ball far from the origin is no more than some times what permitted
+/// inputs make of it.
+TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
+  constexpr double allowance = 32 * 0x1p-24;
+  Collision c = unit::ball_on_a_plane(0.4, 0);
+  const Vector3<double> away{1e5, 0, 0};
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    *place += away;
+  }
+  const ExactCase exact_case(c);
+  ASSERT_NE(exact_case.permitted_inputs(allowance), nullptr);
+  const oracles::Sensitivity sensitivity = exact_case.sensitivity(Model::reflection, allowance);
+  const Outcome<Rational>& truth = exact_case.truth(Model::reflection).outcome;
+  Stream stream = stream_from(7);
+  PerVector<double> farthest{};
+  for (int i = 0; i < 400; ++i) {
+    const auto y = answer_to(perturbed(stream, c, allowance), Model::reflection);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      const Vector3<Rational> change = *vectors(*y)[k] - *vectors(truth)[k];
+      farthest[k] = std::max(farthest[k], std::sqrt(oracles::to_double(change.dot(change))));
+    }
+  }
+  for (const OutcomeVector k : {OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a}) {
+    EXPECT_LE(farthest[k], allowance * sensitivity[k]);
+    EXPECT_GE(20 * farthest[k], allowance * sensitivity[k]) << name_of(k);
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/collision/precision.hpp>
+#include <carom/properties/trial/unjudged.hpp>
+
+namespace carom::properties {
+namespace {
+
+std::optional<Unjudged> reason(const Collision& collision, Precision precision) {
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(precision);
+  return reason_unjudged(oracles::ExactCase(collision), yardstick);
+}
+
+bool is_judged(const Collision& collision, Precision precision) { return !reason(collision, precision); }
+
+Collision ball_on_floor() {
+  Collision c;
+  c.a.position = {0.5, 1, 0.25};
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  return c;
+}
+
+TEST(Unjudged, IsNoBallOnAFloor) {
+  EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary32));
+  EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
+}
+
+/// 10⁶ m from the origin 32 u are 2 m in binary32: the lever arm may be any.
+TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
+  Collision c = ball_on_floor();
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    (*place)[0] += 1e6;
+  }
+  EXPECT_TRUE(is_judged(c, Precision::binary32));
+  EXPECT_TRUE(is_judged(c, Precision::binary64));
+}
+
+TEST(Unjudged, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
+  Collision c = ball_on_floor();
+  c.normal = {1, 2, 3};
+  c.a.position = {1, 2, 3};
+  c.a.velocity = {-1, -2, -3};
+  c.a.angular_velocity = {1e6, 2e6, 3e6};
+  EXPECT_TRUE(is_judged(c, Precision::binary64));
+}
+
+/// A rod of 1 m and 10⁻⁴ m, 50 m from the origin, where binary32 rounds by 3 × 10⁻⁶ m.
+TEST(Unjudged, IsNoRodThinnerThanTheRoundingOfItsPosition) {
+  Collision c = ball_on_floor();
+  c.a.principal_inertia = {1e-8, 1, 1};
+  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+    (*place)[0] += 50;
+  }
+  EXPECT_TRUE(is_judged(c, Precision::binary32));
+}
+
+TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
+  Collision c = ball_on_floor();
+  c.a.velocity = {0, -1e-15, 0};
+  c.a.mass = 1e-9;
+  EXPECT_TRUE(is_judged(c, Precision::binary32));
+  c.a.principal_inertia.setConstant(1e15);
+  EXPECT_EQ(reason(c, Precision::binary32), Unjudged::leaves_range);
+  EXPECT_TRUE(is_judged(c, Precision::binary64));
+}
+
+/// Each body is turned by its own lever arm: that of the other may be 10⁹ times as long.
+TEST(Unjudged, IsABodyThatTurnsLessThanBinary32Holds) {
+  Collision c = ball_on_floor();
+  c.a.velocity = {0, -1e-5, 0};
+  c.a.position = c.point + Vector3<double>{1e-6, 1e-6, 0};
+  c.a.principal_inertia.setConstant(1e26);
+  c.b = c.a;
+  c.b.velocity = {0, 0, 0};
+  EXPECT_EQ(reason(c, Precision::binary32), Unjudged::leaves_range);
+  c.b.position = c.point + Vector3<double>{1e3, 1e3, 0};
+  c.b.principal_inertia.setConstant(1e6);
+  EXPECT_EQ(reason(c, Precision::binary32), Unjudged::leaves_range);
+  c.a = c.b;
+  EXPECT_TRUE(is_judged(c, Precision::binary32));
+}
+
+TEST(Unjudged, IsAMomentAtTheEndOfTheRangeOfBinary32) {
+  Collision c = ball_on_floor();
+  c.a.principal_inertia.setConstant(1e37);
+  EXPECT_EQ(reason(c, Precision::binary32), Unjudged::leaves_range);
+  EXPECT_TRUE(is_judged(c, Precision::binary64));
+}
+
+/// A lever arm of 10¹⁵⁰ m is lost at 10²⁰⁰ m, and its square is no number.
+TEST(Unjudged, IsAnEnclosureThatIsNotFinite) {
+  Collision c = ball_on_floor();
+  c.a.position = {1e200, 1, 0};
+  c.point = {1e200, 0, 0};
+  EXPECT_EQ(reason(c, Precision::binary64), Unjudged::no_finite_enclosure);
+}
+
+}  // namespace
+}  // namespace carom::properties
