@@ -15,7 +15,7 @@
 namespace carom::equality {
 namespace {
 
-/// Of each family: what the environment variable CAROM_EQUALITY_CASES says, or one, for a quick run.
+/// The environment variable CAROM_EQUALITY_CASES says how many cases of each family. A quick run takes one.
 std::uint64_t cases_of_a_family() {
   const char* said = std::getenv("CAROM_EQUALITY_CASES");
   return said == nullptr ? 1 : std::stoull(said);

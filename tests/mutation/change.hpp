@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A change may well make a warning, in all that follows.
+// From here on: a change may well make a warning.
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wparentheses"
@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <utility>
 
-/// What mutate.py writes into its copy of the sources in place of operators and numbers. Each does what stood there,
-/// except for the one change that the environment variable CAROM_MUTANT names by its number:
+/// The script mutate.py writes these into its copy of the sources in place of operators and numbers. Each does as the
+/// old one did, except for the one change that the environment variable CAROM_MUTANT names by its number:
 ///
 ///     a * b     a % Between<7, "*", "/">{} % b
 ///     a += b    a += Between<7, "+=", "-=">{} += b

@@ -31,7 +31,7 @@ TESTS = [("oracles/oracles_tests", "*"), ("properties/invariants/verdicts_tests"
 LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
 LIMITS = ["timeout", "120", "prlimit", "--as=8589934592"]  # seconds, bytes
 
-# What may stand in place of an operator, and the operator of the same precedence that carries the change.
+# The operators that may stand in place of each, and the one of the same precedence that carries the change.
 INSTEAD = {"+": ["-", "left", "right"], "-": ["+", "left"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">="],
            "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"],
            "||": ["&&"], "+=": ["-=", "left"], "-=": ["+=", "left"], "*=": ["/="], "/=": ["*="]}

@@ -7,14 +7,14 @@
 /// Numbers that are kept in a file beside a test.
 namespace carom::unit {
 
-/// What is said of one thing: a name without a line break, and numbers.
+/// A name without a line break, and numbers.
 struct KnownLine {
   std::string name;
   std::vector<double> numbers;
 };
 
-/// Expects the lines of the file: the same names, and numbers that agree to five digits. Where one does not, the lines
-/// as they are now are written to the directory of temporary files, and the failure says where.
+/// Expects the lines of the file: the same names, and numbers that agree to five digits. If one does not, the
+/// present lines are written to the directory of temporary files, and the failure names the file.
 void expect_known_lines(const std::string& file, const std::vector<KnownLine>& lines);
 
 }  // namespace carom::unit

@@ -14,16 +14,16 @@
 
 #include "support/known_collisions.hpp"
 
-/// What the judge makes of a few collisions, number by number. What is allowed of an outcome is a promise to those who
-/// gate on it: an outcome that passes has to pass tomorrow. If a number changes on purpose, known_values.txt changes
-/// with it, and the changelog says so. The other tests say why the numbers are right.
+/// The judge's numbers for a few collisions. The allowance is a promise to those who gate on it: an outcome that passes
+/// today has to pass tomorrow. If a number changes on purpose, known_values.txt changes with it, and the changelog says
+/// so. The other tests say why the numbers are right.
 namespace carom::oracles {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// That of binary32, of binary64, and one of which squares are no small part.
+/// Of binary32 and of binary64, and one whose square is no small part of it.
 constexpr std::array allowances{0x1p-6, 0x1p-19, 0x1p-48};
 
 Yardstick yardstick_of(double allowance) {
@@ -78,8 +78,8 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// By how much each equation is missed by an outcome that is far off, by the opposite one, and by one that is hardly
-/// off, and what is allowed.
+/// The residual of each equation and its allowance, for an outcome that is far off, for the opposite one, and for one
+/// that is hardly off.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const double times : {1.0, -1.0, 0x1p-12}) {
@@ -97,7 +97,7 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
   }
 }
 
-/// What is allowed of the answers of each law, which of them are open, and how far off an outcome is from them.
+/// The sensitivity of each law's answers, which of them are open, and the accuracy of some outcomes.
 void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const Model model : models_with_truth) {

@@ -57,7 +57,7 @@ TEST_P(HoldsExactly, For) {
 
 INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
 
-/// Whether the examinee violates what is asked in some case of a family.
+/// Whether the answer to the question is a violation in some case of a family.
 bool violates_somewhere(const Examinee& examinee, const Question& question) {
   constexpr std::uint64_t cases = 15;
   for (const Family& family : all_families()) {

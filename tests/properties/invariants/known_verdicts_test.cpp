@@ -10,15 +10,15 @@
 #include "support/known_collisions.hpp"
 #include "support/known_values.hpp"
 
-/// What every invariant says of a solver that is wrong, number by number: by how much it is missed, and what is
-/// allowed. As tests/oracles/judge/known_values_test.cpp.
+/// The residual of every invariant and its allowance, of a solver that is wrong. As
+/// tests/oracles/judge/known_values_test.cpp.
 namespace carom::properties {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// Adds velocities that are no impulse's, and depend on what no law depends on; shows a matrix that is not symmetric.
+/// Adds velocities of no impulse, which depend on the origin, and shows a matrix that is not symmetric.
 ExactAnswer wrong_answer(const Collision& c) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
