@@ -11,11 +11,10 @@ than 92 of 100 are noticed, more than 5 are dropped, or one survives that docs/i
 import argparse
 import collections
 import concurrent.futures
-import itertools
+import hashlib
 import json
 import os
 import pathlib
-import random
 import re
 import subprocess
 import sys
@@ -28,8 +27,7 @@ MUTATED = [*(f"oracles/{one}" for one in ("laws", "exact", "judge", "filters", "
 # Program and GoogleTest filter, in the order in which they run: what notices most in the least time comes first.
 TESTS = [("oracles/oracles_tests", "*"), ("properties/invariants/verdicts_tests", "*"),
          ("oracles/bounds/bounds_tests", "*"), ("equality/planted_tests", "*")]
-LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
-LIMITS = ["timeout", "120", "prlimit", "--as=8589934592"]  # seconds, bytes
+LEAST_NOTICED, MOST_DROPPED, LIMITS = 0.92, 0.05, ["timeout", "120", "prlimit", "--as=8589934592"]  # seconds, bytes
 
 # The operators that may stand in place of each, and the one of the same precedence that carries the change.
 INSTEAD = {"+": ["-", "left", "right"], "-": ["+", "left"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">="],
@@ -59,7 +57,7 @@ def tokens_of(text):
 
 
 def regions(tokens):
-    """Tokens for the compiler alone; those in functions that it may evaluate; those in its constants, with `constexpr`."""
+    """Tokens for the compiler alone, those in functions that it may evaluate, and those in its constants."""
     def closing(i):  # the bracket that closes the one at i; i if there is none
         depth = int(tokens[i].text in "([{")
         while depth > 0:
@@ -135,14 +133,14 @@ def places_in(path, text):
 
 
 def drawn(seed, count):
-    """How many places there are, and a sample with one change of each, numbered from 1."""
-    chance, found, named = random.Random(seed), [], collections.Counter()
+    """How many places there are, and a sample with one change of each, numbered. An edit redraws its own lines alone."""
+    found, named, rank = [], collections.Counter(), lambda one: hashlib.sha256(f"{seed} {one.name}".encode()).digest()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).glob("*.[ch]pp")):
         for changes in places_in(str(path.relative_to(ROOT)), path.read_text()):
             named.update(one.name for one in changes)
-            one = chance.choice(changes)
+            one = min(changes, key=rank)
             found.append(one._replace(name=f"{one.name} [{named[one.name]}]"))
-    sample = sorted(chance.sample(found, min(count, len(found))), key=lambda one: one[:2])
+    sample = sorted(sorted(found, key=rank)[:count], key=lambda one: one[:2])
     return len(found), dict(enumerate(sample, 1))
 
 
@@ -175,8 +173,8 @@ def broken(log, places):
     for file in log.split("FAILED: ")[1:]:
         lines = [line for line in file.splitlines() if not re.match(r" *\d* \|", line)]
         first_error = next((i for i, line in enumerate(lines) if ": error: " in line), len(lines) - 1)
-        said = "\n".join([*lines[:first_error + 1],
-                          *itertools.takewhile(lambda line: ": note: " in line, lines[first_error + 1:])])
+        notes = [line for line in lines[first_error + 1:first_error + 9] if ": note: " in line]
+        said = "\n".join([*lines[:first_error + 1], *notes])
         numbers = {int(one) for one in re.findall(r"(?:(?:Between|Before|joined|number)<|\bId = )(\d+)", said)}
         for path, line in () if numbers else re.findall(r"(\S+?):(\d+):\d+: (?:error|note)", said):
             numbers |= {n for n, one in places.items() if path.endswith(one.path) and int(line) in one.lines}
@@ -235,13 +233,12 @@ def main():
         sys.exit(f"mutate: without a change, {failed} fails")
     print(f"built; without a change the tests take {time.monotonic() - start:.0f} s", flush=True)
     print(*(f"{n:4} dropped: {reason}: {places[n].name}" for n, reason in dropped.items()), sep="\n", flush=True)
-    page, survivors = (ROOT / PAGE).read_text(), []
-    tried = [n for n in places if n not in dropped and options.only in (None, n)]
+    tried, survivors = [n for n in places if n not in dropped and options.only in (None, n)], []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for number, by in zip(tried, pool.map(noticed_by, tried)):
             print(f"{number:4} {by or 'SURVIVES'}: {places[number].name}", flush=True)
             survivors += [] if by else [number]
-    unlisted = [n for n in survivors if places[n].name not in page]
+    unlisted = [n for n in survivors if places[n].name not in (ROOT / PAGE).read_text()]
     share = 1 - len(survivors) / max(1, len(tried))
     print(f"{found} places found, {len(places)} drawn, {len(dropped)} dropped, {len(tried) - len(survivors)} noticed "
           f"({100 * share:.1f} %), {len(survivors)} survived, of which {PAGE} does not name {unlisted or 'none'}")
