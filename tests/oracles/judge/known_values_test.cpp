@@ -90,8 +90,7 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
         continue;
       }
       const Comparison result = compare(asked.equation, asked.relation, exact_case, outcome, yardstick_of(allowance));
-      line.numbers.push_back(result.is_decided ? result.residual : -1);
-      line.numbers.push_back(result.allowed);
+      line.numbers.insert(line.numbers.end(), {result.is_decided ? 1.0 : 0.0, result.residual, result.allowed});
     }
     lines.push_back(std::move(line));
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 #include "support/known_collisions.hpp"
@@ -36,19 +37,25 @@ ExactAnswer wrong_answer(const Collision& c) {
   return oracles::LiftedOutcome(reported);
 }
 
+/// All that may be claimed of a model, but for what speaks of sessions.
+Claim whole_claim(Model model, double unit_roundoff) {
+  Claim claim;
+  claim.model = model;
+  claim.yardstick.unit_roundoff = unit_roundoff;
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.claimed_for(model) && !std::holds_alternative<AboutSession>(invariant.about)) {
+      claim.invariants.push_back(&invariant);
+    }
+  }
+  return claim;
+}
+
 TEST(KnownValues, OfTheInvariants) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
     const JudgedCase judged_case({known.collision, true});
     for (const Model model : all_models) {
-      Claim claim;
-      claim.model = model;
-      claim.yardstick.unit_roundoff = 0x1p-20;
-      for (const Invariant& invariant : all_invariants()) {
-        if (invariant.claimed_for(model) && !std::holds_alternative<AboutSession>(invariant.about)) {
-          claim.invariants.push_back(&invariant);
-        }
-      }
+      const Claim claim = whole_claim(model, 0x1p-20);
       KnownLine line{known.name + ", " + std::string(name_of(model)), {}};
       for (const NamedVerdict& named : try_case(judged_case, claim, wrong_answer).verdicts) {
         const Verdict& verdict = named.verdict;
@@ -63,6 +70,58 @@ TEST(KnownValues, OfTheInvariants) {
     }
   }
   unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
+}
+
+/// The truth, rounded, and the collision matrix.
+ExactAnswer right_answer(const Collision& c, Model model) {
+  if (!validate(c).empty()) {
+    return Refused{"invalid"};
+  }
+  const oracles::ExactCase exact_case(c);
+  ReportedOutcome reported =
+      map_outcome<long double>(exact_case.nearest_truth(model), [](double x) { return static_cast<long double>(x); });
+  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
+      [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
+  return oracles::LiftedOutcome(reported);
+}
+
+/// How often each filter decides. A filter that decides less changes no verdict, but makes the judge slow.
+TEST(KnownValues, OfTheStagesThatDecide) {
+  std::vector<KnownLine> lines;
+  for (const KnownCollision& known : unit::known_collisions()) {
+    const JudgedCase judged_case({known.collision, true});
+    for (const Model model : models_with_truth) {
+      for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+        const oracles::StageCounts before = oracles::decided_by_stage();
+        const Claim claim = whole_claim(model, unit_roundoff(precision));
+        const auto solve = [&](const Collision& c) { return right_answer(c, model); };
+        const Judgement judgement = try_case(judged_case, claim, solve);
+        EXPECT_FALSE(judgement.verdicts.empty());
+        KnownLine line{known.name + ", " + std::string(name_of(model)) + ", " + std::string(name_of(precision)), {}};
+        for (const oracles::Stage stage : oracles::all_stages) {
+          line.numbers.push_back(static_cast<double>(oracles::decided_by_stage()[stage] - before[stage]));
+        }
+        lines.push_back(std::move(line));
+      }
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_STAGES, lines);
+}
+
+/// Without filters, rationals decide alone.
+TEST(Stages, AreRationalAloneWithoutFilters) {
+  const oracles::StageCounts before = oracles::decided_by_stage();
+  for (const KnownCollision& known : unit::known_collisions()) {
+    const JudgedCase judged_case({known.collision, true}, false);
+    Claim claim = whole_claim(Model::reflection, 0x1p-24);
+    std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
+    claim.yardstick.filtered = false;
+    EXPECT_FALSE(try_case(judged_case, claim, wrong_answer).verdicts.empty());
+  }
+  for (const oracles::Stage stage : oracles::all_stages) {
+    const std::uint64_t count = oracles::decided_by_stage()[stage] - before[stage];
+    EXPECT_EQ(count > 0, stage == oracles::Stage::rational) << static_cast<int>(stage);
+  }
 }
 
 }  // namespace
