@@ -14,7 +14,8 @@
 #   test      build, then all tests (`ctest ARG…`)
 #   proofs    build, then check the proofs, print each theorem with the axioms that it rests on, and hold the oracle that is
 #             extracted of them against ours on 10,000 collisions: six minutes on two cores
-#   bench     build, then print what solvers, batches, judge and gate take
+#   bench     build, then print what solvers, batches, judge and gate take; exit status 1 if a solver takes more than four times
+#             as long as the note in plain C++, or a batch longer than that
 #   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
 #   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 #   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
@@ -208,9 +209,11 @@ proofs)
     docs/findings/engines/witnesses/*.json
   ;;
 bench)
+  install_packages python3
   build carom_benchmarks
-  build/tests/benchmarks/solvers "$@"
+  build/tests/benchmarks/solvers --benchmark_out=build/solvers.json --benchmark_out_format=json "$@"
   build/tests/benchmarks/judge_rate "--benchmark_filter=$judged" "$@"
+  exec python3 tests/benchmarks/against_note.py build/solvers.json
   ;;
 compare)
   revision=${1:?bootstrap: compare needs a REVISION}

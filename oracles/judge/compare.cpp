@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/filters/slopes.hpp>
@@ -88,8 +89,10 @@ template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                        const PerVector<double>& sizes) {
   const Collision& collision = exact_case.collision();
-  if (const std::optional<AffineEquation> name = equation.name()) {
-    return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
+  if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
+    if (const std::optional<AffineEquation> name = equation.name()) {
+      return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
+    }
   }
   return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
@@ -156,8 +159,6 @@ double part_by_curvature(const equation::FrictionAgainstSlip& against, const Exa
 struct ByShownMatrix {
   const LiftedMatrix& shown;
   bool read_off_a;
-
-  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
   template <class T>
   [[nodiscard]] Sides<T, 3> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
+#include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
@@ -309,14 +310,32 @@ constexpr std::array families{
     Family{"invalid", "one field non-finite, negative, zero or out of range: to be refused", invalid},
 };
 
+constexpr std::array beyond_domain{
+    Family{"far_contacts",
+           "the contact far outside of a body, its lever arm 2^k times as long, or its moments 4^-k times "
+           "as small, k = 0 to 26",
+           far_contacts,
+           1,
+           {"κ(K), at most", condition_number_at_most}},
+    Family{"impossible_moments",
+           "one moment 10^k times the sum of the two others, k = 0 to 16",
+           impossible_moments,
+           1,
+           {"a moment over the sum of the two others", moment_excess}},
+};
+
 }  // namespace
 
 std::span<const Family> all_families() { return families; }
 
+std::span<const Family> families_beyond_domain() { return beyond_domain; }
+
 const Family* family_named(std::string_view name) {
-  for (const Family& family : families) {
-    if (family.name == name) {
-      return &family;
+  for (const std::span<const Family> kind : {all_families(), families_beyond_domain()}) {
+    for (const Family& family : kind) {
+      if (family.name == name) {
+        return &family;
+      }
     }
   }
   return nullptr;

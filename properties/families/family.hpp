@@ -17,18 +17,32 @@ struct Case {
   bool convex_uniform = false;
 };
 
+/// What a family beyond the claimed domain has much of.
+struct MeasuredQuantity {
+  std::string_view name;  // "κ(K), at most"
+  double (*of)(const Collision&) = nullptr;
+};
+
 /// A named distribution of collisions.
 struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
   int weight = 1;  // the gate draws so many times as many cases of it
+  /// Of a family beyond the domain that solvers claim. The least of it at which a subject violates something is where
+  /// that subject stops. Such a family decides no verdict unless it is asked for by its name.
+  MeasuredQuantity beyond = {};
+
+  [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }
 };
 
-/// Every family, in the order of the design.
+/// Every family of the claimed domain, in the order of the design.
 [[nodiscard]] std::span<const Family> all_families();
 
-/// The family of this name; nullptr where there is none.
+/// Every family beyond it.
+[[nodiscard]] std::span<const Family> families_beyond_domain();
+
+/// The family of this name, of either kind; nullptr if there is none.
 [[nodiscard]] const Family* family_named(std::string_view name);
 
 /// The family's case of this number, from 0: of a seed always the same.

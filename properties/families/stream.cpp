@@ -41,11 +41,12 @@ double Stream::between(double low, double high) { return low + (high - low) * un
 
 double Stream::power_of_two(int low, int high) { return std::ldexp(1.0, integer(low, high)); }
 
-double Stream::power_of_ten(int low, int high) {
-  const int k = integer(low, high);
+double power_of_ten(int k) {
   const double power = powers_of_ten.at(static_cast<std::size_t>(std::abs(k)));
   return k < 0 ? 1 / power : power;
 }
+
+double Stream::power_of_ten(int low, int high) { return properties::power_of_ten(integer(low, high)); }
 
 Vector3<double> Stream::vector() {
   const double x = signed_unit();

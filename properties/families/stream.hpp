@@ -51,6 +51,9 @@ class Stream {
   std::function<std::uint64_t()> next_;
 };
 
+/// 10^k, |k| ≤ 30: the nearest double, or for k < 0 one divided by it.
+[[nodiscard]] double power_of_ten(int k);
+
 /// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014), started from the seed, the family's
 /// name and the number of the case, so that every case can be made by itself.
 [[nodiscard]] Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index);

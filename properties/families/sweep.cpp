@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/sweep.hpp>
@@ -77,6 +78,15 @@ Collision slenderness(Stream& stream, double ratio) {
   return c;
 }
 
+/// One moment of a body over the sum of the two others: from 1 on there is no such body.
+Collision moments_of_no_body(Stream& stream, double excess) {
+  Collision c = general_bodies(stream).collision;
+  set_moment_excess(stream, c.a, excess);
+  strike_close(stream, c, c.a);
+  make_approaching(c);
+  return c;
+}
+
 /// Both bodies, and the places and velocities that go with them, so many times as large.
 Collision size(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
@@ -128,6 +138,8 @@ constexpr std::array sweeps{
           15, distance},
     Sweep{"slenderness", "ratio of the greatest to the least moment of inertia of a rod",
           "a rod and a general body, the rod ever more slender", 0, 12, slenderness},
+    Sweep{"moment_excess", "a moment over the sum of the two others (1 at most, of any body)",
+          "a body of moments that no distribution of mass has, and a general one", 0, 16, moments_of_no_body},
     Sweep{"small_size", "size of both bodies, ever smaller [about 1 m times this]",
           "general bodies, both ever smaller, and as quick for their size", 0, -12, size},
     Sweep{"large_size", "size of both bodies, ever larger [about 1 m times this]",
@@ -141,6 +153,15 @@ constexpr std::array sweeps{
 };
 
 }  // namespace
+
+std::vector<double> Sweep::quantities() const {
+  std::vector<double> all;
+  const int step = first_exponent < last_exponent ? 1 : -1;
+  for (int k = first_exponent; k != last_exponent + step; k += step) {
+    all.push_back(power_of_ten(k));
+  }
+  return all;
+}
 
 Collision Sweep::generate(Stream& stream, double at_quantity) const {
   Collision collision = draw(stream, at_quantity);

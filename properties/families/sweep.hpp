@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <carom/collision/collision.hpp>
 #include <carom/properties/families/stream.hpp>
@@ -18,6 +19,9 @@ struct Sweep {
   int first_exponent;  // of the easy end
   int last_exponent;   // of the hard end; may be the smaller one
   Collision (*draw)(Stream&, double quantity);
+
+  /// 10^k, from the easy end to the hard one.
+  [[nodiscard]] std::vector<double> quantities() const;
 
   /// With friction and a tangential restitution, as families have them.
   [[nodiscard]] Collision generate(Stream& stream, double at_quantity) const;

@@ -25,15 +25,6 @@ struct Quantity {
   std::function<void(Stream&, Collision&, double)> set;
 };
 
-/// 10^k, |k| ≤ 15: one division at most, so that it is the same on every machine.
-double power_of_ten(int k) {
-  double power = 1;
-  for (int i = 0; i < std::abs(k); ++i) {
-    power *= 10;
-  }
-  return k < 0 ? 1 / power : power;
-}
-
 /// Of two bodies with the same moments: such masses that their sizes have this ratio. False where these would leave
 /// their domain.
 bool set_size_ratio_by_masses(Collision& c, double ratio) {

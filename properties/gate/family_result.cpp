@@ -30,6 +30,7 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   }
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
+  keep_if_least(boundary, other.boundary);
   for (const auto& [name, count] : other.counts) {
     counts[name] += count;
   }

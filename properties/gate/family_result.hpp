@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <carom/properties/gate/boundary.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
@@ -44,6 +46,7 @@ struct FamilyResult {
   UnjudgedCounts unjudged{};                    // valid cases that are not judged, by reason
   std::uint64_t violated = 0;                   // cases that violated any invariant
   double worst_backward_error = 0;              // ulps
+  std::optional<Boundary> boundary;             // of a family beyond the claimed domain
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
   std::uint64_t sampled = 0;                    // cases, the first ones

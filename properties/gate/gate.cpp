@@ -316,6 +316,36 @@ Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Cl
   return tally;
 }
 
+/// Poses the families beyond the claimed domain to what could be judged to the end on the others.
+void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector<Claim>& claims,
+                         const GateOptions& options, std::vector<SubjectResult>& results) {
+  if (options.beyond_domain.empty() || options.budget || options.fail_fast) {
+    return;
+  }
+  std::vector<std::size_t> places;
+  std::vector<Subject> posed;
+  std::vector<Claim> claimed;
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    if (results[s].error.empty()) {
+      places.push_back(s);
+      posed.push_back(subjects[s]);
+      claimed.push_back(claims[s]);
+    }
+  }
+  GateOptions beyond = options;
+  beyond.families = options.beyond_domain;
+  beyond.progress = {};
+  Run run{posed, claimed, beyond};
+  const unsigned jobs = std::max(1U, options.jobs);
+  std::vector<Worker> workers(jobs, Worker(run));
+  in_parallel(jobs, jobs, [&](std::size_t worker) { workers[worker].run(); });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Tally tally = tally_of(workers, i, claimed[i]);
+    results[places[i]].beyond_domain = std::move(tally.families);
+    results[places[i]].error_beyond_domain = std::move(tally.error);
+  }
+}
+
 }  // namespace
 
 GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options) {
@@ -333,7 +363,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   report.sampled.resize(options.families.size());
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const Tally tally = tally_of(workers, s, claims[s]);
-    SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}};
+    SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
       // The median: other programs disturb single batches by far more than solvers differ.
       result.nanoseconds_per_solve = times.at(times.size() / 2);
@@ -358,6 +388,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     const bool was_cut_short = options.fail_fast && !result.violated_invariants().empty();
     result.not_judged = was_cut_short ? "" : why_not_judged(result, options.families, report.coverage);
   }
+  judge_beyond_domain(subjects, claims, options, report.results);
   struct FoundWitness {
     std::size_t subject;
     std::size_t witness;

@@ -32,8 +32,11 @@ struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;           // of each family, times its weight
   std::vector<const Family*> families;  // in the order to report
-  oracles::Yardstick yardstick;         // its unit roundoff is taken from each subject
-  unsigned jobs = 1;                    // threads
+  /// Families beyond the claimed domain, posed besides: they show where each subject stops, and decide no verdict. Not
+  /// with a budget, nor where each subject is judged to its first violation alone.
+  std::vector<const Family*> beyond_domain = {};
+  oracles::Yardstick yardstick;  // its unit roundoff is taken from each subject
+  unsigned jobs = 1;             // threads
   /// Each invariant that relates a collision to others is judged on every so many cases, the next one on other cases;
   /// 0: on every case of subjects in this process, on every fourth of programs, for which each question costs a hundred
   /// times as much. Of a fault in one of 100 answers that one such invariant alone sees, in one family alone, each of
@@ -93,12 +96,14 @@ struct Witness {
 
 struct SubjectResult {
   Subject subject;
-  std::string error;                   // why the subject could not be judged to the end; empty where it was
-  std::vector<FamilyResult> families;  // as in the options
-  Histogram<DigitsScale> digits;       // of the colliding cases that were answered
-  double nanoseconds_per_solve = 0;    // median over the batches, as seen by the gate: its own overhead included
-  std::vector<Witness> witnesses;      // one for each invariant violated
-  std::string not_judged;              // why too little was exercised to call it sound; empty where enough was
+  std::string error;                        // why the subject could not be judged to the end; empty where it was
+  std::vector<FamilyResult> families;       // as in the options
+  Histogram<DigitsScale> digits;            // of the colliding cases that were answered
+  double nanoseconds_per_solve = 0;         // median over the batches, as seen by the gate: its own overhead included
+  std::vector<Witness> witnesses;           // one for each invariant violated
+  std::string not_judged;                   // why too little was exercised to call it sound; empty where enough was
+  std::vector<FamilyResult> beyond_domain;  // of options.beyond_domain; empty if none was posed
+  std::string error_beyond_domain;          // why it was not judged there to the end; empty if it was
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;

@@ -170,6 +170,8 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
       return;
     }
     tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
+    keep_if_least(tally.families[task.family].boundary,
+                  boundary_by(*examinee.families[task.family], index, cases[i].generated().collision, judgement));
     if (std::any_of(replies.begin(), replies.end(),
                     [](const Answer& reply) { return std::holds_alternative<Failed>(reply); })) {
       const std::vector<Collision> asked_besides = trials[i].questions();

@@ -137,7 +137,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
 }
 
 std::string Certifier::violated_invariant(const Answer& answer) const {
-  const Trial trial(judged_, claim_, lift(answer), std::nullopt, no_relations);
+  const Trial trial(judged_, claim_, lift(answer), no_relations);
   const Judgement judgement = trial.judge(std::span<const ExactAnswer>());
   for (const NamedVerdict& named : judgement.verdicts) {
     if (named.verdict.status == Status::violated) {

@@ -34,7 +34,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   outcome.b = widen(event.outcome.b);
   // Spheres are convex, uniform, and are struck on their surfaces.
   const JudgedCase judged_case({event.collision, true});
-  const Trial trial(judged_case, claim_, lift(Answer(outcome)), std::nullopt, no_relations);
+  const Trial trial(judged_case, claim_, lift(Answer(outcome)), no_relations);
   const Judgement judgement = trial.judge(std::span<const ExactAnswer>{}, worst_backward_error_);
   bool is_bad = false;
   for (const NamedVerdict& named : judgement.verdicts) {

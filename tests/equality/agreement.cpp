@@ -41,7 +41,7 @@ class Judge {
  public:
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
 
-  Judgement operator()(const Subject& subject, Claim claim, Relations relations, const Answers& answers,
+  Judgement operator()(Claim claim, Relations relations, const Answers& answers,
                        double known_backward_error, std::chrono::nanoseconds& spent) const {
     claim.yardstick.filtered = filtered_;
     const auto start = std::chrono::steady_clock::now();
@@ -119,8 +119,8 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
     // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
-    compare(fast(examined.subject, claim, relations, answers, known, agreement.filtered),
-            exact(examined.subject, claim, relations, answers, 0, agreement.rational),
+    compare(fast(claim, relations, answers, known, agreement.filtered),
+            exact(claim, relations, answers, 0, agreement.rational),
             origin + ", " + examined.subject.name, agreement);
   }
 }

@@ -6,6 +6,7 @@
 namespace carom::fuzz {
 namespace {
 
+constexpr std::uint8_t first_beyond_domain = 120;
 constexpr std::uint8_t first_of_numbers = 128;
 constexpr std::uint8_t a_is_immovable = 1;
 constexpr std::uint8_t b_is_immovable = 2;
@@ -32,14 +33,19 @@ ReadCase case_from(Input& input) {
   if (form >= first_of_numbers) {
     return {{collision_from(input), false}, false};
   }
-  const auto families = properties::all_families();
   properties::Stream stream = input.stream();
+  if (form >= first_beyond_domain) {
+    const auto beyond = properties::families_beyond_domain();
+    return {beyond[(form - first_beyond_domain) % beyond.size()].generate(stream), false};
+  }
+  const auto families = properties::all_families();
   return {families[form % families.size()].generate(stream), true};
 }
 
-std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t index) {
-  const properties::Family& drawn = properties::all_families()[family];
-  std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(family)};
+namespace {
+
+std::vector<std::uint8_t> drawn_bytes(std::size_t form, const properties::Family& drawn, std::uint64_t index) {
+  std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(form)};
   properties::Stream integers = properties::case_stream(1, drawn.name, index);
   properties::Stream noted([&] {
     const std::uint64_t word = integers.bits();
@@ -48,6 +54,16 @@ std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t inde
   });
   (void)drawn.generate(noted);
   return bytes;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t index) {
+  return drawn_bytes(family, properties::all_families()[family], index);
+}
+
+std::vector<std::uint8_t> bytes_beyond_domain(std::size_t family, std::uint64_t index) {
+  return drawn_bytes(first_beyond_domain + family, properties::families_beyond_domain()[family], index);
 }
 
 std::vector<std::uint8_t> bytes_of(const Collision& collision) {

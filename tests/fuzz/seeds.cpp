@@ -39,9 +39,9 @@ std::string with_head(std::initializer_list<std::size_t> head, const std::vector
 }
 
 /// Of the same cases in both forms; the numbers before them go round through what can be chosen.
-void write_cases(const fs::path& directory, std::size_t number, std::string_view family, const Collision& collision) {
+void write_cases(const fs::path& directory, std::size_t number, std::string_view family,
+                 const std::vector<std::uint8_t>& drawn, const Collision& collision) {
   const std::string name(family);
-  const std::vector<std::uint8_t> drawn = bytes_of_family(number, 0);
   const std::vector<std::uint8_t> as_it_stands = bytes_of(collision);
   for (const char* law : {"law_frictionless", "law_reflection", "law_sticking", "law_rough", "law_coulomb"}) {
     write(directory, law, name + "-drawn", with_head({number}, drawn));
@@ -79,8 +79,13 @@ void write_all(const fs::path& directory) {
   const auto families = properties::all_families();
   for (std::size_t i = 0; i < families.size(); ++i) {
     const Collision collision = properties::drawn_case(families[i], 1, 0).collision;
-    write_cases(directory, i, families[i].name, collision);
+    write_cases(directory, i, families[i].name, bytes_of_family(i, 0), collision);
     write_texts(directory, static_cast<std::uint8_t>(i), std::string(families[i].name), collision, session);
+  }
+  const auto beyond = properties::families_beyond_domain();
+  for (std::size_t i = 0; i < beyond.size(); ++i) {
+    write_cases(directory, i, beyond[i].name, bytes_beyond_domain(i, 0),
+                properties::drawn_case(beyond[i], 1, 0).collision);
   }
   write(
       directory, "protocol_reply", "introduction",

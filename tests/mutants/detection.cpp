@@ -51,7 +51,7 @@ Judged judged(const JudgedCase& one, const Claims& claims, const Outcome<double>
   double backward_error = 0;
   for (const properties::Claim* claim : {&claims.truth, &claims.laws}) {
     const properties::Judgement judgement =
-        properties::Trial(one, *claim, properties::lift(answer), std::nullopt, properties::no_relations)
+        properties::Trial(one, *claim, properties::lift(answer), properties::no_relations)
             .judge(std::span<const Answer>());
     for (const properties::NamedVerdict& named : judgement.verdicts) {
       if (named.verdict.status == properties::Status::violated) {
@@ -129,7 +129,7 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   for (std::size_t m = 0; m < models_.size(); ++m) {
     const Claims claims = claims_of(models_[m]);
     const Solution sound = solved(models_[m], collision);
-    const Judged of_sound = judged(one, claims, sound.outcome);
+    const Judged of_sound = mutants::judged(one, claims, sound.outcome);
     if (of_sound.is_rejected) {
       ++sound_rejected_;
       continue;
@@ -143,7 +143,7 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
         continue;
       }
       const Outcome<double> outcome = damaged(damage, sound, last);
-      const Judged judgement = differ(outcome, sound.outcome) ? judged(one, claims, outcome) : of_sound;
+      const Judged judgement = differ(outcome, sound.outcome) ? mutants::judged(one, claims, outcome) : of_sound;
       Seen of_case;
       if (judgement.is_rejected) {
         of_case.sight = Sight::killed;

@@ -46,7 +46,7 @@ Subject without_restitution(Subject subject) {
   return subject;
 }
 
-Solved frictionless(const Contact& contact) { return impulse::frictionless(contact); }
+Solved solve_frictionless(const Contact& contact) { return impulse::frictionless(contact); }
 
 // Non-penetration.
 
@@ -141,7 +141,7 @@ Reflected reflected(const Contact& contact) {
   return result;
 }
 
-Solved reflection(const Contact& contact) {
+Solved solve_reflection(const Contact& contact) {
   const Reflected answer = reflected(contact);
   return {answer.outcome, answer.matrix};
 }
@@ -241,7 +241,7 @@ const std::array defects{
 std::span<const BrokenProperty> broken_properties() { return defects; }
 
 std::vector<Subject> unbroken_subjects() {
-  return {claiming_any("frictionless", false, frictionless), claiming_any("reflection", true, reflection)};
+  return {claiming_any("frictionless", false, solve_frictionless), claiming_any("reflection", true, solve_reflection)};
 }
 
 }  // namespace carom::mutants

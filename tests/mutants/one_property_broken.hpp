@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <ostream>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ struct BrokenProperty {
   std::vector<std::string_view> violates;  // these invariants, and no others
   Subject (*subject)();
 };
+
+/// How GoogleTest prints it.
+inline void PrintTo(const BrokenProperty& defect, std::ostream* out) { *out << defect.name << ": " << defect.sentence; }
 
 [[nodiscard]] std::span<const BrokenProperty> broken_properties();
 

@@ -124,8 +124,6 @@ INSTANTIATE_TEST_SUITE_P(Each, ThreeProperties,
                                            properties::three_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-void PrintTo(const BrokenProperty& defect, std::ostream* out) { *out << defect.name << ": " << defect.sentence; }
-
 class OnePropertyBroken : public testing::TestWithParam<BrokenProperty> {};
 
 /// The random test of its property fails for it, and those of the two others pass.

@@ -94,22 +94,12 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   return result;
 }
 
-/// The quantities of a sweep, from its easy end to its hard one.
-std::vector<double> quantities_of(const properties::Sweep& sweep) {
-  std::vector<double> quantities;
-  const int step = sweep.last_exponent > sweep.first_exponent ? 1 : -1;
-  for (int exponent = sweep.first_exponent; exponent != sweep.last_exponent + step; exponent += step) {
-    quantities.push_back(std::pow(10.0, exponent));
-  }
-  return quantities;
-}
-
 std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
                                                      const std::vector<Method>& methods, unsigned jobs) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
-    all += quantities_of(sweep).size();
+    all += sweep.quantities().size();
   }
   std::uint64_t done = 0;
   std::vector<chart::SweepMeasurement> result;
@@ -118,9 +108,9 @@ std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& argum
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
     for (const Method& method : methods) {
       measurement.lines.push_back(
-          {method.subject.name, method.subject.model, method.subject.precision, quantities_of(sweep), {}});
+          {method.subject.name, method.subject.model, method.subject.precision, sweep.quantities(), {}});
     }
-    for (const double quantity : quantities_of(sweep)) {
+    for (const double quantity : sweep.quantities()) {
       const std::vector<Collision> collisions =
           chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
       const std::vector<Exactness> exactness = chart::measured_exactness(

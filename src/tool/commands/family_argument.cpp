@@ -16,8 +16,10 @@ const properties::Family& family_from_argument(const std::string& option, const 
     return *family;
   }
   std::vector<std::string> names;
-  for (const properties::Family& known : properties::all_families()) {
-    names.emplace_back(known.name);
+  for (const auto kind : {properties::all_families(), properties::families_beyond_domain()}) {
+    for (const properties::Family& known : kind) {
+      names.emplace_back(known.name);
+    }
   }
   throw UsageError(fmt::format("{}: there is no family '{}'; there are {}{}", option, name, fmt::join(names, ", "),
                                properties::did_you_mean(name, names)));

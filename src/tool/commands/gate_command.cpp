@@ -159,6 +159,11 @@ int gate(const GateArguments& arguments) {
   options.budget = arguments.budget;
   options.fail_fast = arguments.fail_fast;
   options.families = families_of(arguments);
+  if (arguments.families.empty() && !arguments.budget && !arguments.fail_fast) {
+    for (const properties::Family& family : properties::families_beyond_domain()) {
+      options.beyond_domain.push_back(&family);
+    }
+  }
   options.yardstick.limit_ulps = arguments.limit_ulps;
   options.yardstick.digits = arguments.digits;
   options.yardstick.filtered = !arguments.exact;

@@ -158,12 +158,18 @@ int list_invariants(const std::string& format) {
 
 int list_families(const std::string& format, std::uint64_t seed) {
   json list = json::array();
-  for (const properties::Family& family : properties::all_families()) {
-    const Collision example = properties::drawn_case(family, seed, 0).collision;
-    if (format == "json") {
-      list.push_back({{"name", family.name}, {"summary", family.summary}, {"example", collision_to_json(example)}});
-    } else {
-      fmt::print("{}\n    {}\n{}", family.name, family.summary, in_words(example, "      "));
+  for (const auto kind : {properties::all_families(), properties::families_beyond_domain()}) {
+    for (const properties::Family& family : kind) {
+      const Collision example = properties::drawn_case(family, seed, 0).collision;
+      if (format == "json") {
+        list.push_back({{"name", family.name},
+                        {"summary", family.summary},
+                        {"beyond_domain", family.is_beyond_domain()},
+                        {"example", collision_to_json(example)}});
+      } else {
+        fmt::print("{}\n    {}{}\n{}", family.name, family.is_beyond_domain() ? "beyond the claimed domain: " : "",
+                   family.summary, in_words(example, "      "));
+      }
     }
   }
   if (format == "json") {

@@ -29,8 +29,10 @@ using properties::Witness;
 std::vector<std::pair<std::string, std::string>> common_facts(const GateRun& run) {
   const properties::GateOptions& options = run.report.options;
   std::vector<std::string> families;
-  for (const properties::Family* family : options.families) {
-    families.emplace_back(family->name);
+  for (const auto* of_run : {&options.families, &options.beyond_domain}) {
+    for (const properties::Family* family : *of_run) {
+      families.emplace_back(family->name);
+    }
   }
   std::vector<std::pair<std::string, std::string>> facts{
       {"number of shards", std::to_string(options.shard.of)},
@@ -111,6 +113,15 @@ void add(SubjectResult& sum, const SubjectResult& part) {
   for (std::size_t f = 0; f < sum.families.size(); ++f) {
     sum.families[f] += part.families[f];
     sum.families[f].order_violated_cases();
+  }
+  if (sum.beyond_domain.size() < part.beyond_domain.size()) {
+    sum.beyond_domain.resize(part.beyond_domain.size());
+  }
+  for (std::size_t f = 0; f < part.beyond_domain.size(); ++f) {
+    sum.beyond_domain[f] += part.beyond_domain[f];
+  }
+  if (sum.error_beyond_domain.empty()) {
+    sum.error_beyond_domain = part.error_beyond_domain;
   }
   sum.digits += part.digits;
   sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());

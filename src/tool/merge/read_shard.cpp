@@ -87,6 +87,14 @@ const properties::Family* family_from(const Field& name) {
   return family;
 }
 
+const properties::Family* family_beyond_domain_from(const Field& name) {
+  const properties::Family* family = family_from(name);
+  if (!family->is_beyond_domain()) {
+    name.fail("the name of a family beyond the claimed domain");
+  }
+  return family;
+}
+
 std::string invariant_from(const Field& place, const std::string& name) {
   if (properties::invariant_named(name) == nullptr) {
     place.fail("the name of an invariant");
@@ -112,6 +120,11 @@ properties::GateOptions options_from(const Field& record) {
   }
   for (const Field& family : record.at("families").elements()) {
     options.families.push_back(family_from(family.at("name")));
+  }
+  if (const std::optional<Field> beyond = record.find("beyond_domain")) {
+    for (const Field& family : beyond->elements()) {
+      options.beyond_domain.push_back(family_beyond_domain_from(family.at("name")));
+    }
   }
   options.shard = shard_from(record.at("shard"));
   return options;
@@ -177,6 +190,14 @@ Subject subject_from(const Field& record) {
   return subject;
 }
 
+properties::UnjudgedCounts unjudged_from(const Field& record) {
+  properties::UnjudgedCounts counts{};
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    counts[reason] = record.at(std::string(properties::name_of(reason))).count();
+  }
+  return counts;
+}
+
 properties::FamilyResult family_result_from(const Field& record, const properties::Family& expected) {
   if (record.at("family").text() != expected.name) {
     record.at("family").fail(fmt::format("\"{}\"", expected.name));
@@ -184,9 +205,7 @@ properties::FamilyResult family_result_from(const Field& record, const propertie
   properties::FamilyResult result;
   result.cases = record.at("cases").count();
   result.skipped = record.at("skipped").count();
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    result.unjudged[reason] = record.at("not_judged").at(std::string(properties::name_of(reason))).count();
-  }
+  result.unjudged = unjudged_from(record.at("not_judged"));
   result.violated = record.at("violated").count();
   result.worst_backward_error = record.at("worst_backward_error_ulps").number();
   for (const auto& [name, count] : record.at("invariants").members()) {
@@ -194,6 +213,31 @@ properties::FamilyResult family_result_from(const Field& record, const propertie
                                                   count.at("skipped").count()};
   }
   return result;
+}
+
+/// Of a subject that was judged beyond the claimed domain; empty for others.
+std::vector<properties::FamilyResult> beyond_domain_from(const Field& subject,
+                                                         const std::vector<const properties::Family*>& expected) {
+  std::vector<properties::FamilyResult> results;
+  const std::optional<Field> list = subject.find("beyond_domain");
+  if (!list) {
+    return results;
+  }
+  for (const Field& record : list->elements()) {
+    if (results.size() >= expected.size() || record.at("family").text() != expected[results.size()]->name) {
+      record.at("family").fail("the families of the run, in their order");
+    }
+    properties::FamilyResult& result = results.emplace_back();
+    result.cases = record.at("cases").count();
+    result.skipped = record.at("skipped").count();
+    result.unjudged = unjudged_from(record.at("not_judged"));
+    result.violated = record.at("violated").count();
+    if (const Field boundary = record.at("boundary"); !boundary.value().is_null()) {
+      result.boundary = {boundary.at("quantity").number(), boundary.at("case").count(),
+                         invariant_from(boundary.at("invariant"), boundary.at("invariant").text())};
+    }
+  }
+  return results;
 }
 
 properties::Histogram<properties::DigitsScale> digits_from(const Field& record) {
@@ -261,6 +305,8 @@ properties::SubjectResult result_from(const Field& record, const Field& digits, 
     result.families.push_back(family_result_from(families[f], *options.families[f]));
   }
   read_findings_of_families(findings, options, result.families);
+  result.beyond_domain = beyond_domain_from(record, options.beyond_domain);
+  result.error_beyond_domain = optional_text(record, "error_beyond_domain");
   result.digits = digits_from(digits);
   result.nanoseconds_per_solve = record.at("nanoseconds_per_solve").number();
   for (const Field& violation : record.at("violations").elements()) {

@@ -10,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "compare/comparison_html.hpp"
+#include "report/beyond_domain.hpp"
 #include "report/extent.hpp"
 #include "report/html_deviations.hpp"
 #include "report/html_diagnosis.hpp"
@@ -164,7 +165,9 @@ std::string html_report(const GateRun& run, const std::filesystem::path& out_dir
   const pugi::xml_node invariants = add_part(main, "invariants");
   add_invariants(invariants, run);
   add_deviations(invariants, run);
-  add_families(add_part(main, "families"), run);
+  const pugi::xml_node families = add_part(main, "families");
+  add_families(families, run);
+  add_beyond_domain(families, run);
   add_violation_matrices(add_part(main, "violations"), run);
   add_coverage(add_part(main, "generated"), run);
   add_features(add_part(main, "features"), run);

@@ -8,6 +8,7 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "report/beyond_domain.hpp"
 #include "report/markup.hpp"
 
 namespace carom::tool {
@@ -119,6 +120,7 @@ Totals add_judged(pugi::xml_node root, const GateRun& run, std::size_t subject) 
   const properties::SubjectResult& result = run.report.results[subject];
   const bool counts = run.counts[subject];
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
+  add_beyond_domain_properties(suite, result, run.report.options);
   for (const properties::Invariant* invariant :
        properties::claim_of(result.subject, run.report.options.yardstick).invariants) {
     const std::string name(invariant->name);

@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "compare/comparison_record.hpp"
 #include "merge/shard_record.hpp"
+#include "report/beyond_domain.hpp"
 #include "report/not_claimed.hpp"
 #include "version.hpp"
 
@@ -85,6 +86,14 @@ json yardstick_record(const oracles::Yardstick& yardstick) {
   return record;
 }
 
+json unjudged_record(const properties::UnjudgedCounts& counts) {
+  json record = json::object();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    record[properties::name_of(reason)] = counts[reason];
+  }
+  return record;
+}
+
 std::string status_of(const properties::SubjectResult& result) {
   if (!result.violated_invariants().empty()) {
     return "violated";
@@ -120,14 +129,6 @@ json diagnosis_record(const properties::diagnosis::Diagnosis& diagnosis) {
           {"what", diagnosis.what},       {"where", diagnosis.where},       {"look_at", diagnosis.look_at}};
 }
 
-json unjudged_record(const properties::UnjudgedCounts& counts) {
-  json record = json::object();
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    record[properties::name_of(reason)] = counts[reason];
-  }
-  return record;
-}
-
 json subject_record(const properties::SubjectResult& result, const properties::GateOptions& options, bool counts) {
   json record = subject_facts(result.subject);
   record["counts"] = counts;
@@ -159,6 +160,12 @@ json subject_record(const properties::SubjectResult& result, const properties::G
                                   {"violated", family.violated},
                                   {"worst_backward_error_ulps", number_to_json(family.worst_backward_error)},
                                   {"invariants", std::move(invariants)}});
+  }
+  if (!result.beyond_domain.empty()) {
+    record["beyond_domain"] = beyond_domain_record(result, options);
+  }
+  if (!result.error_beyond_domain.empty()) {
+    record["error_beyond_domain"] = result.error_beyond_domain;
   }
   record["violations"] = json::array();
   for (const properties::Witness& witness : result.witnesses) {
@@ -353,6 +360,9 @@ json report_record(const GateRun& run) {
     record["families"].push_back({{"name", options.families[f]->name},
                                   {"summary", options.families[f]->summary},
                                   {"coverage", coverage_record(run.report.coverage[f])}});
+  }
+  if (!options.beyond_domain.empty()) {
+    record["beyond_domain"] = beyond_domain_families_record(options);
   }
   record["features"] = features_record(run.report.features);
   for (std::size_t s = 0; s < run.report.results.size(); ++s) {

@@ -36,6 +36,9 @@ namespace carom::tool {
 /// What outcomes were judged by.
 [[nodiscard]] nlohmann::json yardstick_record(const oracles::Yardstick& yardstick);
 
+/// How many valid cases were not judged, by reason.
+[[nodiscard]] nlohmann::json unjudged_record(const properties::UnjudgedCounts& counts);
+
 /// "holds", "violated" or "skipped", with both sides of the formula where violated.
 [[nodiscard]] nlohmann::json verdict_record(const properties::Verdict& verdict);
 

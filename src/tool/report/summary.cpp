@@ -11,6 +11,7 @@
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
+#include "report/beyond_domain.hpp"
 #include "report/extent.hpp"
 #include "report/findings_text.hpp"
 #include "report/overall.hpp"
@@ -139,6 +140,7 @@ std::string markdown_summary(const GateRun& run, const std::string& out_director
       text += subject_row(report.results[s], report);
     }
   }
+  text += beyond_domain_markdown(run, [](const std::string& name) { return as_code(name, longest_name); });
   std::size_t left_out = 0;
   for (const std::size_t s : counted) {
     const SubjectResult& result = report.results[s];

@@ -8,6 +8,7 @@
 #include <carom/properties/trial/in_words.hpp>
 
 #include "compare/comparison_text.hpp"
+#include "report/beyond_domain.hpp"
 #include "report/extent.hpp"
 #include "report/findings_text.hpp"
 #include "report/html_report.hpp"
@@ -142,6 +143,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
   for (const Subject& subject : run.absent) {
     text += fmt::format("{:40} absent: {}\n", subject.name, subject.absent);
   }
+  text += beyond_domain_text(run);
   for (std::size_t s = 0; s < report.results.size(); ++s) {
     if (run.counts[s] && !report.results[s].witnesses.empty()) {
       text += '\n' + findings_text(run, s, out_directory);

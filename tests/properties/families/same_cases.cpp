@@ -49,12 +49,7 @@ std::uint64_t of_family(const Family& family, std::uint64_t seed, std::uint64_t 
 
 std::uint64_t of_sweep(const Sweep& sweep, std::uint64_t seed, std::uint64_t count) {
   Fnv1a hash;
-  const int step = sweep.first_exponent < sweep.last_exponent ? 1 : -1;
-  for (int k = sweep.first_exponent; k != sweep.last_exponent + step; k += step) {
-    double quantity = 1;
-    for (int i = 0; i < std::abs(k); ++i) {
-      quantity = k < 0 ? quantity / 10 : quantity * 10;
-    }
+  for (const double quantity : sweep.quantities()) {
     for (std::uint64_t i = 0; i < count; ++i) {
       Stream stream = case_stream(seed, sweep.name, i);
       hash.add(sweep.generate(stream, quantity));
@@ -84,8 +79,10 @@ std::uint64_t of_features(std::uint64_t seed, std::uint64_t count) {
 std::vector<Checksum> checksums(std::uint64_t seed, std::uint64_t count) {
   const std::uint64_t few = count / 20;
   std::vector<Checksum> all;
-  for (const Family& family : all_families()) {
-    all.push_back({std::string(family.name), of_family(family, seed, count)});
+  for (const auto kind : {all_families(), families_beyond_domain()}) {
+    for (const Family& family : kind) {
+      all.push_back({std::string(family.name), of_family(family, seed, count)});
+    }
   }
   for (const Sweep& sweep : all_sweeps()) {
     all.push_back({"sweep " + std::string(sweep.name), of_sweep(sweep, seed, few)});

@@ -65,12 +65,12 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
     responded = responded || has_responded(examinee, judged_case);
     return verdict;
   };
-  const Verdict of_probe = put(head_on_probe());
+  const Verdict of_probe = question(examinee, JudgedCase(head_on_probe()));
   if (of_probe.status == Status::violated) {
     return "on the head-on probe: " + text_of(of_probe);
   }
   const rc::detail::TestParams parameters = rapidcheck_parameters(examination.cases, examination.shrinks);
-  for (const Family& family : all_families()) {
+  for (const Family& family : examination.families) {
     if (family.name == "structured" && !examination.structured) {
       continue;
     }
@@ -86,10 +86,10 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
     }
   }
   if (!in_domain) {
-    return "no case was in the domain";
+    return "no case of a family was in the domain";
   }
   if (!responded) {
-    return "no colliding case was answered with other velocities than before: nothing was tested";
+    return "no colliding case of a family was answered with other velocities than before: nothing was tested";
   }
   return std::nullopt;
 }

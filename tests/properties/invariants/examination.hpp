@@ -3,7 +3,10 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+
+#include <carom/properties/families/family.hpp>
 
 #include "examinee.hpp"
 
@@ -21,11 +24,13 @@ struct Examination {
   /// Whether `structured` is among the families: its sizes underflow in binary32 on the way, where a question about
   /// bits has nothing to ask.
   bool structured = true;
+  std::span<const Family> families = all_families();
 };
 
 /// Puts a question about cases of every family, and about one plain head-on collision, to an examinee. Returns what
-/// speaks against it: a case on which the verdict is a violation; or that no case was in the question's domain; or that
-/// the examinee answered no colliding case with other velocities than before, so that nothing was tested.
+/// speaks against it: a case on which the verdict is a violation; or that no case of a family was in the question's
+/// domain; or that the examinee answered no colliding one with other velocities than before, so that nothing was
+/// tested. The head-on collision counts for neither: families that draw nothing are noticed.
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
 

@@ -91,6 +91,21 @@ TEST(FindViolation, ReportsThatNothingWasTested) {
   }
 }
 
+/// What nothing was drawn for is not found to hold, though the head-on probe alone would say so.
+TEST(Examination, NoticesFamiliesThatDrawNothing) {
+  const std::vector<Examinee> examinees = built_in_examinees();
+  const Invariant& momentum = *invariant_named("linear_momentum");
+  const auto found_in = [&](std::span<const Family> families) {
+    return find_violation(examinees.front(), invariant_holds(momentum), {.cases = 5, .families = families});
+  };
+  EXPECT_EQ(found_in({}), "no case of a family was in the domain");
+  EXPECT_EQ(found_in({family_named("invalid"), 1}), "no case of a family was in the domain");
+  const auto of_separating = found_in({family_named("separating"), 1});
+  ASSERT_TRUE(of_separating);
+  EXPECT_NE(of_separating->find("nothing was tested"), std::string::npos) << *of_separating;
+  EXPECT_EQ(found_in({family_named("elastic"), 1}), std::nullopt);
+}
+
 /// One examinee of each model in each arithmetic that is judged differently.
 std::vector<Examinee> one_of_each() {
   std::vector<Examinee> examinees;

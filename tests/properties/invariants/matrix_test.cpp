@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -45,19 +46,31 @@ Solved solved(std::string_view family, std::uint64_t index, const Subject& subje
   return result;
 }
 
-/// The invariants of the matrix that are violated where `matrix` is shown in place of that of the solve.
-std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, bool filtered = true) {
-  Subject claims = *subjects::subject_named("reflection-double");
+/// What is said of `matrix`, where it is shown in place of that of the solve.
+std::vector<NamedVerdict> verdicts_on(const Solved& solved, const Matrix& matrix, bool filtered) {
   oracles::Yardstick yardstick;
   yardstick.filtered = filtered;
-  Claim claim = claim_of(claims, yardstick);
+  Claim claim = claim_of(*subjects::subject_named("reflection-double"), yardstick);
   std::erase_if(claim.invariants, [](const Invariant* invariant) { return !invariant->is_of_matrix(); });
   ReportedOutcome outcome = solved.outcome;
   outcome.collision_matrix = matrix;
   const JudgedCase judged_case(solved.one, filtered);
+  return try_case(judged_case, claim, [&](const Collision&) { return lift(outcome); }).verdicts;
+}
+
+Verdict verdict_of(std::string_view invariant, const Solved& solved, const Matrix& matrix, bool filtered) {
+  for (const NamedVerdict& named : verdicts_on(solved, matrix, filtered)) {
+    if (named.invariant->name == invariant) {
+      return named.verdict;
+    }
+  }
+  return {};
+}
+
+/// The invariants that are violated.
+std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, bool filtered) {
   std::set<std::string_view> names;
-  for (const auto& [invariant, verdict] :
-       try_case(judged_case, claim, [&](const Collision&) { return lift(outcome); }).verdicts) {
+  for (const auto& [invariant, verdict] : verdicts_on(solved, matrix, filtered)) {
     EXPECT_FALSE(verdict.is_undecided) << invariant->name;
     if (verdict.status == Status::violated) {
       names.insert(invariant->name);
@@ -101,16 +114,18 @@ TEST(ShownMatrix, MayBeRounded) {
       {});
 }
 
-TEST(ShownMatrix, IsNotUsedWhereItIsOffByAMillionth) {
-  expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-6L); }, {"matrix_used"});
+/// By what no rounding makes up for, also where V⁻ is small beside the velocities that it is the difference of.
+TEST(ShownMatrix, IsNotUsedWhereItIsOffByAThousandth) {
+  expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-3L); }, {"matrix_used"});
 }
 
-TEST(ShownMatrix, IsNotUsedWhereItIsOfMassesAlone) {
+/// That of a contact with lighter bodies.
+TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
   expect_violated(
       [](const Solved& one) -> Matrix {
         const Collision& c = one.one.collision;
         const double lambda = (c.a.immovable ? 0 : 1 / c.a.mass) + (c.b.immovable ? 0 : 1 / c.b.mass);
-        return Matrix::Identity() * lambda;
+        return one.matrix() + Matrix::Identity() * lambda;
       },
       {"matrix_used"});
 }
@@ -153,13 +168,14 @@ TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   }
 }
 
-/// Extreme numbers are judged, or not decided; nothing overflows on the way.
+/// Extreme numbers are judged, or not decided, and never hold.
 TEST(ShownMatrix, MayHoldAnyNumber) {
   const Solved one = solved("generic", 0, *subjects::subject_named("reflection-double"));
   ASSERT_TRUE(one.outcome.collision_matrix);
-  for (const long double scale : {1e300L, 1e-300L, 1e4000L, 1e-4900L}) {
+  for (const long double scale : {1e100L, 1e300L, 1e-300L, 1e4000L, 1e-4900L}) {
     for (const bool filtered : {true, false}) {
-      EXPECT_TRUE(violated(one, one.matrix() * scale, filtered).contains("matrix_used")) << static_cast<double>(scale);
+      const Verdict verdict = verdict_of("matrix_used", one, one.matrix() * scale, filtered);
+      EXPECT_TRUE(verdict.status == Status::violated || verdict.is_undecided) << static_cast<double>(scale);
     }
   }
 }

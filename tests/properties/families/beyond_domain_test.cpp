@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/properties/families/beyond_domain.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+constexpr std::uint64_t drawn_cases = 400;
+
+/// The greatest moment over the least, of the body where that is more.
+double moment_ratio(const Collision& c) {
+  double ratio = 1;
+  for (const Body* body : {&c.a, &c.b}) {
+    const Vector3<double>& moments = body->principal_inertia;
+    ratio = body->immovable ? ratio : std::max(ratio, moments.maxCoeff() / moments.minCoeff());
+  }
+  return ratio;
+}
+
+/// How many of the cases are valid and colliding, and the least and the greatest of the quantity.
+struct Drawn {
+  int colliding = 0;
+  double least = HUGE_VAL;
+  double greatest = 0;
+};
+
+Drawn drawn_of(const Family& family) {
+  Drawn drawn;
+  for (std::uint64_t i = 0; i < drawn_cases; ++i) {
+    const Collision c = unit::case_of(family.name, i).collision;
+    EXPECT_EQ(describe(validate(c)), "") << family.name << ' ' << i;
+    drawn.colliding += oracles::ExactCase(c).approach() == oracles::Approach::colliding ? 1 : 0;
+    drawn.least = std::min(drawn.least, family.beyond.of(c));
+    drawn.greatest = std::max(drawn.greatest, family.beyond.of(c));
+  }
+  return drawn;
+}
+
+TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
+  for (const Family& family : all_families()) {
+    EXPECT_FALSE(family.is_beyond_domain()) << family.name;
+  }
+  ASSERT_EQ(families_beyond_domain().size(), 2U);
+  for (const Family& family : families_beyond_domain()) {
+    EXPECT_TRUE(family.is_beyond_domain()) << family.name;
+    EXPECT_EQ(family_named(family.name), &family);
+  }
+}
+
+TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
+  const Drawn drawn = drawn_of(*family_named("far_contacts"));
+  EXPECT_GE(drawn.colliding, 396);  // what hardly spins and has no lever arm may rest
+  // Of 27 powers of two the least and the greatest are each drawn for one body in 27: both in 400 cases, but for a
+  // chance of 2 (26/27)^400 < 10⁻⁶. The bodies have a bound of a few tens before.
+  EXPECT_LT(drawn.least, 1e3);
+  EXPECT_GT(drawn.greatest, 1e14);
+  EXPECT_LT(drawn.greatest, 1e19);
+}
+
+TEST(BeyondDomain, HasMomentsThatNoBodyHas) {
+  const Family& family = *family_named("impossible_moments");
+  const Drawn drawn = drawn_of(family);
+  EXPECT_GE(drawn.colliding, 396);
+  EXPECT_GE(drawn.least, 1);
+  EXPECT_LT(drawn.least, 10);
+  EXPECT_GT(drawn.greatest, 1e15);
+}
+
+/// No body of a family in the claimed domain has such moments, but for what is set to be flat and rounded.
+TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
+  for (std::uint64_t i = 0; i < drawn_cases; ++i) {
+    const Collision c = unit::case_of("physical", i).collision;
+    EXPECT_LE(moment_excess(c), 1 + 0x1p-50) << i;
+    EXPECT_LE(condition_number_at_most(c), 1 + 3 * 15 + 0x1p-40) << i;  // C ⪯ 16 λI
+  }
+}
+
+/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]), exactly. Fewer than 64 roundings of positive terms lead to the number in binary64.
+TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
+  for (const char* family : {"far_contacts", "impossible_moments", "generic", "driven_wall"}) {
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const oracles::ExactCase exact_case(unit::case_of(family, i).collision);
+      const oracles::Rational lambda = oracles::inverse_mass(exact_case.exact());
+      const double exact =
+          oracles::to_double(oracles::Rational(exact_case.collision_matrix().trace()) / lambda - oracles::Rational(2));
+      const double measured = condition_number_at_most(exact_case.collision());
+      // The turned lever arm is rounded by u of its length, which a small moment may divide.
+      const double rounding = 64 * 0x1p-53 * exact * std::max(1.0, moment_ratio(exact_case.collision()));
+      EXPECT_NEAR(measured, exact, rounding) << family << ' ' << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/families/beyond_domain.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+/// Where a subject stops beyond the claimed domain, and that this decides nothing.
+namespace carom::properties {
+namespace {
+
+constexpr double stops_at = 1e6;
+
+Subject sound_subject() { return subjects::subject_named("frictionless-double").value(); }
+
+/// Wrong where K may have a condition number of 10⁶ or more: an impulse of nothing.
+Subject stopping() {
+  Subject subject = sound_subject();
+  subject.name = "stopping";
+  subject.open = [] {
+    return Session(
+        [session = std::make_shared<Session>(sound_subject().open())](std::span<const Collision> collisions) {
+          std::vector<Answer> answers = (*session)(collisions);
+          for (std::size_t i = 0; i < answers.size(); ++i) {
+            auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
+            if (outcome != nullptr && condition_number_at_most(collisions[i]) >= stops_at) {
+              outcome->a.velocity[0] += 1;
+            }
+          }
+          return answers;
+        });
+  };
+  return subject;
+}
+
+GateOptions options_of(const char* family, unsigned jobs) {
+  GateOptions options;
+  options.cases = 200;
+  options.jobs = jobs;
+  options.families = {family_named(family)};
+  options.beyond_domain = {family_named("impossible_moments"), family_named("far_contacts")};
+  return options;
+}
+
+TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
+  const GateOptions options = options_of("generic", 1);
+  const SubjectResult result = run_gate({sound_subject(), stopping()}, options).results.at(1);
+  // It is sound all the same: general bodies are far from that.
+  EXPECT_TRUE(result.is_sound()) << result.not_judged;
+  EXPECT_EQ(result.cases(), 200U);
+  ASSERT_EQ(result.beyond_domain.size(), 2U);
+  const FamilyResult& far = result.beyond_domain[1];
+  EXPECT_EQ(far.cases, 200U);
+  double expected = HUGE_VAL;
+  std::uint64_t violated = 0;
+  for (std::uint64_t i = 0; i < far.cases; ++i) {
+    const double condition = condition_number_at_most(drawn_case(*family_named("far_contacts"), 1, i).collision);
+    if (condition >= stops_at) {
+      expected = std::min(expected, condition);
+      ++violated;
+    }
+  }
+  ASSERT_TRUE(far.boundary);
+  EXPECT_EQ(far.boundary->quantity, expected);
+  EXPECT_EQ(far.violated, violated);
+  EXPECT_EQ(condition_number_at_most(drawn_case(*family_named("far_contacts"), 1, far.boundary->index).collision),
+            expected);
+  EXPECT_NE(invariant_named(far.boundary->invariant), nullptr);
+}
+
+TEST(Boundary, DoesNotDependOnTheThreads) {
+  const auto found_by = [](unsigned jobs) {
+    return run_gate({stopping()}, options_of("generic", jobs)).results.at(0).beyond_domain.at(1);
+  };
+  const FamilyResult one = found_by(1);
+  const FamilyResult three = found_by(3);
+  EXPECT_EQ(one.boundary->quantity, three.boundary->quantity);
+  EXPECT_EQ(one.boundary->index, three.boundary->index);
+  EXPECT_EQ(one.violated, three.violated);
+}
+
+TEST(Boundary, DecidesWhereTheFamilyIsAskedFor) {
+  GateOptions options = options_of("far_contacts", 1);
+  options.beyond_domain = {};
+  options.shrinks = false;
+  const SubjectResult result = run_gate({stopping()}, options).results.at(0);
+  EXPECT_FALSE(result.is_sound());
+  EXPECT_FALSE(result.violated_invariants().empty());
+  EXPECT_TRUE(result.families.at(0).boundary);
+  EXPECT_TRUE(result.beyond_domain.empty());
+}
+
+TEST(Boundary, IsNotLookedForWithABudgetOrToTheFirstViolation) {
+  GateOptions to_the_first = options_of("generic", 1);
+  to_the_first.fail_fast = true;
+  EXPECT_TRUE(run_gate({sound_subject()}, to_the_first).results.at(0).beyond_domain.empty());
+  GateOptions with_budget = options_of("generic", 1);
+  with_budget.budget = std::chrono::milliseconds(20);
+  EXPECT_TRUE(run_gate({sound_subject()}, with_budget).results.at(0).beyond_domain.empty());
+}
+
+TEST(Boundary, IsTheLeastOfTwo) {
+  std::optional<Boundary> kept;
+  keep_if_least(kept, std::nullopt);
+  EXPECT_FALSE(kept);
+  keep_if_least(kept, Boundary{3, 7, "x"});
+  keep_if_least(kept, Boundary{4, 1, "y"});
+  EXPECT_EQ(kept->index, 7U);
+  keep_if_least(kept, Boundary{3, 5, "z"});
+  EXPECT_EQ(kept->index, 5U);
+  keep_if_least(kept, Boundary{2, 9, "w"});
+  EXPECT_EQ(kept->invariant, "w");
+}
+
+}  // namespace
+}  // namespace carom::properties
