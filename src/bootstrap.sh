@@ -23,6 +23,8 @@
 #   same-cases [CASES]: builds the families by other compilers and for other instruction sets, also of 32-bit x86 and of 64-bit
 #             Arm under qemu, in build-same-cases, and compares every bit of what they draw
 #   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
+#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and ask whether the tests notice,
+#             in build-mutation; `mutation --help` says what its figures mean
 #   lint      clang-format, shellcheck, and clang-tidy (of all files, or of FILE…), in build-lint
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -269,6 +271,10 @@ coverage)
   gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \
     --filter src/ --filter oracles/ --filter properties/ -j "$jobs" |
     python3 tests/house/coverage_by_folder.py
+  ;;
+mutation)
+  install_packages python3
+  exec python3 tests/mutation/mutate.py "$@"
   ;;
 lint)
   install_packages clang clang-format clang-tidy shellcheck

@@ -77,11 +77,11 @@ Subject planting_subject(Model model, Precision precision) {
           answers.emplace_back(Refused{"invalid"});
           continue;
         }
-        std::uint64_t seed = 0;
-        for_each_number(
-            [&](const FieldPath&, const double& x) { seed = seed * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
-            collision);
-        properties::Stream stream = properties::stream_from(seed);
+        std::uint64_t state = 0;
+        for_each_number([&](const FieldPath&,
+                            const double& x) { state = state * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
+                        collision);
+        properties::Stream stream = properties::stream_from(state);
         answers.emplace_back(planted_outcome(oracles::ExactCase(collision), model, precision, allowance, stream));
       }
       return answers;

@@ -59,7 +59,9 @@ TEST(Examples, OfReflectionIsSound) {
   for (const char* invariant : {"definite", "well_conditioned", "matrix_used"}) {
     std::uint64_t held = 0;
     for (const json& family : report.at("families")) {
-      held += family.at("invariants").at(invariant).at("holds").get<std::uint64_t>();
+      // Of invalid collisions it does not speak.
+      const json& invariants = family.at("invariants");
+      held += invariants.contains(invariant) ? invariants.at(invariant).at("holds").get<std::uint64_t>() : 0;
     }
     EXPECT_GT(held, 100U) << invariant;
   }

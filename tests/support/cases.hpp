@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,13 +21,17 @@ inline constexpr std::uint64_t seed = 20240607;
   return properties::family_named(family)->generate(stream);
 }
 
-/// Cases of each family but `invalid`, with the family's name.
+/// Cases of each family but `invalid`, with the family's name. Throws std::logic_error if there are none: a loop over
+/// nothing tests nothing.
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> valid_cases(std::uint64_t of_each) {
   std::vector<std::pair<std::string_view, properties::Case>> cases;
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t i = 0; i < of_each && family.name != "invalid"; ++i) {
       cases.emplace_back(family.name, case_of(family.name, i));
     }
+  }
+  if (cases.empty()) {
+    throw std::logic_error("no family has a valid case");
   }
   return cases;
 }

@@ -104,6 +104,7 @@ void grow_stack() {
   volatile char touched[page * pages];
   for (std::size_t i = 0; i < pages; ++i) {
     touched[i * page] = 0;
+    static_cast<void>(touched[i * page]);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,14 @@ TEST(CoulombCase, MeasuresTheNearestAnswer) {
     EXPECT_EQ(nearest.number, i);
     EXPECT_GT(nearest.digits, 3);  // the bodies move fast together
   }
+}
+
+/// Of two answers that are as near, the first.
+TEST(CoulombCase, NamesTheFirstOfTheNearest) {
+  const ExactCase exact_case(unit::ball_on_a_plane(0.5, 0.25));
+  const auto answers = coulomb_answers(exact_case);
+  const auto twice = std::vector{answers[0], answers[0]};
+  EXPECT_EQ(nearest_answer(exact_case, twice, reported(answers[0].truth.outcome)).number, 0U);
 }
 
 TEST(CoulombCase, CountsDigitsByEnergy) {

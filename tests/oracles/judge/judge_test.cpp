@@ -479,6 +479,36 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   EXPECT_FALSE(holds());
 }
 
+/// A ball keeps its velocity of length 5 and gains d across the normal: F = m (d, 0, 0), g = ‖N × F‖² = (N m d)² and
+/// N·F = 0. What is allowed, over (N m)², is a times this sum: 10 d for v⁻, and 20 d for v⁺, which is known to the sum
+/// of both lengths; for m and for N 2 d² each, which is nothing beside these; and for the square of what F is known to
+/// a 10² (1 + μ²). With μ = 7, d² ≤ a (30 d + 5000 a) says d ≤ 87.3 a.
+TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  const double allowance = yardstick.allowance();
+  for (const bool of_a : {true, false}) {
+    Collision c;
+    Body& ball = of_a ? c.a : c.b;
+    (of_a ? c.b : c.a).immovable = true;
+    ball.mass = 0x1p+10;
+    ball.velocity = {0, of_a ? -5.0 : 5.0, 0};
+    c.normal = {0, 0x1p+5, 0};
+    c.friction = 7;
+    for (const double times : {85.0, 90.0}) {
+      ReportedOutcome outcome =
+          map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+      (of_a ? outcome.a : outcome.b).velocity[0] = times * allowance;
+      for (const bool filtered : {false, true}) {
+        yardstick.filtered = filtered;
+        const Comparison result =
+            compare(equation::FrictionCone{of_a}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+        EXPECT_EQ(result.holds, times < 87.3) << of_a << ' ' << times;
+      }
+    }
+  }
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <bit>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -9,6 +11,17 @@
 #include "examinee.hpp"
 
 namespace carom::properties {
+namespace {
+
+Stream stream_of(const Collision& collision) {
+  std::uint64_t seed = 0;
+  for_each_number(
+      [&](const FieldPath&, const double& x) { seed = seed * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
+      collision);
+  return stream_from(seed);
+}
+
+}  // namespace
 
 std::vector<Examinee> built_in_examinees() {
   std::vector<Examinee> examinees;
@@ -38,6 +51,26 @@ Examinee idle(Examinee examinee) {
     return oracles::LiftedOutcome(
         map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); }));
   };
+  return examinee;
+}
+
+Examinee erratic(Examinee examinee) {
+  examinee.solve = [shows_matrix = examinee.shows_matrix](const Collision& collision) -> ExactAnswer {
+    Stream stream = stream_of(collision);
+    const auto by_chance = [&](double) { return static_cast<long double>(stream.between(-4, 4)); };
+    ReportedOutcome outcome = map_outcome<long double>(unchanged(collision), by_chance);
+    if (shows_matrix && validate(collision).empty()) {
+      const long double factor = stream.chance(2) ? 20 : -1;
+      outcome.collision_matrix = oracles::ExactCase(collision).collision_matrix().unaryExpr(
+          [&](const oracles::Rational& x) { return factor * static_cast<long double>(oracles::to_double(x)); });
+    }
+    return oracles::LiftedOutcome(outcome);
+  };
+  return examinee;
+}
+
+Examinee without_numbers(Examinee examinee) {
+  examinee.solve = [](const Collision&) -> ExactAnswer { return NotFinite{}; };
   return examinee;
 }
 

@@ -29,7 +29,14 @@ inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << exami
 /// The solver texts in rational arithmetic, with no rounding allowed (exact_examinees.cpp).
 [[nodiscard]] std::vector<Examinee> exact_examinees();
 
-/// The same claim by a subject that returns its input unchanged: what no test may pass.
+/// The same claim by a subject that returns its input unchanged. It keeps most laws, so it tests none of them.
 [[nodiscard]] Examinee idle(Examinee examinee);
+
+/// The same claim by a subject that obeys no law: it answers every collision, valid or not, with velocities drawn by
+/// chance, and shows twenty times K or −K. The same collision has the same answer.
+[[nodiscard]] Examinee erratic(Examinee examinee);
+
+/// The same claim by a subject whose answers are no numbers.
+[[nodiscard]] Examinee without_numbers(Examinee examinee);
 
 }  // namespace carom::properties

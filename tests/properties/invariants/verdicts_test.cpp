@@ -79,6 +79,48 @@ TEST(Both, IsTheWorseOfTwoVerdicts) {
   EXPECT_EQ(beyond_range().status, Status::skipped);
 }
 
+TEST(Seriousness, OrdersViolations) {
+  Collision c;
+  c.a.velocity = {3, -4, 0};
+  Verdict verdict;
+  EXPECT_EQ(verdict.severity(), 0) << "what holds";
+  EXPECT_EQ(verdict.relative_residual(), 0);
+  EXPECT_EQ(seriousness(verdict, c), 0);
+  verdict.status = Status::violated;
+  EXPECT_TRUE(std::isinf(verdict.severity())) << "without numbers";
+  EXPECT_TRUE(std::isinf(seriousness(verdict, c)));
+  EXPECT_EQ(verdict.relative_residual(), 0);
+  verdict.residual = 6;
+  verdict.allowed = 2;
+  EXPECT_EQ(verdict.severity(), 3);
+  EXPECT_EQ(seriousness(verdict, c), 3);
+  verdict.left = {1, -12};
+  verdict.right = {5};
+  EXPECT_EQ(verdict.relative_residual(), 0.5);
+  // Where nothing is allowed: in units of 2⁻⁵³ of the largest number, be it of the collision, of the formula, or 1.
+  verdict.allowed = 0;
+  EXPECT_TRUE(std::isinf(verdict.severity()));
+  EXPECT_EQ(seriousness(verdict, c), 6 / 12.0 * 0x1p+53);
+  verdict.left.clear();
+  verdict.right.clear();
+  EXPECT_EQ(seriousness(verdict, c), 6 / 4.0 * 0x1p+53);
+  c.b.angular_velocity = {0, 0, -24};
+  EXPECT_EQ(seriousness(verdict, c), 6 / 24.0 * 0x1p+53);
+  EXPECT_EQ(seriousness(verdict, Collision{}), 6 * 0x1p+53);
+  c = Collision{};
+  c.a.velocity = {0, 0.5, 0};
+  EXPECT_EQ(seriousness(verdict, c), 12 * 0x1p+53);
+}
+
+/// Of two violations the more severe one.
+TEST(Both, IsTheMoreSevereOfTwoViolations) {
+  Verdict small{Status::violated, "small", 2, 1, {}, {}};
+  Verdict large{Status::violated, "large", 9, 3, {}, {}};
+  EXPECT_EQ(both(small, large).detail, "large");
+  EXPECT_EQ(both(large, small).detail, "large");
+  EXPECT_EQ(both(large, Verdict{}).detail, "large");
+}
+
 TEST(SurelyNear, ShowsOnlyWhatIsNear) {
   for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
     const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);

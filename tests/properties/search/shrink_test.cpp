@@ -91,6 +91,7 @@ TEST(Complexity, OrdersNumbersAsAReaderWould) {
 }
 
 TEST(Shrink, EndsWhereNothingSimplerFails) {
+  int shrunk_cases = 0;
   for (const char* family : {"generic", "near_head_on", "driven_wall", "long_normal"}) {
     for (std::uint64_t i = 0; i < 5; ++i) {
       Collision c = unit::case_of(family, i).collision;
@@ -100,6 +101,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
       if (!collides_upward(c)) {
         continue;
       }
+      ++shrunk_cases;
       const Collision shrunk = shrink(c, collides_upward, ample);
       EXPECT_TRUE(collides_upward(shrunk)) << family;
       EXPECT_EQ(describe(validate(shrunk)), "") << family;
@@ -108,6 +110,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
       }
     }
   }
+  EXPECT_GT(shrunk_cases, 5);
 }
 
 /// Two vectors of one component each, and one body: what a textbook would print.

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planted.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+
+#include "on_families.hpp"
+#include "wild.hpp"
+
+/// As equality_test.cpp, of outcomes that are planted where the filters have most to decide.
+namespace carom::equality {
+namespace {
+
+TEST(JudgeEquality, OnNumbersOfFewDigits) {
+  std::vector<Examined> examined;
+  for (const Model model : models_with_truth) {
+    examined.emplace_back(planting_subject(model, Precision::binary64));
+  }
+  Agreement agreement;
+  for (const properties::Family& family : properties::all_families()) {
+    for (std::uint64_t index = 0; index < 6; ++index) {
+      properties::Stream stream = properties::case_stream(seed, family.name, index);
+      const properties::Case drawn = family.generate(stream);
+      const properties::Case one = shortened(drawn, stream);
+      if (validate(drawn.collision).empty()) {
+        EXPECT_TRUE(validate(one.collision).empty()) << family.name << ' ' << index;
+      }
+      compare_judges(one, examined, Relations::judged, std::string(family.name) + ' ' + std::to_string(index),
+                     agreement);
+    }
+  }
+  EXPECT_EQ(joined(agreement), "");
+  EXPECT_GT(agreement.verdicts, 1000U);
+}
+
+/// Here the bounds are tight: verdicts come out both ways within a factor of two of what is allowed.
+TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
+  std::vector<Examined> examined;
+  for (const Model model : models_with_truth) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+      examined.emplace_back(planting_subject(model, precision));
+    }
+  }
+  Agreement agreement;
+  compare_on_families(examined, 3, Relations::left_out, agreement);
+  compare_on_families(examined, 1, Relations::judged, agreement);
+  EXPECT_EQ(joined(agreement), "");
+  for (const char* name : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "reflection_plane",
+                           "frictionless_direction", "separating_untouched", "swap", "rotation"}) {
+    EXPECT_GT(agreement.invariants[name].violated, 0U) << name;
+    EXPECT_GT(agreement.invariants[name].holds, 0U) << name;
+  }
+}
+
+}  // namespace
+}  // namespace carom::equality

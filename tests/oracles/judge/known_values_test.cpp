@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/known_values.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/coulomb_case.hpp>
+
+#include "support/known_collisions.hpp"
+
+/// The judge's numbers for a few collisions. The allowance is a promise to those who gate on it: an outcome that passes
+/// today has to pass tomorrow. If a number changes on purpose, known_values.txt changes with it, and the changelog says
+/// so. The other tests say why the numbers are right.
+namespace carom::oracles {
+namespace {
+
+using unit::KnownCollision;
+using unit::KnownLine;
+
+/// Of binary32 and of binary64, and one whose square is no small part of it.
+constexpr std::array allowances{0x1p-6, 0x1p-19, 0x1p-48};
+
+Yardstick yardstick_of(double allowance) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = allowance / default_limit_ulps;
+  return yardstick;
+}
+
+std::string name_of_line(const KnownCollision& known, double allowance, const std::string& what) {
+  return known.name + ", 2^" + std::to_string(std::ilogb(allowance)) + ", " + what;
+}
+
+void append(std::vector<double>& numbers, const PerVector<double>& more) {
+  numbers.insert(numbers.end(), more.begin(), more.end());
+}
+
+/// The velocities as before, each with so many times a vector of its own added.
+ReportedOutcome moved(const Collision& c, double times) {
+  Outcome<double> outcome = unchanged(c);
+  const std::array<Vector3<double>, 4> by{Vector3<double>{5, 16, -3}, {2, -7, 1}, {-6, -11, 4}, {8, 3, -1}};
+  std::size_t next = 0;
+  for (Vector3<double>* vector : vectors(outcome)) {
+    *vector += times * by[next++];
+  }
+  return map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+}
+
+struct Asked {
+  Equation equation;
+  Relation relation;
+  bool needs_a;
+  bool needs_b;
+};
+
+std::vector<Asked> asked_equations() {
+  std::vector<Asked> all{{equation::LinearMomentum{}, Relation::equal, true, true},
+                         {equation::TotalAngularMomentum{}, Relation::equal, true, true},
+                         {equation::Restitution{}, Relation::equal, false, false},
+                         {equation::NonPenetration{}, Relation::at_least, false, false},
+                         {equation::ReflectionPlane{}, Relation::equal, false, false},
+                         {equation::Sticks{}, Relation::equal, false, false},
+                         {equation::Energy{}, Relation::at_most, false, false}};
+  for (const bool a : {true, false}) {
+    all.push_back({equation::AngularMomentum{a}, Relation::equal, a, !a});
+    for (const OutcomeVector k : vectors_of_body(a)) {
+      all.push_back({equation::Untouched{k}, Relation::equal, false, false});
+    }
+    all.push_back({equation::Push{a}, Relation::at_least, a, !a});
+    all.push_back({equation::FrictionlessDirection{a}, Relation::equal, a, !a});
+    all.push_back({equation::FrictionCone{a}, Relation::at_most, a, !a});
+    all.push_back({equation::FrictionAlongSlip{a}, Relation::equal, a, !a});
+    all.push_back({equation::FrictionAgainstSlip{a}, Relation::at_most, a, !a});
+  }
+  return all;
+}
+
+/// The residual of each equation and its allowance, for an outcome that is far off, for the opposite one, and for one
+/// that is hardly off.
+void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
+  const ExactCase exact_case(known.collision);
+  for (const double times : {1.0, -1.0, 0x1p-12}) {
+    const LiftedOutcome outcome(moved(known.collision, times));
+    KnownLine line{name_of_line(known, allowance, "equations by " + std::to_string(times)), {}};
+    for (const Asked& asked : asked_equations()) {
+      if ((asked.needs_a && known.collision.a.immovable) || (asked.needs_b && known.collision.b.immovable)) {
+        continue;
+      }
+      const Comparison result = compare(asked.equation, asked.relation, exact_case, outcome, yardstick_of(allowance));
+      line.numbers.insert(line.numbers.end(), {result.is_decided ? 1.0 : 0.0, result.residual, result.allowed});
+    }
+    lines.push_back(std::move(line));
+  }
+}
+
+/// The sensitivity of each law's answers, which of them are open, and the accuracy of some outcomes.
+void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
+  const ExactCase exact_case(known.collision);
+  for (const Model model : models_with_truth) {
+    KnownLine line{name_of_line(known, allowance, std::string(name_of(model))), {}};
+    line.numbers = {exact_case.is_grazing(allowance) ? 1.0 : 0.0,
+                    exact_case.has_two_answers(model, allowance) ? 1.0 : 0.0,
+                    exact_case.is_open(model, allowance) ? 1.0 : 0.0,
+                    static_cast<double>(static_cast<int>(exact_case.branch(model)))};
+    append(line.numbers, exact_case.sensitivity(model, allowance));
+    append(line.numbers, exact_case.sensitivity_as(model, Approach::colliding, allowance));
+    append(line.numbers, exact_case.sensitivity_as(model, Approach::separating, allowance));
+    for (const double times : {0.0, 1.0, 0x1p-12}) {
+      const Accuracy result =
+          accuracy(exact_case, model, LiftedOutcome(moved(known.collision, times)), yardstick_of(allowance));
+      append(line.numbers, result.error);
+      line.numbers.push_back(result.relative_error);
+      line.numbers.push_back(result.digits());
+      line.numbers.push_back(result.backward_error(1));
+      line.numbers.push_back((result.is_decided ? 1 : 0) + (result.is_allowed() ? 2 : 0) +
+                             (result.is_of_truth ? 4 : 0));
+    }
+    lines.push_back(std::move(line));
+  }
+}
+
+/// The collision matrix, and the outcome of each law.
+void add_truths(const KnownCollision& known, std::vector<KnownLine>& lines) {
+  const ExactCase exact_case(known.collision);
+  KnownLine matrix{known.name + ", collision matrix", {}};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      matrix.numbers.push_back(to_double(exact_case.collision_matrix()(i, j)));
+    }
+  }
+  for (const double allowance : allowances) {
+    matrix.numbers.push_back(exact_case.collision_matrix_sensitivity(allowance));
+  }
+  lines.push_back(std::move(matrix));
+  const auto add_outcome = [&](const std::string& name, const Outcome<double>& outcome) {
+    KnownLine line{known.name + ", " + name, {}};
+    for (const Vector3<double>* vector : vectors(outcome)) {
+      line.numbers.insert(line.numbers.end(), vector->begin(), vector->end());
+    }
+    lines.push_back(std::move(line));
+  };
+  for (const Model model : models_with_truth) {
+    add_outcome("outcome of " + std::string(name_of(model)), exact_case.nearest_truth(model));
+  }
+  for (const CoulombAnswer& answer : coulomb_answers(exact_case)) {
+    add_outcome("outcome of coulomb, " + std::string(name_of(answer.kind)),
+                map_outcome<double>(answer.truth.outcome, [](const Rational& x) { return nearest_double(x); }));
+  }
+}
+
+TEST(KnownValues, OfTheJudge) {
+  std::vector<KnownLine> lines;
+  for (const KnownCollision& known : unit::known_collisions()) {
+    add_truths(known, lines);
+    for (const double allowance : allowances) {
+      add_comparisons(known, allowance, lines);
+      add_accuracies(known, allowance, lines);
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/filters/stage.hpp>
+#include <carom/properties/trial/trial.hpp>
+
+#include "support/known_collisions.hpp"
+#include "support/known_values.hpp"
+
+/// The residual of every invariant and its allowance, of a solver that is wrong. As
+/// tests/oracles/judge/known_values_test.cpp.
+namespace carom::properties {
+namespace {
+
+using unit::KnownCollision;
+using unit::KnownLine;
+
+/// Adds velocities of no impulse, which depend on the origin, and shows a matrix that is not symmetric.
+ExactAnswer wrong_answer(const Collision& c) {
+  if (!validate(c).empty()) {
+    return Refused{"invalid"};
+  }
+  const double times = 1 + (c.a.position + 2 * c.point).sum() / (1 + c.point.norm()) + c.a.velocity[0] / 16;
+  Outcome<double> outcome = unchanged(c);
+  outcome.a.velocity += times * Vector3<double>(5, 16, -3);
+  outcome.a.angular_velocity += times * Vector3<double>(2, -7, 1);
+  outcome.b.velocity += times * Vector3<double>(-6, -11, 4);
+  outcome.b.angular_velocity += times * Vector3<double>(8, 3, -1);
+  ReportedOutcome reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+  Matrix3<long double> matrix;
+  matrix << -1, 0.25L, 0.5L, 0.125L, 2, -0.75L, 0.5L, -0.75L, 30;
+  reported.collision_matrix = matrix;
+  return oracles::LiftedOutcome(reported);
+}
+
+/// All that may be claimed of a model, but for what speaks of sessions.
+Claim whole_claim(Model model, double unit_roundoff) {
+  Claim claim;
+  claim.model = model;
+  claim.yardstick.unit_roundoff = unit_roundoff;
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.claimed_for(model) && !std::holds_alternative<AboutSession>(invariant.about)) {
+      claim.invariants.push_back(&invariant);
+    }
+  }
+  return claim;
+}
+
+TEST(KnownValues, OfTheInvariants) {
+  std::vector<KnownLine> lines;
+  for (const KnownCollision& known : unit::known_collisions()) {
+    const JudgedCase judged_case({known.collision, true});
+    for (const Model model : all_models) {
+      const Claim claim = whole_claim(model, 0x1p-20);
+      KnownLine line{known.name + ", " + std::string(name_of(model)), {}};
+      for (const NamedVerdict& named : try_case(judged_case, claim, wrong_answer).verdicts) {
+        const Verdict& verdict = named.verdict;
+        line.name += ' ' + std::string(named.invariant->name);
+        line.numbers.push_back(verdict.is_undecided ? -1 : static_cast<int>(verdict.status));
+        line.numbers.push_back(verdict.residual);
+        line.numbers.push_back(verdict.allowed);
+        line.numbers.push_back(verdict.relative_residual());
+        line.numbers.push_back(seriousness(verdict, known.collision));
+      }
+      lines.push_back(std::move(line));
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
+}
+
+/// The truth, rounded, and the collision matrix.
+ExactAnswer right_answer(const Collision& c, Model model) {
+  if (!validate(c).empty()) {
+    return Refused{"invalid"};
+  }
+  const oracles::ExactCase exact_case(c);
+  ReportedOutcome reported =
+      map_outcome<long double>(exact_case.nearest_truth(model), [](double x) { return static_cast<long double>(x); });
+  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
+      [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
+  return oracles::LiftedOutcome(reported);
+}
+
+/// There are verdicts, or a reason why there are none.
+bool is_judged_or_unjudged(const Judgement& judgement) {
+  return judgement.unjudged.has_value() != !judgement.verdicts.empty();
+}
+
+/// How often each filter decides. A filter that decides less changes no verdict, but makes the judge slow.
+TEST(KnownValues, OfTheStagesThatDecide) {
+  std::vector<KnownLine> lines;
+  for (const KnownCollision& known : unit::known_collisions()) {
+    const JudgedCase judged_case({known.collision, true});
+    for (const Model model : models_with_truth) {
+      for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+        const oracles::StageCounts before = oracles::decided_by_stage();
+        const Claim claim = whole_claim(model, unit_roundoff(precision));
+        const auto solve = [&](const Collision& c) { return right_answer(c, model); };
+        const Judgement judgement = try_case(judged_case, claim, solve);
+        EXPECT_TRUE(is_judged_or_unjudged(judgement)) << known.name;
+        KnownLine line{known.name + ", " + std::string(name_of(model)) + ", " + std::string(name_of(precision)), {}};
+        for (const oracles::Stage stage : oracles::all_stages) {
+          line.numbers.push_back(static_cast<double>(oracles::decided_by_stage()[stage] - before[stage]));
+        }
+        lines.push_back(std::move(line));
+      }
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_STAGES, lines);
+}
+
+/// Without filters, rationals decide alone.
+TEST(Stages, AreRationalAloneWithoutFilters) {
+  const oracles::StageCounts before = oracles::decided_by_stage();
+  for (const KnownCollision& known : unit::known_collisions()) {
+    const JudgedCase judged_case({known.collision, true}, false);
+    Claim claim = whole_claim(Model::reflection, 0x1p-24);
+    std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
+    claim.yardstick.filtered = false;
+    EXPECT_TRUE(is_judged_or_unjudged(try_case(judged_case, claim, wrong_answer))) << known.name;
+  }
+  for (const oracles::Stage stage : oracles::all_stages) {
+    const std::uint64_t count = oracles::decided_by_stage()[stage] - before[stage];
+    EXPECT_EQ(count > 0, stage == oracles::Stage::rational) << static_cast<int>(stage);
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariants/invariant.hpp>
+
+namespace carom::properties {
+namespace {
+
+Verdict verdict_of(const Answer& first, const Answer& again, Sameness sameness = Sameness::of_bits) {
+  return std::get<AboutSession>(invariant_named("memoryless")->about).check(first, again, sameness);
+}
+
+ReportedOutcome some_outcome() {
+  ReportedOutcome outcome;
+  outcome.a.velocity = {1, 0, -2};
+  outcome.b.angular_velocity = {0, 3, std::numeric_limits<long double>::quiet_NaN()};
+  return outcome;
+}
+
+TEST(Memoryless, AsksForTheSameAnswer) {
+  EXPECT_EQ(verdict_of(some_outcome(), some_outcome()).status, Status::holds);
+  EXPECT_EQ(verdict_of(Refused{"no"}, Refused{"no"}).status, Status::holds);
+  const Verdict of_kinds = verdict_of(some_outcome(), Refused{"no"});
+  EXPECT_EQ(of_kinds.status, Status::violated);
+  EXPECT_TRUE(std::isinf(of_kinds.severity())) << "no number tells";
+}
+
+TEST(Memoryless, ShowsBothAnswers) {
+  ReportedOutcome again = some_outcome();
+  again.a.velocity[2] = 6;
+  const Verdict verdict = verdict_of(some_outcome(), again);
+  EXPECT_EQ(verdict.status, Status::violated);
+  EXPECT_EQ(verdict.residual, 8);
+  EXPECT_EQ(verdict.allowed, 0);
+  EXPECT_EQ(verdict.left, (std::vector<double>{1, 0, -2}));
+  EXPECT_EQ(verdict.right, (std::vector<double>{1, 0, 6}));
+}
+
+TEST(Memoryless, TakesZerosForTheSameOnlyAsNumbers) {
+  ReportedOutcome again = some_outcome();
+  again.a.velocity[1] = -0.0L;
+  EXPECT_EQ(verdict_of(some_outcome(), again).status, Status::violated);
+  EXPECT_EQ(verdict_of(some_outcome(), again, Sameness::of_numbers).status, Status::holds);
+}
+
+TEST(Memoryless, ComparesTheMatrixThatIsShown) {
+  ReportedOutcome with = some_outcome();
+  with.collision_matrix = Matrix3<long double>::Identity();
+  EXPECT_EQ(verdict_of(with, with).status, Status::holds);
+  const Verdict of_one = verdict_of(with, some_outcome());
+  EXPECT_EQ(of_one.status, Status::violated);
+  EXPECT_TRUE(std::isinf(of_one.severity()));
+  ReportedOutcome other = with;
+  (*other.collision_matrix)(2, 1) = 0.5L;
+  EXPECT_EQ(verdict_of(with, other).status, Status::violated);
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <carom/properties/invariants/invariant.hpp>
+
+/// The invariants that speak of one answer, whatever the law.
+namespace carom::properties {
+namespace {
+
+Status status_of(const char* invariant, const Collision& collision, const ExactAnswer& answer,
+                 Model model = Model::any) {
+  return std::get<AboutAnswer>(invariant_named(invariant)->about).check(collision, answer, model).status;
+}
+
+const ExactAnswer an_outcome{oracles::LiftedOutcome(ReportedOutcome{})};
+
+TEST(Finite, AsksForAnOutcomeOfNumbers) {
+  const Collision valid;
+  EXPECT_EQ(status_of("finite", valid, an_outcome), Status::holds);
+  EXPECT_EQ(status_of("finite", valid, NotFinite{}), Status::violated);
+  EXPECT_EQ(status_of("finite", valid, Refused{"no"}), Status::violated);
+  EXPECT_EQ(status_of("finite", valid, Failed{"died"}), Status::violated);
+}
+
+/// A field that the law does not read may be invalid.
+TEST(InvalidRefused, AsksAboutTheFieldsThatTheLawReads) {
+  Collision with_friction;
+  with_friction.friction = -1;
+  Collision with_tangential_restitution;
+  with_tangential_restitution.tangential_restitution = 2;
+  Collision without_mass;
+  without_mass.a.mass = 0;
+  const auto expected = [](bool is_read) { return is_read ? Status::violated : Status::skipped; };
+  for (const Model model : all_models) {
+    const bool reads_friction = model == Model::rough || model == Model::coulomb;
+    EXPECT_EQ(status_of("invalid_refused", with_friction, an_outcome, model), expected(reads_friction))
+        << name_of(model);
+    EXPECT_EQ(status_of("invalid_refused", with_tangential_restitution, an_outcome, model),
+              expected(model == Model::rough))
+        << name_of(model);
+    EXPECT_EQ(status_of("invalid_refused", without_mass, an_outcome, model), Status::violated) << name_of(model);
+    EXPECT_EQ(status_of("invalid_refused", without_mass, Refused{"no"}, model), Status::holds) << name_of(model);
+    EXPECT_EQ(status_of("invalid_refused", with_friction, Failed{"died"}, model), Status::violated) << name_of(model);
+  }
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/collision.hpp>
+
+/// Collisions of which known values are kept. They are written out here, so that no change of a family changes them.
+namespace carom::unit {
+
+struct KnownCollision {
+  std::string name;
+  Collision collision;
+};
+
+/// Nothing in it is special: two turned bodies that spin and collide, with some friction.
+[[nodiscard]] inline Collision plain_collision() {
+  Collision c;
+  c.a = {false, 2, {0.5, 0.75, 1}, {1, 0.5, -0.25, 0.125}, {0.25, 1.5, -0.5}, {1.5, -3, 0.75}, {0.5, -1.25, 2}};
+  c.b = {false, 5, {1.5, 2, 2.75}, {0.75, -0.5, 1, 0.25}, {-0.5, -1.25, 0.375}, {-0.5, 1, 0.25}, {1, 0.75, -0.5}};
+  c.point = {0.125, 0.25, -0.0625};
+  c.normal = {0.25, 2, -0.5};
+  c.restitution = 0.5;
+  c.friction = 0.25;
+  c.tangential_restitution = 0.375;
+  return c;
+}
+
+/// Both lever arms along the normal, and equal moments.
+[[nodiscard]] inline Collision known_spheres() {
+  Collision c = plain_collision();
+  c.a.principal_inertia.setConstant(0.75);
+  c.b.principal_inertia.setConstant(2);
+  c.a.position = c.point + 0.5 * c.normal;
+  c.b.position = c.point - 0.25 * c.normal;
+  return c;
+}
+
+/// N·V⁻ is ±2⁻⁵¹, by velocities of order 1.
+[[nodiscard]] inline Collision grazing_collision(double sign) {
+  Collision c = plain_collision();
+  c.a.velocity = {2, -0.25 + sign * 0x1p-52, 0};
+  c.b.velocity.setZero();
+  c.a.angular_velocity.setZero();
+  c.b.angular_velocity.setZero();
+  return c;
+}
+
+[[nodiscard]] inline std::vector<KnownCollision> known_collisions() {
+  std::vector<KnownCollision> all{
+      {"plain", plain_collision()},         {"much_friction", plain_collision()}, {"no_friction", plain_collision()},
+      {"b_immovable", plain_collision()},   {"a_immovable", plain_collision()},   {"far", plain_collision()},
+      {"farther", plain_collision()},       {"separating", plain_collision()},    {"needles", plain_collision()},
+      {"spheres", known_spheres()},         {"head_on", known_spheres()},         {"grazing", grazing_collision(-1)},
+      {"just_apart", grazing_collision(1)}, {"huge", plain_collision()},          {"unlike", plain_collision()}};
+  const auto named = [&](const char* name) -> Collision& {
+    for (KnownCollision& one : all) {
+      if (one.name == name) {
+        return one.collision;
+      }
+    }
+    throw std::logic_error(name);
+  };
+  named("much_friction").friction = 4;
+  named("no_friction").friction = 0;
+  named("b_immovable").b.immovable = true;
+  named("a_immovable").a.immovable = true;
+  for (const auto& [name, distance] : {std::pair("far", 0x1p+16), std::pair("farther", 0x1p+40)}) {
+    Collision& c = named(name);
+    for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
+      *place += Vector3<double>(distance, -distance / 4, 0);
+    }
+  }
+  named("separating").normal *= -1;
+  named("needles").a.principal_inertia[0] = 0x1p-20;
+  named("needles").b.principal_inertia[2] = 0x1p-18;
+  named("head_on").a.velocity = -2 * named("head_on").normal;
+  named("head_on").b.velocity = named("head_on").normal;
+  named("head_on").a.angular_velocity.setZero();
+  named("head_on").b.angular_velocity.setZero();
+  for (Body* body : {&named("huge").a, &named("huge").b}) {
+    body->mass *= 0x1p+600;
+    body->principal_inertia *= 0x1p+600;
+    body->velocity *= 0x1p+300;
+    body->angular_velocity *= 0x1p+300;
+  }
+  named("unlike").b.mass *= 0x1p+30;
+  named("unlike").b.principal_inertia *= 0x1p+36;
+  named("unlike").b.position *= 8;
+  return all;
+}
+
+}  // namespace carom::unit

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// Numbers that are kept in a file beside a test.
+namespace carom::unit {
+
+/// A name without a line break, and numbers.
+struct KnownLine {
+  std::string name;
+  std::vector<double> numbers;
+};
+
+/// Expects the lines of the file: the same names, and numbers that agree to five digits. If one does not, the
+/// present lines are written to the directory of temporary files, and the failure names the file.
+void expect_known_lines(const std::string& file, const std::vector<KnownLine>& lines);
+
+}  // namespace carom::unit
