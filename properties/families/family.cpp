@@ -343,7 +343,9 @@ const Family* family_named(std::string_view name) {
 
 Case drawn_case(const Family& family, std::uint64_t seed, std::uint64_t index) {
   Stream stream = case_stream(seed, family.name, index);
-  return family.generate(stream);
+  Case drawn = family.generate(stream);
+  drawn.adjusted = stream.adjusted();
+  return drawn;
 }
 
 }  // namespace carom::properties

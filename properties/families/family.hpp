@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <carom/collision/collision.hpp>
+#include <carom/properties/families/adjustment.hpp>
 #include <carom/properties/families/stream.hpp>
 
 namespace carom::properties {
@@ -15,6 +16,7 @@ struct Case {
   Collision collision;
   /// Both movable bodies are convex with uniform density and the contact lies in both, so that C ⪯ 16 λI.
   bool convex_uniform = false;
+  PerAdjustment<bool> adjusted = {};
 };
 
 /// What a family beyond the claimed domain has much of.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <carom/collision/vector.hpp>
+#include <carom/properties/families/adjustment.hpp>
 
 namespace carom::properties {
 
@@ -47,8 +48,13 @@ class Stream {
   /// A quaternion of any length from about 1/8 to 2.
   [[nodiscard]] Quaternion<double> quaternion();
 
+  /// Notes that the collision that is being drawn was changed.
+  void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
+  [[nodiscard]] const PerAdjustment<bool>& adjusted() const { return adjusted_; }
+
  private:
   std::function<std::uint64_t()> next_;
+  PerAdjustment<bool> adjusted_;
 };
 
 /// 10^k, |k| ≤ 30: the nearest double, or for k < 0 one divided by it.

@@ -44,10 +44,11 @@ const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& featu
 }
 
 /// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis.
-void reverse_if_separating(Collision& c) {
+void reverse_if_separating(Stream& stream, Collision& c) {
   if (dot(c.normal, relative_velocity(c)) <= 0) {
     return;
   }
+  stream.note(Adjustment::reversed);
   for (Body* body : {&c.a, &c.b}) {
     body->velocity = negated(body->velocity);
     body->angular_velocity = negated(body->angular_velocity);
@@ -110,7 +111,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
 }
 
 /// No contact far outside of a body: K would have no bound, and no solver digits to lose for that.
-void keep_contact_on_bodies(Collision& c) {
+void keep_contact_on_bodies(Stream& stream, Collision& c) {
   for (Body* body : {&c.a, &c.b}) {
     double overreach = features::overreach(c, *body);
     if (overreach > 1 && overreach * features::radius_of_gyration(*body) > largest_number) {
@@ -121,6 +122,7 @@ void keep_contact_on_bodies(Collision& c) {
     }
     if (overreach > 1) {
       body->principal_inertia *= overreach * overreach;
+      stream.note(Adjustment::moments_enlarged);
     }
   }
 }
@@ -155,12 +157,13 @@ bool is_in_domain(const Collision& c) {
 }
 
 /// What is parallel is so exactly, and not for solvers of this precision alone.
-void make_parallels_exact(Collision& c) {
+void make_parallels_exact(Stream& stream, Collision& c) {
   for (const Body* body : {&c.a, &c.b}) {
     const Vector3<double> r = features::lever_arm(c, *body);
     const bool is_parallel = features::are_parallel(r, c.normal) || features::are_parallel(r, body->angular_velocity);
     if (is_parallel && !features::is_exact_lever_arm(c, *body)) {
       features::move_point_to_origin(c);
+      stream.note(Adjustment::moved_to_origin);
     }
   }
 }
@@ -188,9 +191,9 @@ Collision composed(Stream& stream) {
       break;
     }
   }
-  keep_contact_on_bodies(c);
-  make_parallels_exact(c);
-  reverse_if_separating(c);
+  keep_contact_on_bodies(stream, c);
+  make_parallels_exact(stream, c);
+  reverse_if_separating(stream, c);
   return c;
 }
 
@@ -203,6 +206,7 @@ Collision structured_collision(Stream& stream) {
     if (is_in_domain(collision)) {
       return collision;
     }
+    stream.note(Adjustment::drawn_again);
   }
   return general_bodies(stream).collision;
 }
@@ -219,9 +223,9 @@ void sprinkle(Stream& stream, Collision& collision) {
       feature.make(stream, collision);
     }
   }
-  keep_contact_on_bodies(collision);
-  make_parallels_exact(collision);
-  reverse_if_separating(collision);
+  keep_contact_on_bodies(stream, collision);
+  make_parallels_exact(stream, collision);
+  reverse_if_separating(stream, collision);
 }
 
 }  // namespace carom::properties

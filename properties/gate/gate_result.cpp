@@ -37,6 +37,9 @@ Coverage& Coverage::operator+=(const Coverage& other) {
   head_on += other.head_on;
   inelastic += other.inelastic;
   elastic += other.elastic;
+  for (const Adjustment adjustment : all_adjustments) {
+    adjusted[adjustment] += other.adjusted[adjustment];
+  }
   return *this;
 }
 

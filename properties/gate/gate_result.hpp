@@ -75,6 +75,7 @@ struct Coverage {
   std::uint64_t head_on = 0;    // colliding with V⁻ ∥ N exactly
   std::uint64_t inelastic = 0;  // ε = 0
   std::uint64_t elastic = 0;    // ε = 1
+  AdjustmentCounts adjusted;    // by the family, before anything was judged
 
   Coverage& operator+=(const Coverage& other);
 };

@@ -18,6 +18,9 @@ bool is_isotropic(const Body& body) {
 Coverage coverage_of(const JudgedCase& judged_case) {
   Coverage coverage;
   coverage.cases = 1;
+  for (const Adjustment adjustment : all_adjustments) {
+    coverage.adjusted[adjustment] = judged_case.generated().adjusted[adjustment] ? 1 : 0;
+  }
   if (!judged_case.is_valid()) {
     coverage.invalid = 1;
     return coverage;

@@ -198,7 +198,8 @@ std::vector<Invariant> matrix_invariants() {
               "bodies known to be uniform and star-shaped from the contact point, and a subject that shows its C",
               every_model(), AboutMatrix{check_well_conditioned_if_convex}},
           Invariant{"matrix_used",
-                    "The collision matrix that is shown is symmetric, and is the one that the impulse was solved with.",
+                    "The collision matrix that is shown is symmetric, and takes the impulse to the change of the "
+                    "relative velocity.",
                     R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
                     "a movable body, and a subject that shows its C", every_model(),
                     AboutMatrix{of_shown_matrix<check_matrix_used>}}};

@@ -30,7 +30,7 @@ using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.s
 [[nodiscard]] std::string_view in_words(Unjudged reason);
 
 /// Why a collision is not judged by a yardstick; none if it is. A subject in binary32 is judged if all that a law makes
-/// of the contact (masses, moments, impulse, torque) stays a factor of 2⁶ away from the ends of its range.
+/// of the contact (masses, moments, impulse, torque) stays 2⁵ above the least normal number and 2⁸ below the largest.
 [[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
                                                       const oracles::Yardstick& yardstick);
 

@@ -154,7 +154,7 @@ int run_command(int argc, char** argv) {
                            "Subjects to judge, built-in names or 'exec:PROGRAM ARG…' for a program that speaks the "
                            "protocol (default: all built-ins; those expected to fail do not count)");
   gate_command->add_flag("--engines", gate.engines, "Judge every engine that is installed");
-  gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases on every machine")
+  gate_command->add_option("--seed", gate.seed, "The same seed gives the same cases")
       ->check(is_seed)
       ->capture_default_str();
   CLI::Option* cases = gate_command->add_option("--cases", gate.cases, "Cases of each family, times its weight")
@@ -244,7 +244,7 @@ int run_command(int argc, char** argv) {
       app.add_subcommand("chart", "Measure speed and accuracy of the built-in methods and draw one against the other");
   chart_command->add_option("METHOD", chart.methods, "Methods to measure (default: every built-in one)");
   chart_command->add_option("--out", chart.out, "Directory for the pictures and the data")->required();
-  chart_command->add_option("--seed", chart.seed, "The same seed gives the same cases on every machine")
+  chart_command->add_option("--seed", chart.seed, "The same seed gives the same cases")
       ->check(is_seed)
       ->capture_default_str();
   chart_command->add_option("--cases", chart.cases, "Colliding cases of each family and at each point of a sweep")

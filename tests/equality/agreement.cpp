@@ -41,8 +41,8 @@ class Judge {
  public:
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
 
-  Judgement operator()(Claim claim, Relations relations, const Answers& answers,
-                       double known_backward_error, std::chrono::nanoseconds& spent) const {
+  Judgement operator()(Claim claim, Relations relations, const Answers& answers, double known_backward_error,
+                       std::chrono::nanoseconds& spent) const {
     claim.yardstick.filtered = filtered_;
     const auto start = std::chrono::steady_clock::now();
     const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), turn_of(relations));
@@ -120,8 +120,7 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(claim, relations, answers, known, agreement.filtered),
-            exact(claim, relations, answers, 0, agreement.rational),
-            origin + ", " + examined.subject.name, agreement);
+            exact(claim, relations, answers, 0, agreement.rational), origin + ", " + examined.subject.name, agreement);
   }
 }
 

@@ -6,7 +6,8 @@
 #include <string>
 
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
+
+#include "support/exact.hpp"
 
 namespace carom::equality {
 namespace {
@@ -33,23 +34,11 @@ long double to_extended(const oracles::Rational& number) {
          static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
 }
 
-const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
-oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
-
-/// The truth; of a law that may have several answers one of them.
-ReportedOutcome exact_outcome(const oracles::ExactCase& exact_case, Model model) {
-  const auto rounded = []<class T>(const oracles::Truth<T>& truth) {
-    return map_outcome<long double>(truth.outcome, [](const T& x) { return to_extended(nearly(x)); });
-  };
-  return model == Model::coulomb ? rounded(oracles::coulomb_answers(exact_case).front().truth)
-                                 : exact_case.with_truth(model, exact_case.approach(), rounded);
-}
-
 }  // namespace
 
 ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
                                 double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome = exact_outcome(exact_case, model);
+  ReportedOutcome outcome = map_outcome<long double>(unit::outcome_of_law(exact_case, model), to_extended);
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));

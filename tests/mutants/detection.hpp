@@ -22,7 +22,7 @@ struct DetectionOptions {
 
 /// What the cases show of a conditional mutant: the case that shows most decides.
 enum class Sight : std::uint8_t {
-  no_case_held,     // binary64 can hold none of the cases with the feature
+  no_case_judged,   // none of the cases with the feature is judged
   leaves_truth,     // in all of them the damage leaves the exact outcome as it is: no judge can see it
   within_rounding,  // in some it does not, and what it changes is no more than is allowed to rounding
   killed,           // in some an invariant is violated
@@ -32,7 +32,7 @@ enum class Sight : std::uint8_t {
 struct Seen {
   float backward_error = 0;   // the largest of those within rounding, in ulps
   std::uint16_t changed = 0;  // cases within rounding; 65535 is that or more
-  Sight sight = Sight::no_case_held;
+  Sight sight = Sight::no_case_judged;
 
   Seen& operator+=(const Seen& other);
 };

@@ -18,8 +18,8 @@ using properties::all_features;
 
 std::string_view in_words(Sight sight) {
   switch (sight) {
-    case Sight::no_case_held:
-      return "no case is held";
+    case Sight::no_case_judged:
+      return "no case is judged";
     case Sight::leaves_truth:
       return "truth as it is";
     case Sight::within_rounding:
@@ -102,16 +102,16 @@ void print_score(std::back_insert_iterator<std::string> out, std::string_view fo
                  std::string_view damage, const Scores& scores) {
   const auto& [singles, pairs] = scores;
   fmt::format_to(out, fmt::runtime(format), law, damage, singles.killed, singles.visible(), singles.percent(),
-                 singles.leaves_truth, singles.no_case_held, pairs.killed, pairs.visible(), pairs.percent(),
-                 pairs.leaves_truth, pairs.no_case_held);
+                 singles.leaves_truth, singles.no_case_judged, pairs.killed, pairs.visible(), pairs.percent(),
+                 pairs.leaves_truth, pairs.no_case_judged);
 }
 
 }  // namespace
 
 void Score::add(Sight sight) {
   switch (sight) {
-    case Sight::no_case_held:
-      ++no_case_held;
+    case Sight::no_case_judged:
+      ++no_case_judged;
       return;
     case Sight::leaves_truth:
       ++leaves_truth;
@@ -126,7 +126,7 @@ void Score::add(Sight sight) {
 }
 
 Score& Score::operator+=(const Score& other) {
-  no_case_held += other.no_case_held;
+  no_case_judged += other.no_case_judged;
   leaves_truth += other.leaves_truth;
   within_rounding += other.within_rounding;
   killed += other.killed;
@@ -179,10 +179,10 @@ std::string to_text(const Detection& detection, bool markdown) {
   if (markdown) {
     fmt::format_to(out,
                    "| law | damage | single features killed | | cannot be seen | pairs killed | | cannot be seen | "
-                   "no case held |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+                   "no case judged |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   } else {
     fmt::format_to(out, "{:<13}{:<28}{:>28}{:>10}{:>10}{:>30}{:>10}{:>10}\n", "law", "damage", "single features killed",
-                   "truth", "not held", "pairs killed", "truth", "not held");
+                   "truth", "not judged", "pairs killed", "truth", "not judged");
   }
   const std::string_view row = markdown ? "| {0} | `{1}` | {2} / {3} | {4:.2f} % | {5} | {7} / {8} | {9:.2f} % | {10} "
                                           "| {11} |\n"

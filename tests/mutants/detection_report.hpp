@@ -11,7 +11,7 @@ namespace carom::mutants {
 
 /// How many conditional mutants of a kind there are, by what the cases show of them.
 struct Score {
-  std::uint64_t no_case_held = 0;
+  std::uint64_t no_case_judged = 0;
   std::uint64_t leaves_truth = 0;
   std::uint64_t within_rounding = 0;
   std::uint64_t killed = 0;
@@ -19,7 +19,7 @@ struct Score {
   void add(Sight sight);
   Score& operator+=(const Score& other);
 
-  /// Those that some judge could see: they change the exact outcome of some case that is held.
+  /// Those that some judge could see: they change the exact outcome of some case that is judged.
   [[nodiscard]] std::uint64_t visible() const { return within_rounding + killed; }
   /// The killed ones of these.
   [[nodiscard]] double percent() const;

@@ -63,7 +63,7 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
   const Detection detection = detect(options);
   EXPECT_EQ(detection.sound_rejected(), 0U);
   const auto& [singles, pairs] = scores_of(detection);
-  EXPECT_EQ(singles.no_case_held, 0U);
+  EXPECT_EQ(singles.no_case_judged, 0U);
   for (const Model model : detection.models()) {
     for (const Damage damage : all_damages) {
       const auto& [single, pair] = scores_of(detection, model, damage);

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Changes one operator, sign, number, comparison or term of the judge at a time, and asks whether the tests notice.
 
-In a copy of the sources, build-mutation, each change that is drawn stands behind a switch (change.hpp), so all
-are compiled at once. The tests below run once for each change, with CAROM_MUTANT=NUMBER set. A test that fails, crashes
-or takes too long notices the change. What is decided while compiling (static_assert, if constexpr, template arguments,
-enumerators) is no place for a change. A change that does not compile is dropped, with its reason. Exit status 1: less
-than 92 of 100 are noticed, more than 5 are dropped, or one survives that docs/internals/mutation.md does not name.
+In a copy of the sources, build-mutation, each change that is drawn stands behind a switch (change.hpp). The tests
+below run once for each change, with CAROM_MUTANT=NUMBER set. A test that fails, crashes or takes too long notices
+the change. What is decided while compiling (static_assert, if constexpr, template arguments, enumerators) is no
+place for a change. A change that does not compile is dropped, with its reason. Exit status 1: less than 92 of 100
+are noticed, more than 5 are dropped, or one survives that docs/internals/mutation.md does not name.
 """
 import argparse
 import collections
@@ -25,10 +25,11 @@ WORK = ROOT / "build-mutation"  # a copy of this tree, and its build
 PAGE = "docs/internals/mutation.md"
 MUTATED = [*(f"oracles/{one}" for one in ("laws", "exact", "judge", "filters", "models")), "properties/invariants"]
 # Program and GoogleTest filter, in the order in which they run: what notices most in the least time comes first.
-TESTS = [("oracles/oracles_tests", "*"), ("properties/invariants/verdicts_tests", "*"),
-         ("oracles/bounds/bounds_tests", "*"), ("equality/planted_tests", "*")]
-LEAST_NOTICED, MOST_DROPPED, LIMITS = 0.92, 0.05, ["timeout", "120", "prlimit", "--as=8589934592"]  # seconds, bytes
-
+TESTS = [("properties/invariants/verdicts_tests", "*"), ("oracles/bounds/bounds_tests", "*"),
+         ("oracles/oracles_tests", "-Judge.Survives*:*EveryFamily:Rough.IsCertified*:Energy.*:Closeness.ShowsOnly*:"
+          "Each/Filter.Decides*/binary*:Derivatives.*"), ("equality/planted_tests", "*")]
+LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
+LIMITS = ["timeout", "1800", "prlimit", "--cpu=120", "--as=8589934592"]  # seconds, of the processor, bytes
 # The operators that may stand in place of each, and the one of the same precedence that carries the change.
 INSTEAD = {"+": ["-", "left", "right"], "-": ["+", "left"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">="],
            "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"],
@@ -133,7 +134,7 @@ def places_in(path, text):
 
 
 def drawn(seed, count):
-    """How many places there are, and a sample with one change of each, numbered. An edit redraws its own lines alone."""
+    """How many places there are, and a sample, one change of each, numbered. An edit redraws its own lines alone."""
     found, named, rank = [], collections.Counter(), lambda one: hashlib.sha256(f"{seed} {one.name}".encode()).digest()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).glob("*.[ch]pp")):
         for changes in places_in(str(path.relative_to(ROOT)), path.read_text()):
@@ -172,13 +173,13 @@ def broken(log, places):
     found = {}
     for file in log.split("FAILED: ")[1:]:
         lines = [line for line in file.splitlines() if not re.match(r" *\d* \|", line)]
-        first_error = next((i for i, line in enumerate(lines) if ": error: " in line), len(lines) - 1)
-        notes = [line for line in lines[first_error + 1:first_error + 9] if ": note: " in line]
-        said = "\n".join([*lines[:first_error + 1], *notes])
+        errors = [i for i, line in enumerate(lines) if ": error: " in line] or [len(lines) - 1]
+        notes = (line for line in lines[errors[0]:errors[1] if len(errors) > 1 else None] if ": note: " in line)
+        said = "\n".join([*lines[:errors[0] + 1], *notes])
         numbers = {int(one) for one in re.findall(r"(?:(?:Between|Before|joined|number)<|\bId = )(\d+)", said)}
         for path, line in () if numbers else re.findall(r"(\S+?):(\d+):\d+: (?:error|note)", said):
             numbers |= {n for n, one in places.items() if path.endswith(one.path) and int(line) in one.lines}
-        found.update((n, lines[first_error].split(": error: ")[-1]) for n in numbers if n in places)
+        found.update((n, lines[errors[0]].split(": error: ")[-1]) for n in numbers if n in places)
     return found
 
 
@@ -191,7 +192,7 @@ def build(places, jobs):
         write_copy(left)
         if not (WORK / "build/build.ninja").exists():
             subprocess.run(["cmake", "-S", WORK, "-B", WORK / "build", "-G", "Ninja", "-Wno-dev", "--log-level=WARNING",
-                            "-C", ROOT / "src/cmake/caches/everything.cmake"], check=True, stdout=subprocess.DEVNULL)
+                            "-C", ROOT / "src/cmake/caches/mutation.cmake"], check=True, stdout=subprocess.DEVNULL)
         run = subprocess.run(["ninja", "-C", WORK / "build", "-j", str(jobs), "-k", "0",
                               *(program.split("/")[-1] for program, _ in TESTS)], text=True, stdout=subprocess.PIPE)
         if run.returncode == 0:
@@ -231,8 +232,8 @@ def main():
     dropped, start = build(places, options.jobs), time.monotonic()
     if failed := noticed_by(0):
         sys.exit(f"mutate: without a change, {failed} fails")
-    print(f"built; without a change the tests take {time.monotonic() - start:.0f} s", flush=True)
-    print(*(f"{n:4} dropped: {reason}: {places[n].name}" for n, reason in dropped.items()), sep="\n", flush=True)
+    print(f"built; without a change the tests take {time.monotonic() - start:.0f} s",
+          *(f"{n:4} dropped: {reason}: {places[n].name}" for n, reason in dropped.items()), sep="\n", flush=True)
     tried, survivors = [n for n in places if n not in dropped and options.only in (None, n)], []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for number, by in zip(tried, pool.map(noticed_by, tried)):
@@ -242,8 +243,8 @@ def main():
     share = 1 - len(survivors) / max(1, len(tried))
     print(f"{found} places found, {len(places)} drawn, {len(dropped)} dropped, {len(tried) - len(survivors)} noticed "
           f"({100 * share:.1f} %), {len(survivors)} survived, of which {PAGE} does not name {unlisted or 'none'}")
-    is_listed = options.share_alone or not unlisted
-    return int(not is_listed or share < LEAST_NOTICED or len(dropped) > MOST_DROPPED * len(places))
+    unlisted = [] if options.share_alone else unlisted
+    return int(bool(unlisted) or share < LEAST_NOTICED or len(dropped) > MOST_DROPPED * len(places))
 
 
 if __name__ == "__main__":

@@ -17,8 +17,7 @@ inline constexpr std::uint64_t seed = 20240607;
 
 /// The case of a family. Precondition: there is such a family.
 [[nodiscard]] inline properties::Case case_of(std::string_view family, std::uint64_t index) {
-  properties::Stream stream = properties::case_stream(seed, family, index);
-  return properties::family_named(family)->generate(stream);
+  return properties::drawn_case(*properties::family_named(family), seed, index);
 }
 
 /// Cases of each family but `invalid`, with the family's name. Throws std::logic_error if there are none: a loop over

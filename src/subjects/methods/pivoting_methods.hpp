@@ -9,8 +9,9 @@
 
 namespace carom::subjects {
 
-/// Solves that are stable by norms alone. In binary32 they lose the margin λ of K on a thin body that is struck far
-/// from its axis, where κ(K) u is 1 or more: the contact is then pulled, or left as it was.
+/// Solves that are stable by norms alone. Far from the origin, rounding the positions to binary32 may take the contact
+/// off a thin body. There κ(K) u is 1 or more, and these solves lose the margin λ of K: the contact is pulled, or left
+/// as it was.
 template <class S>
 [[nodiscard]] std::vector<Method> pivoting_methods() {
   std::vector<Method> methods{

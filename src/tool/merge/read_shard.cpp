@@ -143,6 +143,10 @@ properties::Coverage coverage_from(const Field& record) {
   coverage.head_on = record.at("head_on").count();
   coverage.inelastic = record.at("inelastic").count();
   coverage.elastic = record.at("elastic").count();
+  const Field adjusted = record.at("adjusted");
+  for (const properties::Adjustment adjustment : properties::all_adjustments) {
+    coverage.adjusted[adjustment] = adjusted.at(std::string(name_of(adjustment))).count();
+  }
   return coverage;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "report/adjusted.hpp"
 #include "report/markup.hpp"
 
 namespace carom::tool {
@@ -295,6 +296,7 @@ void add_coverage(pugi::xml_node section, const GateRun& run) {
       add_cell(row, std::to_string(number), number == 0 ? "number zero" : "number");
     }
   }
+  add(section, "p", {}, adjusted_sentence(run.report));
 }
 
 void add_features(pugi::xml_node section, const GateRun& run) {

@@ -44,6 +44,10 @@ json numbers(const std::vector<double>& values) {
 json optional_number(const std::optional<double>& value) { return value ? number_to_json(*value) : json(); }
 
 json coverage_record(const properties::Coverage& coverage) {
+  json adjusted = json::object();
+  for (const properties::Adjustment adjustment : properties::all_adjustments) {
+    adjusted[name_of(adjustment)] = coverage.adjusted[adjustment];
+  }
   return {{"cases", coverage.cases},
           {"colliding", coverage.colliding},
           {"resting", coverage.resting},
@@ -54,7 +58,8 @@ json coverage_record(const properties::Coverage& coverage) {
           {"spheres", coverage.spheres},
           {"head_on", coverage.head_on},
           {"inelastic", coverage.inelastic},
-          {"elastic", coverage.elastic}};
+          {"elastic", coverage.elastic},
+          {"adjusted", std::move(adjusted)}};
 }
 
 json features_record(const properties::FeatureCoverage& coverage) {

@@ -146,6 +146,7 @@ TEST(Coordinates, AreTheSolversOwn) {
         Named{"in contact coordinates", {contact_basis, by_torque_in_body}}}) {
     const SubjectResult result = gated(named);
     EXPECT_TRUE(result.error.empty()) << result.error;
+    EXPECT_TRUE(result.is_sound()) << result.not_judged;
     for (const std::string& invariant : result.violated_invariants()) {
       ADD_FAILURE() << named.name << " violates " << invariant;
     }

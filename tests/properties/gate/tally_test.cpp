@@ -43,5 +43,21 @@ TEST(Tally, DoesNotGrowWithItsCases) {
   EXPECT_LT((DigitsScale::bins + TimeScale::bins) * sizeof(std::uint64_t), 128U << 10U);
 }
 
+TEST(Coverage, CountsWhatAFamilyChanged) {
+  const auto counted = [](const char* family) {
+    Coverage sum;
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      sum += coverage_of(JudgedCase(unit::case_of(family, i)));
+    }
+    return sum.adjusted;
+  };
+  const AdjustmentCounts of_structured = counted("structured");
+  for (const Adjustment adjustment : all_adjustments) {
+    EXPECT_GT(of_structured[adjustment], 0U) << name_of(adjustment);
+    EXPECT_LT(of_structured[adjustment], 2000U) << name_of(adjustment);
+  }
+  EXPECT_EQ(counted("far_contacts")[Adjustment::moments_enlarged], 0U);
+}
+
 }  // namespace
 }  // namespace carom::properties

@@ -110,7 +110,7 @@ TEST(Examination, NoticesFamiliesThatDrawNothing) {
 std::vector<Examinee> one_of_each() {
   std::vector<Examinee> examinees;
   for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
-    for (const Model model : models_with_truth) {
+    for (const Model model : all_models) {
       for (const Examinee& examinee : all) {
         if (examinee.model == model) {
           examinees.push_back(examinee);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <carom/properties/families/adjustment.hpp>
+
+namespace carom::properties {
+
+std::string_view name_of(Adjustment adjustment) {
+  switch (adjustment) {
+    case Adjustment::moments_enlarged:
+      return "moments_enlarged";
+    case Adjustment::moved_to_origin:
+      return "moved_to_origin";
+    case Adjustment::reversed:
+      return "reversed";
+    case Adjustment::drawn_again:
+      return "drawn_again";
+  }
+  return "";
+}
+
+}  // namespace carom::properties
