@@ -14,20 +14,28 @@ namespace carom::impulse {
 /// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs. Each pivot is a
 /// diagonal entry of a Schur complement of M, and so at least M's least eigenvalue: one that comes out below the bound
 /// of that is rounding, and is taken for the bound. Nothing is then divided by zero where rounding has made M singular.
+/// For the same reason |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least: a component that comes out beyond twice
+/// max |b_i| / least is rounding, and is taken for that.
 struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
-    return solve_by<S>(m, b, [](const S& computed) { return computed; });
+    const auto as_computed = [](const S& computed) { return computed; };
+    return solve_by<S>(m, b, as_computed, as_computed);
   }
   /// Precondition: least > 0.
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
-    return solve_by<S>(m, b, [&](const S& computed) { return at_least(least, computed); });
+    const S largest = at_least(absolute(b[0]), at_least(absolute(b[1]), absolute(b[2])));
+    const S bound = (largest + largest) / least;
+    return solve_by<S>(
+        m, b, [&](const S& computed) { return at_least(least, computed); },
+        [&](const S& computed) { return at_least(S(-bound), S(-at_least(S(-bound), S(-computed)))); });
   }
 
  private:
-  template <class S, class Pivot>
-  [[nodiscard]] static Vector3<S> solve_by(const Matrix3<S>& m, const Vector3<S>& b, const Pivot& pivot) {
+  template <class S, class Pivot, class Bounded>
+  [[nodiscard]] static Vector3<S> solve_by(const Matrix3<S>& m, const Vector3<S>& b, const Pivot& pivot,
+                                           const Bounded& bounded) {
     const S d0 = pivot(m(0, 0));
     const S l10 = m(1, 0) / d0;
     const S l20 = m(2, 0) / d0;
@@ -37,9 +45,9 @@ struct Ldlt {
     const S d2 = pivot((m(2, 2) - l20 * m(2, 0)) - l21 * e21);
     const S y1 = b[1] - l10 * b[0];
     const S y2 = (b[2] - l20 * b[0]) - l21 * y1;
-    const S x2 = y2 / d2;
-    const S x1 = y1 / d1 - l21 * x2;
-    const S x0 = (b[0] / d0 - l10 * x1) - l20 * x2;
+    const S x2 = bounded(y2 / d2);
+    const S x1 = bounded(y1 / d1 - l21 * x2);
+    const S x0 = bounded((b[0] / d0 - l10 * x1) - l20 * x2);
     return {x0, x1, x2};
   }
 };

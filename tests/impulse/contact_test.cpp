@@ -223,6 +223,21 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
+/// Where rounding has taken the margin λ of C, a component of the impulse is still no larger than twice ‖b‖∞ / λ.
+TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
+  properties::Stream stream = properties::stream_from(98);
+  const Vector3<float> b{1, 0, 0};
+  int beyond = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Contact<float> contact = contact_with_lost_lever_arms(stream);
+    const Matrix3<float> c = printed_collision_matrix(contact, stable_tangent_basis(contact));
+    const float least = inverse_mass(contact);
+    ASSERT_LE(Ldlt::solve<float>(c, b, least).cwiseAbs().maxCoeff(), 2 / least);
+    beyond += Ldlt::solve<float>(c, b).cwiseAbs().maxCoeff() > 2 / least ? 1 : 0;
+  }
+  EXPECT_GT(beyond, 0);
+}
+
 TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
   int checked = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
