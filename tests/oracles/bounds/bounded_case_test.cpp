@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/filters/bounded_case.hpp>
+#include <carom/properties/families/stream.hpp>
+
+#include "support/exact.hpp"
+
+/// What a bounded case says of a collision, against ℚ and against collisions of which the answer is known.
+namespace carom::bounds {
+namespace {
+
+using oracles::BoundedCase;
+using oracles::Rational;
+
+/// A body of unit mass with equal moments against a wall, struck at `arm` from its centre.
+Collision against_a_wall(const Vector3<double>& arm, double moment) {
+  Collision c;
+  c.b.immovable = true;
+  c.a.mass = 1;
+  c.a.principal_inertia = Vector3<double>::Constant(moment);
+  c.a.position = -arm;
+  c.normal = {0, 0, 1};
+  c.a.velocity = {0, 0, -1};
+  return c;
+}
+
+/// κ ≤ t³ / (4 det K) with the trace t, in ℚ.
+Rational condition_bound(const Collision& c) {
+  const unit::ExactMatrix k = impulse::collision_matrix(unit::exact_contact(c));
+  const Rational t = k.trace();
+  return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
+}
+
+/// The bound is rounded a few times, so a thousandth about the threshold is left out.
+TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
+  properties::Stream stream = properties::stream_from(77);
+  int well = 0;
+  int ill = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vector3<double> arm = stream.direction();
+    // K = I + (r·r I − r rᵀ)/J, of trace 3 + 2 s and determinant (1 + s)², s = r·r/J: t³ / (4 det) is about 2 s.
+    const double s = 0x1p19 * stream.between(0.9, 1.1);
+    const Collision c = against_a_wall(arm, arm.squaredNorm() / s);
+    const Rational share = condition_bound(c) / Rational(0x1p20);
+    if (share < Rational(0.999)) {
+      EXPECT_TRUE(BoundedCase(c).is_well_conditioned());
+      ++well;
+    } else if (share > Rational(1.001)) {
+      EXPECT_FALSE(BoundedCase(c).is_well_conditioned());
+      ++ill;
+    }
+  }
+  EXPECT_GT(well, 100);
+  EXPECT_GT(ill, 100);
+}
+
+/// Two bodies that spin about z, with all places and arms along y and the normal along x: no product of components is
+/// less than that of the lengths, and the bound is the sum itself, ‖N‖ Σ ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + the extent).
+TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
+  Collision c;
+  c.normal = {3, 0, 0};
+  c.point = {0, 64, 0};
+  c.a.position = {0, 63, 0};
+  c.b.position = {0, 68, 0};
+  c.a.principal_inertia = c.b.principal_inertia = {1, 1, 1};
+  c.a.angular_velocity = {0, 0, 2};
+  c.b.angular_velocity = {0, 0, 0.5};
+  c.a.velocity = {0.25, 0, 0};
+  const double extents_of_a = oracles::extent_of(c.a);
+  const double extents_of_b = oracles::extent_of(c.b);
+  const double expected =
+      3 * (2 * 0.25 + 2 * (2 * 1 + 64 + 63 + extents_of_a) + 0.5 * (2 * 4 + 64 + 68 + extents_of_b));
+  EXPECT_NEAR(BoundedCase(c).normal_velocity_sensitivity_above(), expected, 8 * 0x1p-53 * expected);
+}
+
+TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
+  Collision c = against_a_wall({0, 0, 0}, 1);
+  EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, -1);
+  c.a.velocity = {0, 0, 1};
+  EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
+  EXPECT_EQ(BoundedCase(c).normal_velocity()->value, 1);
+  // Exactly zero: no radius is less than a share of nothing.
+  c.a.velocity = {1, 0, 0};
+  EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
+  // All but a part of 2⁻⁴⁰ cancels: binary64 keeps four digits, an enclosure twenty.
+  c.b.velocity = {0, 0, 1};
+  c.a.velocity = {0, 0, 1 + 0x1p-40};
+  ASSERT_TRUE(BoundedCase(c).normal_velocity());
+  EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
+}
+
+/// r along the long axis of a needle: r·r / I₁ is large, and K sees nothing of it. Rounding may hide K's own norm.
+TEST(BoundedCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
+  Collision c = against_a_wall({1, 0, 0}, 1);
+  EXPECT_GT(BoundedCase(c).collision_matrix_sensitivity_below(), 1) << "half of ‖K‖";
+  c.a.principal_inertia = {0x1p-40, 1, 1};
+  EXPECT_LE(BoundedCase(c).collision_matrix_sensitivity_below(), 0.5) << "half of λ";
+}
+
+}  // namespace
+}  // namespace carom::bounds
