@@ -94,10 +94,11 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
 
 /// r along the long axis of a needle: r·r / I₁ is large, and K sees nothing of it. Rounding may hide K's own norm.
 TEST(BoundedCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
-  Collision c = against_a_wall({1, 0, 0}, 1);
-  EXPECT_GT(BoundedCase(c).collision_matrix_sensitivity_below(), 1) << "half of ‖K‖";
-  c.a.principal_inertia = {0x1p-40, 1, 1};
-  EXPECT_LE(BoundedCase(c).collision_matrix_sensitivity_below(), 0.5) << "half of λ";
+  Collision c = against_a_wall({1, 0, 0}, 1);  // K = diag(1, 2, 2), of norm 3
+  c.a.principal_inertia = {0x1p-21, 1, 1};
+  EXPECT_NEAR(BoundedCase(c).collision_matrix_sensitivity_below(), 1.5, 0x1p-20) << "half of ‖K‖ ≥ 2⁻²⁰ · 2²¹";
+  c.a.principal_inertia = {0x1p-22, 1, 1};
+  EXPECT_NEAR(BoundedCase(c).collision_matrix_sensitivity_below(), 0.5, 0x1p-20) << "half of λ";
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/filters/lifted_outcome.hpp>
+
+namespace carom::oracles {
+namespace {
+
+TEST(LiftedOutcome, IsModerateIfEachNumberIs) {
+  EXPECT_TRUE(LiftedOutcome(ReportedOutcome{}).is_moderate());
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      ReportedOutcome reported;
+      (*vectors(reported)[k])[i] = -static_cast<long double>(largest_moderate_outcome);
+      EXPECT_TRUE(LiftedOutcome(reported).is_moderate()) << i;
+      (*vectors(reported)[k])[i] *= 2;
+      EXPECT_FALSE(LiftedOutcome(reported).is_moderate()) << i;
+      (*vectors(reported)[k])[i] = std::numeric_limits<long double>::quiet_NaN();
+      EXPECT_FALSE(LiftedOutcome(reported).is_moderate()) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::oracles
