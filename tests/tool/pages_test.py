@@ -128,9 +128,9 @@ class Pages(unittest.TestCase):
         self.assertIn(re.search("exit status 0.*", COMMANDS["gate"])[0], rows["gate"])
         section = PAGES["docs/guide/reading-a-report.md"].split("## Exit status")[1].split("\n## ")[0]
         self.assertEqual(re.findall(r"(?:^|\. )(\d): ", section, re.M), re.findall(r"\d", COMMANDS["gate"]))
-        for word, status in (("all", 0), ("violated", 1), ("usage", 2)):
-            self.assertRegex(COMMANDS["gate"], rf"{status}[^\d]*{word}")
-            self.assertRegex(section, rf"(?:^|\. ){status}: [^\d]*{word}")
+        for status, of_program, of_page in ((0, "hold", "sound"), (1, "violated", "violates"), (2, "usage", "usage")):
+            self.assertRegex(COMMANDS["gate"], rf"{status}[^\d]*{of_program}")
+            self.assertRegex(section, rf"(?m)(?:^|\. ){status}: [^\d]*{of_page}")
 
     def test_name_options_that_exist(self):
         for page, text in PAGES.items():
