@@ -16,6 +16,7 @@ struct Case {
   Collision collision;
   /// Both movable bodies are convex with uniform density and the contact lies in both, so that C ⪯ 16 λI.
   bool convex_uniform = false;
+  /// What the family changed after it drew the numbers.
   PerAdjustment<bool> adjusted = {};
 };
 

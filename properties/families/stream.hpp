@@ -50,6 +50,11 @@ class Stream {
 
   /// Notes that the collision that is being drawn was changed.
   void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
+  /// Notes that it is drawn again. Changes of the one before do not count.
+  void note_drawn_again() {
+    adjusted_ = {};
+    note(Adjustment::drawn_again);
+  }
   [[nodiscard]] const PerAdjustment<bool>& adjusted() const { return adjusted_; }
 
  private:

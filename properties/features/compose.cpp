@@ -206,7 +206,7 @@ Collision structured_collision(Stream& stream) {
     if (is_in_domain(collision)) {
       return collision;
     }
-    stream.note(Adjustment::drawn_again);
+    stream.note_drawn_again();
   }
   return general_bodies(stream).collision;
 }

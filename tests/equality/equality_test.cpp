@@ -24,6 +24,7 @@ TEST(JudgeEquality, OfBuiltInSubjects) {
   Agreement agreement;
   compare_on_families(examined, cases_of_a_family(), Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");
+  EXPECT_GT(agreement.verdicts, 10000U);
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     const bool is_of_session = std::holds_alternative<properties::AboutSession>(invariant.about);
     EXPECT_EQ(agreement.invariants.contains(std::string(invariant.name)), !is_of_session) << invariant.name;

@@ -7,7 +7,7 @@
 
 #include <carom/collision/validate.hpp>
 
-#include "support/exact.hpp"
+#include "support/outcome_of_law.hpp"
 
 namespace carom::equality {
 namespace {

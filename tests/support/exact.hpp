@@ -7,7 +7,6 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 
 #include "support/cases.hpp"
@@ -63,19 +62,6 @@ template <class Derived, class OtherDerived>
 [[nodiscard]] inline bool same(const Outcome<Rational>& left, const Outcome<Rational>& right) {
   return same(left.a.velocity, right.a.velocity) && same(left.a.angular_velocity, right.a.angular_velocity) &&
          same(left.b.velocity, right.b.velocity) && same(left.b.angular_velocity, right.b.angular_velocity);
-}
-
-[[nodiscard]] inline const Rational& nearly(const Rational& x) { return x; }
-[[nodiscard]] inline Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
-
-/// The outcome of the law, a square root that is irrational rounded far beyond any precision that is judged; of
-/// `coulomb` the first answer.
-[[nodiscard]] inline Outcome<Rational> outcome_of_law(const oracles::ExactCase& exact_case, Model model) {
-  const auto rational = []<class T>(const oracles::Truth<T>& truth) {
-    return map_outcome<Rational>(truth.outcome, [](const T& x) { return nearly(x); });
-  };
-  return model == Model::coulomb ? rational(oracles::coulomb_answers(exact_case).front().truth)
-                                 : exact_case.with_truth(model, exact_case.approach(), rational);
 }
 
 [[nodiscard]] inline impulse::Contact<Rational> exact_contact(const Collision& collision) {

@@ -7,7 +7,7 @@
 
 namespace carom::tool {
 
-/// What families changed after they drew a case, in a sentence with the number of cases for each reason.
-[[nodiscard]] std::string adjusted_sentence(const properties::GateReport& report);
+/// The changes that families made to cases after they drew them: a sentence for each reason, with the number of cases.
+[[nodiscard]] std::string adjusted_sentences(const properties::GateReport& report);
 
 }  // namespace carom::tool

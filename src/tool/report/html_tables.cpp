@@ -296,7 +296,7 @@ void add_coverage(pugi::xml_node section, const GateRun& run) {
       add_cell(row, std::to_string(number), number == 0 ? "number zero" : "number");
     }
   }
-  add(section, "p", {}, adjusted_sentence(run.report));
+  add(section, "p", {}, adjusted_sentences(run.report));
 }
 
 void add_features(pugi::xml_node section, const GateRun& run) {

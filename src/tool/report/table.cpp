@@ -133,7 +133,7 @@ std::string report_text(const GateRun& run, const std::string& out_directory) {
     text += "INTERRUPTED: what follows is what was judged until then\n\n";
   }
   text += coverage_table(report);
-  text += features_line(report.features) + adjusted_sentence(report) + '\n';
+  text += features_line(report.features) + adjusted_sentences(report) + '\n';
   const std::string heading = fmt::format("\n{:40} {:>8} {:>12} {:>29} {:>22} {:>8}\n", "subject", "cases", "verdict",
                                           "worst backward error [ulps]", "digits p50/p99/worst", "ns/solve");
   text += heading + subject_table(run, true);

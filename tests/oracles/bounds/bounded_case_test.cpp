@@ -8,7 +8,7 @@
 
 #include "support/exact.hpp"
 
-/// What a bounded case says of a collision, against ℚ and against collisions of which the answer is known.
+/// The bounds of a collision agree with ℚ, and with the known answers of some collisions.
 namespace carom::bounds {
 namespace {
 

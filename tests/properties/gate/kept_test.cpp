@@ -8,7 +8,7 @@
 #include <carom/properties/search/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// What is listed as failing fails: a solver that comes to be sound moves to the sound ones.
+/// Each subject that is expected to fail fails. A solver that comes to be sound moves to the sound ones.
 namespace carom::properties {
 namespace {
 

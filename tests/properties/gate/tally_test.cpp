@@ -43,7 +43,16 @@ TEST(Tally, DoesNotGrowWithItsCases) {
   EXPECT_LT((DigitsScale::bins + TimeScale::bins) * sizeof(std::uint64_t), 128U << 10U);
 }
 
-TEST(Coverage, CountsWhatAFamilyChanged) {
+TEST(Stream, ForgetsTheChangesOfWhatIsDrawnAgain) {
+  Stream stream = stream_from(1);
+  stream.note(Adjustment::moments_enlarged);
+  EXPECT_TRUE(stream.adjusted()[Adjustment::moments_enlarged]);
+  stream.note_drawn_again();
+  EXPECT_FALSE(stream.adjusted()[Adjustment::moments_enlarged]);
+  EXPECT_TRUE(stream.adjusted()[Adjustment::drawn_again]);
+}
+
+TEST(Coverage, CountsTheCasesThatAFamilyChanged) {
   const auto counted = [](const char* family) {
     Coverage sum;
     for (std::uint64_t i = 0; i < 2000; ++i) {

@@ -9,6 +9,7 @@
 #include <carom/properties/trial/trial.hpp>
 
 #include "support/exact.hpp"
+#include "support/outcome_of_law.hpp"
 
 /// A law of mechanics knows no axes, and no verdict does: it is the same for a collision and its outcome turned
 /// together.
@@ -171,7 +172,7 @@ void expect_the_same(const Judgement& one, const Judgement& other, Model model, 
 TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   Stream stream = stream_from(51);
   std::map<std::pair<std::string_view, Status>, std::size_t> seen;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 180; ++i) {
     const Collision c = few_bits(stream);
     WholeTurn turn{{0, 0, 0, 0}};
     for (int j = 0; j < 4; ++j) {
@@ -192,10 +193,16 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
       }
     }
   }
+  std::map<Status, std::size_t> sum;
+  for (const auto& [key, count] : seen) {
+    sum[key.second] += count;
+  }
+  EXPECT_GT(sum[Status::holds], 2000U);
+  EXPECT_GT(sum[Status::violated], 2000U);
   for (const char* invariant : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "sticks",
                                 "slip_opposed", "friction_cone", "energy", "definite", "matrix_used"}) {
-    EXPECT_GT((seen[{invariant, Status::holds}]), 30U) << invariant;
-    EXPECT_GT((seen[{invariant, Status::violated}]), 30U) << invariant;
+    EXPECT_GT((seen[{invariant, Status::holds}]), 60U) << invariant;
+    EXPECT_GT((seen[{invariant, Status::violated}]), 60U) << invariant;
   }
 }
 

@@ -91,7 +91,7 @@ TEST(FindViolation, ReportsThatNothingWasTested) {
   }
 }
 
-/// What nothing was drawn for is not found to hold, though the head-on probe alone would say so.
+/// An invariant does not hold if no case was drawn for it, though the head-on probe alone would say so.
 TEST(Examination, NoticesFamiliesThatDrawNothing) {
   const std::vector<Examinee> examinees = built_in_examinees();
   const Invariant& momentum = *invariant_named("linear_momentum");

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <carom/oracles/exact/radical.hpp>
+#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+
+namespace carom::unit {
+
+[[nodiscard]] inline const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
+[[nodiscard]] inline oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
+
+/// The outcome of the law, a square root that is irrational rounded far beyond any precision that is judged; of
+/// `coulomb` the first answer.
+[[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Model model) {
+  const auto rational = []<class T>(const oracles::Truth<T>& truth) {
+    return map_outcome<oracles::Rational>(truth.outcome, [](const T& x) { return nearly(x); });
+  };
+  return model == Model::coulomb ? rational(oracles::coulomb_answers(exact_case).front().truth)
+                                 : exact_case.with_truth(model, exact_case.approach(), rational);
+}
+
+}  // namespace carom::unit
