@@ -298,14 +298,14 @@ bool ExactCase::has_two_answers(Model model, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
-  // By binary64 where it keeps ten digits, else in enclosures, and where these do not keep three, exactly.
+  // By binary64 where it keeps ten digits, else by double-double, and where that does not keep three, exactly.
   std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity[branch];
   if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned() &&
       (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
     known = colliding_sensitivity(collision(), model, branch);
   }
   if (!known) {
-    known = enclosed_sensitivity(collision(), model, branch);
+    known = enclosed_sensitivity(collision(), model, branch, bounds_.is_moderate());
   }
   if (!known) {
     known = exact_sensitivity(collision(), model, branch);

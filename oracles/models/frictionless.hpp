@@ -49,25 +49,28 @@ struct Frictionless {
 
   /// N·(K F − b) = 0, so dF = φ dN + N dφ. The answers to N are worked out as such: from the columns of the matrices
   /// they would cancel where a lever arm is along N.
-  [[nodiscard]] static Derivatives derivatives(const Collision& c, const ImpulseDifferential& of) {
-    const Vector3<double>& n = c.normal;
-    const double per_normal = n.dot(of.impulse) / n.dot(n);  // φ
-    const Outcome<double> to_normal = response<double>(c, n);
-    const Vector3<double> k_normal = relative_velocity<double>(c, to_normal);  // K N
-    using Row = Eigen::Matrix<double, 1, collision_inputs>;
+  template <class S>
+  [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
+    const Vector3<S>& n = c.normal;
+    const S per_normal = n.dot(of.impulse) / n.dot(n);  // φ
+    const Outcome<S> to_normal = response<S>(c, n);
+    const Vector3<S> k_normal = relative_velocity<S>(c, to_normal);  // K N
+    using Row = Eigen::Matrix<S, 1, collision_inputs>;
     Row of_condition = n.transpose() * of.left;
-    of_condition.segment<3>(of.normal) += (2 * per_normal * k_normal - of.wanted).transpose();
-    const Row d_per_normal = of_condition / -n.dot(k_normal);
-    PerVector<Jacobian> change{of.a.d_velocity + to_normal.a.velocity * d_per_normal,
-                               of.a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
-                               of.b.d_velocity + to_normal.b.velocity * d_per_normal,
-                               of.b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
-    change[OutcomeVector::velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.velocity;
-    change[OutcomeVector::angular_velocity_of_a].middleCols<3>(of.normal) += per_normal * of.a.angular_velocity;
-    change[OutcomeVector::velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.velocity;
-    change[OutcomeVector::angular_velocity_of_b].middleCols<3>(of.normal) -= per_normal * of.b.angular_velocity;
-    Jacobian impulse = n * d_per_normal;
-    impulse.middleCols<3>(of.normal) += per_normal * Matrix3<double>::Identity();
+    of_condition.template segment<3>(of.normal) += (S(S(2) * per_normal) * k_normal - of.wanted).transpose();
+    const Row d_per_normal = of_condition / S(-n.dot(k_normal));
+    PerVector<Jacobian<S>> change{of.a.d_velocity + to_normal.a.velocity * d_per_normal,
+                                  of.a.d_angular_velocity + to_normal.a.angular_velocity * d_per_normal,
+                                  of.b.d_velocity + to_normal.b.velocity * d_per_normal,
+                                  of.b.d_angular_velocity + to_normal.b.angular_velocity * d_per_normal};
+    change[OutcomeVector::velocity_of_a].template middleCols<3>(of.normal) += per_normal * of.a.velocity;
+    change[OutcomeVector::angular_velocity_of_a].template middleCols<3>(of.normal) +=
+        per_normal * of.a.angular_velocity;
+    change[OutcomeVector::velocity_of_b].template middleCols<3>(of.normal) -= per_normal * of.b.velocity;
+    change[OutcomeVector::angular_velocity_of_b].template middleCols<3>(of.normal) -=
+        per_normal * of.b.angular_velocity;
+    Jacobian<S> impulse = n * d_per_normal;
+    impulse.template middleCols<3>(of.normal) += per_normal * Matrix3<S>::Identity();
     return {impulse, change};
   }
 

@@ -5,17 +5,17 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include <carom/oracles/models/definite_system.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
-/// Implicit differentiation of a law's answer, in binary64: the impulse F solves K F = b, so K dF = db − dK F, and what
-/// bodies answer is linear in F, so that only the answer to one impulse, held fast, is differentiated, body by body.
+/// Implicit differentiation of a law's answer. The impulse F solves K F = b, so K dF = db − dK F. Bodies answer to F
+/// linearly, so only their answer to one fixed impulse is differentiated. S is double, or Enclosure.
 namespace carom::oracles {
 
 /// The derivatives of a vector by all numbers of a collision.
-using Jacobian = Eigen::Matrix<double, 3, collision_inputs, Eigen::RowMajor>;
+template <class S>
+using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
 /// Where the numbers of a collision stand among its inputs.
 struct Places {
@@ -44,24 +44,24 @@ struct Places {
   }
 };
 
-template <std::size_t N>
-[[nodiscard]] Vector3<Dual<double, N>> inputs(const Vector3<double>& numbers, std::size_t first) {
-  Vector3<Dual<double, N>> result;
+template <std::size_t N, class S>
+[[nodiscard]] Vector3<Dual<S, N>> inputs(const Vector3<S>& numbers, std::size_t first) {
+  Vector3<Dual<S, N>> result;
   for (int i = 0; i < 3; ++i) {
-    result[i] = Dual<double, N>::input(numbers[i], first + static_cast<std::size_t>(i));
+    result[i] = Dual<S, N>::input(numbers[i], first + static_cast<std::size_t>(i));
   }
   return result;
 }
 
-template <std::size_t N>
-[[nodiscard]] Vector3<double> value(const Vector3<Dual<double, N>>& numbers) {
+template <class S, std::size_t N>
+[[nodiscard]] Vector3<S> value(const Vector3<Dual<S, N>>& numbers) {
   return {numbers[0].value, numbers[1].value, numbers[2].value};
 }
 
 /// The derivatives by `Count` inputs from this one on.
-template <int Count, std::size_t N>
-[[nodiscard]] Eigen::Matrix<double, 3, Count> derivatives(const Vector3<Dual<double, N>>& numbers, std::size_t first) {
-  Eigen::Matrix<double, 3, Count> result;
+template <int Count, class S, std::size_t N>
+[[nodiscard]] Eigen::Matrix<S, 3, Count> derivatives(const Vector3<Dual<S, N>>& numbers, std::size_t first) {
+  Eigen::Matrix<S, 3, Count> result;
   for (int i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < Count; ++j) {
       result(i, static_cast<Eigen::Index>(j)) = numbers[i].derivative[first + j];
@@ -71,46 +71,49 @@ template <int Count, std::size_t N>
 }
 
 /// How one body answers to impulses at the contact point: not at all where it is immovable.
+template <class S>
 struct BodyResponse {
   // Columns: the answers to unit impulses.
-  Matrix3<double> velocity = Matrix3<double>::Zero();
-  Matrix3<double> angular_velocity = Matrix3<double>::Zero();
-  Matrix3<double> at_point = Matrix3<double>::Zero();
+  Matrix3<S> velocity = Matrix3<S>::Constant(S(0));
+  Matrix3<S> angular_velocity = Matrix3<S>::Constant(S(0));
+  Matrix3<S> at_point = Matrix3<S>::Constant(S(0));
   // The derivatives of the answer to the given impulse, which itself stays as it is.
-  Jacobian d_velocity = Jacobian::Zero();
-  Jacobian d_angular_velocity = Jacobian::Zero();
-  Jacobian d_at_point = Jacobian::Zero();
+  Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
+  Jacobian<S> d_angular_velocity = Jacobian<S>::Constant(S(0));
+  Jacobian<S> d_at_point = Jacobian<S>::Constant(S(0));
 };
 
-[[nodiscard]] inline BodyResponse response_of(const Body& body, const Vector3<double>& point,
-                                              const Vector3<double>& impulse, const Places::OfBody& place,
-                                              Eigen::Index point_place) {
-  BodyResponse result;
+template <class S>
+[[nodiscard]] BodyResponse<S> response_of(const BasicBody<S>& body, const Vector3<S>& point, const Vector3<S>& impulse,
+                                          const Places::OfBody& place, Eigen::Index point_place) {
+  BodyResponse<S> result;
   if (body.immovable) {
     return result;
   }
-  const Vector3<double> arm = lever_arm(body, point);
+  const Vector3<S> arm = lever_arm<S>(body, point);
   for (int i = 0; i < 3; ++i) {
-    const BodyVelocity<double> answer = response<double>(body, point, Vector3<double>::Unit(i));
+    Vector3<S> unit{S(0), S(0), S(0)};
+    unit[i] = S(1);
+    const BodyVelocity<S> answer = response<S>(body, point, unit);
     result.velocity.col(i) = answer.velocity;
     result.angular_velocity.col(i) = answer.angular_velocity;
-    result.at_point.col(i) = point_velocity<double>(answer, arm);
+    result.at_point.col(i) = point_velocity<S>(answer, arm);
   }
   // Mass, three moments, four numbers of the orientation and three of the position; three of the contact point.
   constexpr int own = 11;
-  using T = Dual<double, own + 3>;
+  using T = Dual<S, own + 3>;
   BasicBody<T> dual;
   std::size_t next = 0;
-  auto as_input = [&](const FieldPath&, const double& from, T& to) {
+  auto as_input = [&](const FieldPath&, const S& from, T& to) {
     to = next < own ? T::input(from, next) : T(from);
     ++next;
   };
   carom::detail::for_each_body_number("", as_input, body, dual);
   const Vector3<T> at = inputs<own + 3>(point, own);
-  const BodyVelocity<T> answer = response<T>(dual, at, impulse.unaryExpr([](double x) { return T(x); }));
-  const auto spread = [&](const Vector3<T>& from, Jacobian& to) {
-    to.middleCols<own>(place.velocity() - own) = derivatives<own>(from, 0);
-    to.middleCols<3>(point_place) = derivatives<3>(from, own);
+  const BodyVelocity<T> answer = response<T>(dual, at, impulse.unaryExpr([](const S& x) { return T(x); }));
+  const auto spread = [&](const Vector3<T>& from, Jacobian<S>& to) {
+    to.template middleCols<own>(place.velocity() - own) = derivatives<own>(from, 0);
+    to.template middleCols<3>(point_place) = derivatives<3>(from, own);
   };
   spread(answer.velocity, result.d_velocity);
   spread(answer.angular_velocity, result.d_angular_velocity);
@@ -119,24 +122,31 @@ struct BodyResponse {
 }
 
 /// The derivatives of an impulse, and of what it adds to each of the four velocities.
+template <class S>
 struct Derivatives {
-  Jacobian of_impulse;
-  PerVector<Jacobian> of_change;
+  Jacobian<S> of_impulse;
+  PerVector<Jacobian<S>> of_change;
 };
 
 /// What is differentiated: the responses of both bodies to the impulse F on A and −F on B.
+template <class S>
 struct ImpulseDifferential {
-  BodyResponse a;
-  BodyResponse b;
-  Vector3<double> impulse;
-  Vector3<double> wanted;   // b, the change of relative velocity that the law asks for
-  Jacobian left;            // dK F − db
+  BodyResponse<S> a;
+  BodyResponse<S> b;
+  Vector3<S> impulse;
+  Vector3<S> wanted;        // b, the change of relative velocity that the law asks for
+  Jacobian<S> left;         // dK F − db
   Eigen::Index normal = 0;  // where the normal stands among the inputs
 };
 
 /// Of a law whose impulse satisfies K F = b: dF = K⁻¹ (db − dK F).
-[[nodiscard]] inline Derivatives derivatives_by_matrix(const ImpulseDifferential& of) {
-  const Jacobian d_impulse = -(of.a.at_point + of.b.at_point).inverse() * of.left;
+template <class S>
+[[nodiscard]] Derivatives<S> derivatives_by_matrix(const ImpulseDifferential<S>& of) {
+  const DefiniteSystem<S> k(of.a.at_point + of.b.at_point);
+  Jacobian<S> d_impulse;
+  for (Eigen::Index j = 0; j < d_impulse.cols(); ++j) {
+    d_impulse.col(j) = k.solve(-of.left.col(j));
+  }
   return {d_impulse,
           {of.a.d_velocity + of.a.velocity * d_impulse, of.a.d_angular_velocity + of.a.angular_velocity * d_impulse,
            of.b.d_velocity - of.b.velocity * d_impulse, of.b.d_angular_velocity - of.b.angular_velocity * d_impulse}};

@@ -3,131 +3,182 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
+#include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 
 namespace carom::oracles {
 namespace {
 
+/// V⁻, from enclosures: its terms may cancel, and the direction of the slip is read off what remains.
+template <class S>
+Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
+  const Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
+  if constexpr (std::is_same_v<S, Enclosure>) {
+    return velocity;
+  } else {
+    return velocity.unaryExpr([](const Enclosure& x) { return S(x.middle()); });
+  }
+}
+
+/// A collision whose law is differentiated.
+template <class S>
+struct Differentiable {
+  explicit Differentiable(const Collision& collision)
+      : c(map_numbers<S>(collision, [](double x) { return S(x); })),
+        places(collision),
+        velocity(velocity_before<S>(map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); }))) {}
+
+  BasicCollision<S> c;
+  Places places;
+  Vector3<S> velocity;  // V⁻
+};
+
 /// The change that the law asks for, and its derivatives.
+template <class S>
 struct Wanted {
-  Vector3<double> change;
-  Jacobian derivative = Jacobian::Zero();
+  Vector3<S> change;
+  Jacobian<S> derivative = Jacobian<S>::Constant(S(0));
 };
 
 /// By the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
 /// derivative.
-template <class Law>
-Wanted wanted_of(const Collision& c, const Places& places, const Dual<double, 7>& restitution) {
-  Wanted result;
-  Jacobian d_velocity = Jacobian::Zero();
-  // Of what cancels in V⁻ the direction of the slip is made.
-  const auto enclosed = map_numbers<Enclosure>(c, [](double x) { return Enclosure(x); });
-  const Vector3<double> velocity =
-      relative_velocity<Enclosure>(enclosed, unchanged(enclosed)).unaryExpr([](const Enclosure& x) {
-        return x.middle();
-      });
-  const auto add_body = [&](const Body& body, const Places::OfBody& place, double sign) {
-    constexpr std::size_t own = 9;  // position, velocity, angular velocity; and the contact point
-    using T = Dual<double, own + 3>;
+template <class Law, class S>
+Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
+  const BasicCollision<S>& c = of.c;
+  Wanted<S> result;
+  Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
+  const auto add_body = [&](const BasicBody<S>& body, const Places::OfBody& place, int sign) {
+    constexpr int own = 9;  // position, velocity, angular velocity; and the contact point
+    using T = Dual<S, own + 3>;
     const Vector3<T> arm = inputs<own + 3>(c.point, own) - inputs<own + 3>(body.position, 0);
     const Vector3<T> at_point =
         point_velocity<T>({inputs<own + 3>(body.velocity, 3), inputs<own + 3>(body.angular_velocity, 6)}, arm);
-    d_velocity.middleCols<own>(place.position) += sign * derivatives<own>(at_point, 0);
-    d_velocity.middleCols<3>(places.point) += sign * derivatives<3>(at_point, own);
+    d_velocity.template middleCols<own>(place.position) += S(sign) * derivatives<own>(at_point, 0);
+    d_velocity.template middleCols<3>(of.places.point) += S(sign) * derivatives<3>(at_point, own);
   };
-  add_body(c.a, places.a, 1);
-  add_body(c.b, places.b, -1);
-  using T = Dual<double, 7>;  // normal, restitution, relative velocity
-  const Vector3<T> wanted = Law::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(velocity, 4));
+  add_body(c.a, of.places.a, 1);
+  add_body(c.b, of.places.b, -1);
+  using T = Dual<S, 7>;  // normal, restitution, relative velocity
+  const Vector3<T> wanted =
+      Law::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(of.velocity, 4));
   result.change = value(wanted);
   result.derivative = derivatives<3>(wanted, 4) * d_velocity;
-  result.derivative.middleCols<4>(places.normal) += derivatives<4>(wanted, 0);
+  result.derivative.template middleCols<4>(of.places.normal) += derivatives<4>(wanted, 0);
   return result;
 }
 
 /// A linear law's impulse and what it adds to the velocities, with their derivatives.
+template <class S>
 struct Differentiated {
-  Vector3<double> impulse;
-  PerVector<Vector3<double>> change;
-  Derivatives derivatives;
+  Vector3<S> impulse;
+  PerVector<Vector3<S>> change;
+  Derivatives<S> derivatives;
 };
 
-template <class Law>
-Differentiated differentiated(const Collision& c, const Places& places, const Dual<double, 7>& restitution) {
-  const Wanted wanted = wanted_of<Law>(c, places, restitution);
-  const Vector3<double> impulse = Law::template impulse_for<double>(c, wanted.change, nullptr);
-  const BodyResponse a = response_of(c.a, c.point, impulse, places.a, places.point);
-  const BodyResponse b = response_of(c.b, c.point, -impulse, places.b, places.point);
-  const Jacobian left = a.d_at_point - b.d_at_point - wanted.derivative;
+template <class Law, class S>
+Differentiated<S> differentiated(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
+  const BasicCollision<S>& c = of.c;
+  const Places& places = of.places;
+  const Wanted<S> wanted = wanted_of<Law>(of, restitution);
+  const Vector3<S> impulse = Law::template impulse_for<S>(c, wanted.change, nullptr);
+  const BodyResponse<S> a = response_of<S>(c.a, c.point, impulse, places.a, places.point);
+  const BodyResponse<S> b = response_of<S>(c.b, c.point, -impulse, places.b, places.point);
+  const Jacobian<S> left = a.d_at_point - b.d_at_point - wanted.derivative;
   return {impulse,
           {a.velocity * impulse, a.angular_velocity * impulse, -b.velocity * impulse, -b.angular_velocity * impulse},
-          Law::derivatives(c, {a, b, impulse, wanted.change, left, places.normal})};
+          Law::template derivatives<S>(c, {a, b, impulse, wanted.change, left, places.normal})};
 }
 
-using Row = Eigen::Matrix<double, 1, collision_inputs>;
+template <class S>
+using Row = Eigen::Matrix<S, 1, collision_inputs>;
 
 /// κ of `rough`, and its derivatives.
+template <class S>
 struct Share {
-  double value = 0;
-  Row derivative = Row::Zero();
+  S value{0};
+  Row<S> derivative = Row<S>::Constant(S(0));
 };
 
-Share friction_share(const Collision& c, const Places& places, const Differentiated& approach,
-                     const Differentiated& point, Branch branch) {
-  const Vector3<double> d = point.impulse - approach.impulse;
-  Share share{Rough::friction_share<double>(c, approach.impulse, d, branch)};
+template <class S>
+Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& approach, const Differentiated<S>& point,
+                        Branch branch) {
+  const BasicCollision<S>& c = of.c;
+  const Places& places = of.places;
+  const Vector3<S> d = point.impulse - approach.impulse;
+  Share<S> share{Rough::friction_share<S>(c, approach.impulse, d, branch)};
   if (branch == Branch::inside_cone) {
-    share.derivative[places.tangential_restitution()] = 1;
+    share.derivative[places.tangential_restitution()] = S(1);
     return share;
   }
   // κ q = μ (1 + ε) p with p = N·P_I and q = ‖N × D‖ − μ N·D.
-  const Jacobian d_of_d = point.derivatives.of_impulse - approach.derivatives.of_impulse;
-  const Vector3<double>& n = c.normal;
-  const Vector3<double> tangential = n.cross(d);
-  const Vector3<double> along = tangential.normalized();
-  const double p = n.dot(approach.impulse);
-  const double q = Rough::divisor<double>(c, d);
+  const Jacobian<S> d_of_d = point.derivatives.of_impulse - approach.derivatives.of_impulse;
+  const Vector3<S>& n = c.normal;
+  const S rebound = S(1) + c.restitution;
+  const Vector3<S> tangential = n.cross(d);
+  using std::sqrt;
+  const Vector3<S> along = tangential / S(sqrt(S(tangential.dot(tangential))));
+  const S p = n.dot(approach.impulse);
+  const S q = Rough::divisor<S>(c, d);
   // ∂(N·D) and ∂‖N × D‖ = t·(∂N × D + N × ∂D), t along N × D.
-  Row d_normal = n.transpose() * d_of_d;
-  d_normal.segment<3>(places.normal) += d.transpose();
-  Row d_tangential = along.cross(n).transpose() * d_of_d;
-  d_tangential.segment<3>(places.normal) += d.cross(along).transpose();
-  Row d_p = n.transpose() * approach.derivatives.of_impulse;
-  d_p.segment<3>(places.normal) += approach.impulse.transpose();
-  Row numerator = c.friction * (1 + c.restitution) * d_p;
-  numerator[places.friction()] += (1 + c.restitution) * p;
+  Row<S> d_normal = n.transpose() * d_of_d;
+  d_normal.template segment<3>(places.normal) += d.transpose();
+  Row<S> d_tangential = along.cross(n).transpose() * d_of_d;
+  d_tangential.template segment<3>(places.normal) += d.cross(along).transpose();
+  Row<S> d_p = n.transpose() * approach.derivatives.of_impulse;
+  d_p.template segment<3>(places.normal) += approach.impulse.transpose();
+  Row<S> numerator = S(c.friction * rebound) * d_p;
+  numerator[places.friction()] += rebound * p;
   numerator[places.restitution()] += c.friction * p;
-  Row d_q = d_tangential - c.friction * d_normal;
+  Row<S> d_q = d_tangential - c.friction * d_normal;
   d_q[places.friction()] -= n.dot(d);
   share.derivative = (numerator - share.value * d_q) / q;
   return share;
 }
 
 /// The derivatives of what the law's impulse adds to the velocities.
-template <class Law>
-PerVector<Jacobian> change_derivatives(const Collision& c, const Places& places, Branch branch) {
-  using T = Dual<double, 7>;
+template <class Law, class S>
+PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch branch) {
+  using T = Dual<S, 7>;
+  const BasicCollision<S>& c = of.c;
   if constexpr (LinearLaw<Law>) {
-    return differentiated<Law>(c, places, T::input(c.restitution, 3)).derivatives.of_change;
+    return differentiated<Law>(of, T::input(c.restitution, 3)).derivatives.of_change;
   } else {
-    const Differentiated approach = differentiated<typename Law::StopsApproach>(c, places, T(0));
-    const Differentiated point = differentiated<typename Law::StopsPoint>(c, places, T(0));
-    const Share share = friction_share(c, places, approach, point, branch);
-    PerVector<Jacobian> result;
+    const Differentiated<S> approach = differentiated<typename Law::StopsApproach>(of, T(0));
+    const Differentiated<S> point = differentiated<typename Law::StopsPoint>(of, T(0));
+    const Share<S> share = friction_share(of, approach, point, branch);
+    const S rebound = S(1) + c.restitution;
+    PerVector<Jacobian<S>> result;
     for (const OutcomeVector k : all_outcome_vectors) {
-      const Jacobian& of_approach = approach.derivatives.of_change[k];
-      result[k] = (1 + c.restitution) * of_approach + share.value * (point.derivatives.of_change[k] - of_approach) +
+      const Jacobian<S>& of_approach = approach.derivatives.of_change[k];
+      result[k] = rebound * of_approach + share.value * (point.derivatives.of_change[k] - of_approach) +
                   (point.change[k] - approach.change[k]) * share.derivative;
-      result[k].col(places.restitution()) += approach.change[k];
+      result[k].col(of.places.restitution()) += approach.change[k];
     }
     return result;
   }
 }
 
+/// ∂y_k, of the law's answer to a contact that collides.
+template <class S>
+PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Model model, Branch branch) {
+  PerVector<Jacobian<S>> derivatives =
+      with_law(model, branch, [&]<class Law>(Law) { return change_derivatives<Law>(of, branch); });
+  const Places& places = of.places;
+  const PerVector<Eigen::Index> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
+                                       places.b.angular_velocity()};
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      derivatives[k](i, before[k] + i) += S(1);
+    }
+  }
+  return derivatives;
+}
+
 /// Σ_q ‖∂y/∂q‖ ‖q‖; not a number where squares may have left the range of binary64.
-double weighted_norm(const Jacobian& jacobian, const std::vector<Quantity>& quantities) {
+double weighted_norm(const Jacobian<double>& jacobian, const std::vector<Quantity>& quantities) {
   double sum = 0;
   bool is_zero = true;
   for (const Quantity& q : quantities) {
@@ -142,44 +193,71 @@ double weighted_norm(const Jacobian& jacobian, const std::vector<Quantity>& quan
   return sum >= least_sum_by_squares && sum <= largest_sum_by_squares ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The same of what `number` says of each derivative.
+template <class Number>
+double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quantity>& quantities,
+                     const Number& number) {
+  return sum_over_quantities(quantities, 3, [&](std::size_t i, std::size_t j) {
+    return number(jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  });
+}
+
+/// A bound of κ(K), by K ⪰ λI; times, on the cone's surface, how far the divisor of κ cancels.
+double condition_of(const Differentiable<Enclosure>& of, Model model, Branch branch) {
+  const BasicCollision<Enclosure>& c = of.c;
+  const double condition = response_matrix(c).trace().middle() / inverse_mass(c).middle();
+  if (model != Model::rough || branch != Branch::on_cone) {
+    return condition;
+  }
+  const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(c, nullptr).difference();
+  const auto length = [](const Vector3<Enclosure>& v) {
+    return norm_of<double>(v.unaryExpr([](const Enclosure& x) { return x.middle(); }));
+  };
+  const double terms = (1 + std::abs(c.friction.middle())) * length(c.normal) * length(d);
+  return condition * terms / std::abs(Rough::divisor<Enclosure>(c, d).middle());
+}
+
+constexpr double thousandth = 0x1p-10;
+
+/// The middles lose fewer than 2⁹ κ(K) roundings of double-double arithmetic, of 2⁻¹⁰² each. So far they are known to a
+/// thousandth, though the radii, which know nothing of K ⪰ λI, are larger.
+constexpr double largest_condition = thousandth * 0x1p+102 / 0x1p+9;
+
 }  // namespace
 
 Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
-std::optional<Sensitivity> colliding_sensitivity(const Collision& c, Model model, Branch branch) {
-  const Places places(c);
-  PerVector<Jacobian> derivatives =
-      with_law(model, branch, [&]<class Law>(Law) { return change_derivatives<Law>(c, places, branch); });
-  const PerVector<Eigen::Index> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
-                                       places.b.angular_velocity()};
-  Sensitivity result = norms_before(c);
+std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch) {
+  const Differentiable<double> of(collision);
+  const PerVector<Jacobian<double>> derivatives = outcome_derivatives(of, model, branch);
+  Sensitivity result = norms_before(collision);
   for (const OutcomeVector k : all_outcome_vectors) {
-    derivatives[k].middleCols<3>(before[k]) += Matrix3<double>::Identity();
-    result[k] += weighted_norm(derivatives[k], places.quantities);
+    result[k] += weighted_norm(derivatives[k], of.places.quantities);
   }
   const bool is_known = std::all_of(result.begin(), result.end(), [](double sum) { return std::isfinite(sum); });
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
 }
 
-std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch) {
-  using T = Dual<Enclosure, collision_inputs>;
-  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
-  const Truth<T> truth = colliding_truth(inputs.collision, model, branch);
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
+                                                bool is_moderate) {
+  const Differentiable<Enclosure> of(collision);
+  const PerVector<Jacobian<Enclosure>> derivatives = outcome_derivatives(of, model, branch);
+  const std::vector<Quantity>& quantities = of.places.quantities;
+  bool is_bounded_to_a_thousandth = true;
   Sensitivity result = norms_before(collision);
-  const auto parts = vectors(truth.outcome);
   for (const OutcomeVector k : all_outcome_vectors) {
-    const auto radius = [&](std::size_t i, std::size_t j) {
-      return (*parts[k])[static_cast<Eigen::Index>(i)].derivative[j].radius();
-    };
-    const double unknown = sum_over_quantities(inputs.quantities, 3, radius);
-    result[k] += sensitivity_of({&(*parts[k])[0], &(*parts[k])[1], &(*parts[k])[2]}, inputs.quantities);
-    // Written so that what is no number is not known. Exact derivatives take a hundred times as long.
-    constexpr double thousandth = 0x1p-10;
-    if (!(unknown <= thousandth * result[k]) || !std::isfinite(result[k])) {
+    const double unknown = enclosed_norm(derivatives[k], quantities, [](const Enclosure& x) { return x.radius(); });
+    result[k] += enclosed_norm(derivatives[k], quantities, [](const Enclosure& x) { return std::abs(x.middle()); });
+    if (!std::isfinite(unknown) || !std::isfinite(result[k])) {
       return std::nullopt;
     }
+    is_bounded_to_a_thousandth = is_bounded_to_a_thousandth && unknown <= thousandth * result[k];
   }
-  return result;
+  // Exact derivatives take a hundred times as long.
+  if (is_bounded_to_a_thousandth || (is_moderate && condition_of(of, model, branch) <= largest_condition)) {
+    return result;
+  }
+  return std::nullopt;
 }
 
 namespace {
@@ -237,7 +315,8 @@ Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch br
 namespace {
 
 /// |μ N·F − ‖N × F‖|, F with κ = 1 + e_t, from below: near the surface it is what rounding would leave.
-double distance_from_cone(const BasicCollision<Enclosure>& c) {
+double distance_from_cone(const Collision& collision) {
+  const auto c = map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); });
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
                                                               Enclosure(Enclosure(1.0) + c.tangential_restitution));
@@ -245,50 +324,62 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
   return Enclosure(c.friction * c.normal.dot(whole) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
 }
 
-}  // namespace
+/// ∂(μ N·F), in the first row, and ∂(N × F), F with κ = 1 + e_t.
+template <class S>
+struct ConeDerivatives {
+  Jacobian<S> limit = Jacobian<S>::Constant(S(0));
+  Jacobian<S> tangential = Jacobian<S>::Constant(S(0));
+};
 
-ConeDistance cone_distance(const Collision& c) {
-  const Places places(c);
-  using T = Dual<double, 7>;
-  const Differentiated approach = differentiated<Rough::StopsApproach>(c, places, T(0));
-  const Differentiated point = differentiated<Rough::StopsPoint>(c, places, T(0));
-  const Vector3<double> d = point.impulse - approach.impulse;
-  const double share = 1 + c.tangential_restitution;
-  const Vector3<double> whole = Rough::combined<double>(c, approach.impulse, d, share);
-  const Jacobian& d_approach = approach.derivatives.of_impulse;
-  Jacobian d_whole = (1 + c.restitution) * d_approach + share * (point.derivatives.of_impulse - d_approach);
+template <class S>
+ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
+  const BasicCollision<S>& c = of.c;
+  const Places& places = of.places;
+  using T = Dual<S, 7>;
+  const Differentiated<S> approach = differentiated<Rough::StopsApproach>(of, T(0));
+  const Differentiated<S> point = differentiated<Rough::StopsPoint>(of, T(0));
+  const Vector3<S> d = point.impulse - approach.impulse;
+  const S share = S(1) + c.tangential_restitution;
+  const Vector3<S> whole = Rough::combined<S>(c, approach.impulse, d, share);
+  const Jacobian<S>& d_approach = approach.derivatives.of_impulse;
+  Jacobian<S> d_whole = S(S(1) + c.restitution) * d_approach + share * (point.derivatives.of_impulse - d_approach);
   d_whole.col(places.restitution()) += approach.impulse;
   d_whole.col(places.tangential_restitution()) += d;
-  const Vector3<double>& n = c.normal;
-  Row d_limit = c.friction * n.transpose() * d_whole;
-  d_limit.segment<3>(places.normal) += c.friction * whole.transpose();
+  const Vector3<S>& n = c.normal;
+  ConeDerivatives<S> result;
+  Row<S> d_limit = c.friction * (n.transpose() * d_whole);
+  d_limit.template segment<3>(places.normal) += c.friction * whole.transpose();
   d_limit[places.friction()] += n.dot(whole);
-  Jacobian d_tangential = Jacobian::Zero();
+  result.limit.row(0) = d_limit;
   for (Eigen::Index j = 0; j < d_whole.cols(); ++j) {
-    d_tangential.col(j) = n.cross(d_whole.col(j));
+    const Vector3<S> column = d_whole.col(j);
+    result.tangential.col(j) = n.cross(column);
   }
   for (Eigen::Index i = 0; i < 3; ++i) {
-    d_tangential.col(places.normal + i) += Vector3<double>::Unit(i).cross(whole);
+    Vector3<S> unit{S(0), S(0), S(0)};
+    unit[i] = S(1);
+    result.tangential.col(places.normal + i) += unit.cross(whole);
   }
-  Jacobian d_limit_alone = Jacobian::Zero();
-  d_limit_alone.row(0) = d_limit;
-  return {distance_from_cone(map_numbers<Enclosure>(c, [](double x) { return Enclosure(x); })),
-          weighted_norm(d_limit_alone, places.quantities) + weighted_norm(d_tangential, places.quantities)};
+  return result;
+}
+
+}  // namespace
+
+ConeDistance cone_distance(const Collision& collision) {
+  const Differentiable<double> of(collision);
+  const ConeDerivatives<double> derivatives = cone_derivatives(of);
+  const std::vector<Quantity>& quantities = of.places.quantities;
+  return {distance_from_cone(collision),
+          weighted_norm(derivatives.limit, quantities) + weighted_norm(derivatives.tangential, quantities)};
 }
 
 ConeDistance enclosed_cone_distance(const Collision& collision) {
-  using T = Dual<Enclosure, collision_inputs>;
-  const auto inputs = dual_inputs<Enclosure, collision_inputs>(collision, [](double x) { return Enclosure(x); });
-  const BasicCollision<T>& c = inputs.collision;
-  const detail::RoughImpulses<T> of(c, nullptr);
-  const Vector3<T> whole =
-      Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
-  const T limit = c.friction * c.normal.dot(whole);
-  const Vector3<T> tangential = c.normal.cross(whole);
-  const auto enclosed = map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); });
-  return {distance_from_cone(enclosed),
-          sensitivity_of({&limit}, inputs.quantities) +
-              sensitivity_of({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities)};
+  const Differentiable<Enclosure> of(collision);
+  const ConeDerivatives<Enclosure> derivatives = cone_derivatives(of);
+  const auto above = [&](const Jacobian<Enclosure>& jacobian) {
+    return enclosed_norm(jacobian, of.places.quantities, [](const Enclosure& x) { return x.magnitude_above(); });
+  };
+  return {distance_from_cone(collision), above(derivatives.limit) + above(derivatives.tangential)};
 }
 
 }  // namespace carom::oracles

@@ -42,11 +42,12 @@ inline constexpr double ten_digits = 0x1p-34;
 /// for all but the frictionless law κ(K) is well below 1/u, and on the cone the divisor of κ keeps some of its terms.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// The same with the whole law differentiated, in enclosures, from above; none where it is not known to a
-/// thousandth.
-[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch);
+/// The same in double-double arithmetic, for every valid collision with a movable body. None if it is not known to a
+/// thousandth: neither by the radii, nor, if the collision is moderate, because κ(K) is small enough.
+[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
+                                                              bool is_moderate);
 
-/// The same with exact derivatives.
+/// The same with the whole law differentiated, exactly.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
 
 /// How far the law `rough` with κ = 1 + e_t answers from the cone's surface, and how far inputs move that, to first
@@ -63,7 +64,7 @@ struct ConeDistance {
 /// In binary64. Preconditions: those of colliding_sensitivity.
 [[nodiscard]] ConeDistance cone_distance(const Collision& collision);
 
-/// The same with the whole law differentiated, in enclosures. Precondition: a body is movable.
+/// The same in double-double arithmetic. Precondition: a body is movable.
 [[nodiscard]] ConeDistance enclosed_cone_distance(const Collision& collision);
 
 namespace detail {

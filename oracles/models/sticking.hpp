@@ -43,8 +43,10 @@ struct Sticking {
 
   // Its sensitivity.
 
-  [[nodiscard]] static Derivatives derivatives(const Collision& /*collision*/, const ImpulseDifferential& of) {
-    return derivatives_by_matrix(of);
+  template <class S>
+  [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& /*collision*/,
+                                                  const ImpulseDifferential<S>& of) {
+    return derivatives_by_matrix<S>(of);
   }
 
   // What its closeness rests on.

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/oracles/models/definite_system.hpp>
+#include <carom/oracles/numbers/enclosure.hpp>
 
 /// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and
 /// the law picks the combination. T is a field.
@@ -69,7 +72,12 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
                                            const Matrix3<T>* matrix) {
-  return cramer<T>(matrix != nullptr ? *matrix : response_matrix(collision), change);
+  const Matrix3<T> k = matrix != nullptr ? *matrix : response_matrix(collision);
+  if constexpr (std::is_same_v<T, Enclosure>) {
+    return DefiniteSystem<T>(k).solve(change);  // loses fewer digits; rationals lose none
+  } else {
+    return cramer<T>(k, change);
+  }
 }
 
 /// The change of relative velocity that restitution asks for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
