@@ -153,24 +153,6 @@ TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
       {"definite"});
 }
 
-/// Beyond 16 λ, which the exact C of uniform convex bodies is not.
-TEST(ShownMatrix, IsToBeWellConditioned) {
-  for (std::uint64_t i = 0; i < 10; ++i) {
-    const Solved one = solved("physical", i, *subjects::subject_named("reflection-double"));
-    if (!one.outcome.collision_matrix) {
-      continue;
-    }
-    ASSERT_TRUE(one.one.convex_uniform);
-    const Collision& c = one.one.collision;
-    const double lambda = (c.a.immovable ? 0 : 1 / c.a.mass) + (c.b.immovable ? 0 : 1 / c.b.mass);
-    for (const bool filtered : {true, false}) {
-      EXPECT_EQ(verdict_of("well_conditioned", one, one.matrix(), filtered).status, Status::holds) << i;
-      const Matrix too_large = one.matrix() + Matrix::Identity() * (17 * lambda);
-      EXPECT_EQ(verdict_of("well_conditioned", one, too_large, filtered).status, Status::violated) << i;
-    }
-  }
-}
-
 TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   for (const long double wrong :
        {std::numeric_limits<long double>::quiet_NaN(), std::numeric_limits<long double>::infinity()}) {
