@@ -15,7 +15,7 @@ namespace {
 /// V⁻, from enclosures: its terms may cancel, and the direction of the slip is read off what remains.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
-  const Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
+  Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
   if constexpr (std::is_same_v<S, Enclosure>) {
     return velocity;
   } else {
