@@ -30,6 +30,23 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
+/// F, or less of it. F is to change the relative velocity by V, so K F = V, and F·K F = F·V. It takes F·V − ½ F·K F of
+/// energy. Where K is singular but for rounding, a solve may return so long an F that it adds energy: F·K F > 2 F·V.
+/// The share of F that takes the most is returned then. F·K F is a sum of terms ≥ 0 here, so that nothing cancels.
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
+                                                const Vector3<S>& change) {
+  const S size = at_least_normal(sum_of_sizes(impulse));
+  const Vector3<S> scaled = impulse * S(S(1) / size);  // its square stays in the range of S
+  const auto is_any_slender = has_slender(contact);
+  const S by_turning = turning(contact.a.inertia, contact.a.lever_arm, scaled, is_any_slender).along_impulse +
+                       turning(contact.b.inertia, contact.b.lever_arm, scaled, is_any_slender).along_impulse;
+  const S asked = dot(scaled, change);
+  const S made = size * (inverse_mass(contact) * dot(scaled, scaled) + by_turning);
+  const auto gains = asked + asked < made;
+  return none_of(gains) ? impulse : Vector3<S>(impulse * select(gains, S(asked / made), S(1)));
+}
+
 }  // namespace detail
 
 /// The law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse space
@@ -53,7 +70,8 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
-  const Vector3<S> stops_point = -Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
+  const Vector3<S> solved = Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
+  const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
   // (1 + ε) D, and κ / (1 + ε) with it, need one division only.
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;

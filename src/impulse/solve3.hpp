@@ -14,8 +14,9 @@ namespace carom::impulse {
 /// M = L D Lᵀ written out: no square root, no branch, so that it runs in any field and in SIMD packs. Each pivot is a
 /// diagonal entry of a Schur complement of M, and so at least M's least eigenvalue: one that comes out below the bound
 /// of that is rounding, and is taken for the bound. Nothing is then divided by zero where rounding has made M singular.
-/// For the same reason |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least: a component that comes out beyond twice
-/// max |b_i| / least is rounding, and is taken for that.
+/// For the same reason |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If a component is beyond twice
+/// max |b_i| / least, x is rounding. It is scaled as a whole then: M x stays along b. To cut each component by itself
+/// would turn x out of the directions in which M is small.
 struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {
@@ -27,9 +28,14 @@ struct Ldlt {
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
     const S largest = at_least(absolute(b[0]), at_least(absolute(b[1]), absolute(b[2])));
     const S bound = (largest + largest) / least;
-    return solve_by<S>(
+    const Vector3<S> x = solve_by<S>(
         m, b, [&](const S& computed) { return at_least(least, computed); },
         [&](const S& computed) { return at_least(S(-bound), S(-at_least(S(-bound), S(-computed)))); });
+    const S size = at_least(absolute(x[0]), at_least(absolute(x[1]), absolute(x[2])));
+    if (none_of(bound < size)) {
+      return x;
+    }
+    return x * S(bound / at_least(bound, size));
   }
 
  private:
@@ -46,8 +52,8 @@ struct Ldlt {
     const S y1 = b[1] - l10 * b[0];
     const S y2 = (b[2] - l20 * b[0]) - l21 * y1;
     const S x2 = bounded(y2 / d2);
-    const S x1 = bounded(y1 / d1 - l21 * x2);
-    const S x0 = bounded((b[0] / d0 - l10 * x1) - l20 * x2);
+    const S x1 = y1 / d1 - l21 * x2;
+    const S x0 = (b[0] / d0 - l10 * x1) - l20 * x2;
     return {x0, x1, x2};
   }
 };

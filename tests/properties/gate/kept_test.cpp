@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +17,7 @@ namespace {
 struct Number {
   std::uint64_t seed;
   std::uint64_t index;
+  const char* family = "structured";
 };
 
 /// Cases of `structured` in which rounding the positions to binary32 takes the contact off a thin body.
@@ -24,8 +27,17 @@ const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
                                          {"reflection-full-lu-float", {1, 32704}},
                                          {"reflection-qr-float", {3, 125099}}};
 
+/// Cases in which a subject that is sound now violated something: the first three by a defect of the solver, the last
+/// one by a defect of the judge.
+const std::vector<std::pair<std::string, Number>> mended{
+    {"reflection-in-stable-basis-float", {101, 13155}},
+    {"rough-float", {20261125, 42175}},
+    {"rough-batch-float", {20261125, 42175}},
+    {"coulomb-long-double", {303, 4004, "on_the_cone"}},
+};
+
 std::size_t violated_in(const Subject& subject, const Number& number) {
-  const Case one = drawn_case(*family_named("structured"), number.seed, number.index);
+  const Case one = drawn_case(*family_named(number.family), number.seed, number.index);
   Session session = subject.open();
   const AnswerAndJudgement judged = judge_in_session(claim_of(subject, {}), session, one);
   std::size_t violated = 0;
@@ -66,6 +78,12 @@ TEST(Kept, FailWhereOthersDoNot) {
     for (const std::string& sound : {std::string("reflection-float"), std::string("reflection-double"), in_double}) {
       EXPECT_EQ(violated_in(subjects::subject_named(sound).value(), number), 0U) << sound << ", case of " << name;
     }
+  }
+}
+
+TEST(Kept, AreNotTheSubjectsThatWereMended) {
+  for (const auto& [name, number] : mended) {
+    EXPECT_EQ(violated_in(subjects::subject_named(name).value(), number), 0U) << name;
   }
 }
 
