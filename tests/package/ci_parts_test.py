@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """What can be said of the workflows without running them, of the action's scripts, and of what plays them."""
 
 import os

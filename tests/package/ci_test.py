@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """ci_test.py SOURCE WORK [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian, twice: at first
 on a solver with a defect, by which the job has to fail and to leave everything behind that explains it; then on one that
 is sound, when nothing may be built any more. NAME is one of action, github, gitlab, script, container; all where none is

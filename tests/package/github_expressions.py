@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """The expressions of GitHub's workflows, as far as Carom's use them: names, texts, ==, !=, &&, ||, !, always() and its
 like. Anything else is an error, not a guess."""
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Plays a job of a GitHub workflow in a bare Debian. What `run` says is run as it stands; checkout, cache, upload-artifact
 and Carom's own action are played here, any other action is an error."""
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # The gate with the action's inputs, which come by the environment: no input is ever a part of a command. Ends as the gate.
 set -euo pipefail
 
