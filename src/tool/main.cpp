@@ -328,19 +328,6 @@ int run_command(int argc, char** argv) {
   add_format(*merge_command, merge.format, {"text", "json"});
   merge_command->callback([&] { run = [&] { return carom::tool::merge_shards(merge); }; });
 
-  carom::tool::TrendsArguments trends;
-  CLI::App* trends_command = app.add_subcommand(
-      "trends",
-      "Show what became of subjects over many reports, in the order of their dates: exit status 2 where one "
-      "could not be read, after the rest was shown");
-  trends_command
-      ->add_option("PATH", trends.paths,
-                   "Reports, or directories: of each every report.json at any depth, and every .json directly in it")
-      ->required();
-  trends_command->add_option("--out", trends.out, "Directory for trends.html and trends.md");
-  add_format(*trends_command, trends.format, {"markdown", "html"});
-  trends_command->callback([&] { run = [&] { return carom::tool::show_trends(trends); }; });
-
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
   table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();

@@ -59,12 +59,6 @@ struct MergeArguments {
   std::string format = "text";
 };
 
-struct TrendsArguments {
-  std::vector<std::string> paths;  // reports, and directories that hold them
-  std::string out;                 // a directory; empty for none
-  std::string format = "markdown";
-};
-
 struct ReplayArguments {
   std::string file;               // empty where a case of a family is meant
   bool drawn = false;             // of a witness the collision that was drawn
@@ -123,8 +117,6 @@ struct PlanArguments {
 [[nodiscard]] int compare_files(const CompareArguments& arguments);
 /// Makes the report of the whole of those of its shards: the exit status is that of the whole.
 [[nodiscard]] int merge_shards(const MergeArguments& arguments);
-/// Prints what became of the subjects from report to report: exit_usage where one could not be read, after the rest.
-[[nodiscard]] int show_trends(const TrendsArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
 /// Writes the verdict of a report.json as a picture; to standard output where `out` is empty.
