@@ -335,7 +335,8 @@ int run_command(int argc, char** argv) {
 
   std::string badge_file;
   std::string badge_out;
-  CLI::App* badge_command = app.add_subcommand("badge", "Draw the verdict of a report.json as a badge, in SVG");
+  CLI::App* badge_command =
+      app.add_subcommand("badge", "Write the verdict of a report.json as JSON for a badge of shields.io");
   badge_command->add_option("FILE", badge_file, "report.json of `carom gate --out`")->required();
   badge_command->add_option("--out", badge_out, "File to write (default: standard output)")->type_name("FILE");
   badge_command->callback([&] { run = [&] { return carom::tool::badge(badge_file, badge_out); }; });

@@ -115,11 +115,11 @@ class ActionScripts(unittest.TestCase):
         self.assertNotIn("--baseline", self.judge()[0])
         self.assertEqual(self.judge(CAROM_BASELINE="old report.json")[0][-2:], ["--baseline", "old report.json"])
 
-    def test_end_as_the_gate_and_draw_the_badge(self):
+    def test_end_as_the_gate_and_write_the_badge(self):
         (self.folder / "out").mkdir()
         (self.folder / "out/report.json").touch()
         arguments, status = self.judge(status=1)
-        self.assertEqual(arguments[-4:], ["badge", "out/report.json", "--out", "out/carom.svg"])
+        self.assertEqual(arguments[-4:], ["badge", "out/report.json", "--out", "out/badge.json"])
         self.assertEqual(status, 1)
 
     def test_name_another_key_where_a_source_differs(self):

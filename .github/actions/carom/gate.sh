@@ -17,5 +17,5 @@ mapfile -d '' -t arguments < <(lines "$CAROM_ARGUMENTS")
 status=0
 carom gate "${subjects[@]}" --seed "$CAROM_SEED" --cases "$CAROM_CASES" --out "$CAROM_OUT" --annotations github \
   --summary "$GITHUB_STEP_SUMMARY" "${arguments[@]}" || status=$?
-[ ! -e "$CAROM_OUT/report.json" ] || carom badge "$CAROM_OUT/report.json" --out "$CAROM_OUT/carom.svg"
+[ ! -e "$CAROM_OUT/report.json" ] || carom badge "$CAROM_OUT/report.json" --out "$CAROM_OUT/badge.json"
 exit "$status"

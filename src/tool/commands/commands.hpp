@@ -119,7 +119,7 @@ struct PlanArguments {
 [[nodiscard]] int merge_shards(const MergeArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
-/// Writes the verdict of a report.json as a picture; to standard output where `out` is empty.
+/// Writes the verdict of a report.json as JSON for a badge; to standard output if `out` is empty.
 [[nodiscard]] int badge(const std::string& file, const std::string& out);
 [[nodiscard]] int list_subjects(const std::string& format);
 [[nodiscard]] int list_invariants(const std::string& format);
