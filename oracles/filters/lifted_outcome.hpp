@@ -70,6 +70,15 @@ class LiftedOutcome {
     return *exact;
   }
 
+  /// Whether `rounded` is the reported outcome itself. Precondition: reported.
+  [[nodiscard]] bool is_exactly_rounded() const {
+    bool is_exact = true;
+    for (const OutcomeVector k : all_outcome_vectors) {
+      is_exact = is_exact && *vectors(*reported_)[k] == vectors(rounded())[k]->template cast<long double>();
+    }
+    return is_exact;
+  }
+
   /// ‖ŷ_k‖, but for a few roundings.
   [[nodiscard]] PerVector<double> norms() const { return norms_of(rounded()); }
 

@@ -15,14 +15,15 @@ template <class S, std::size_t N, int Size>
   return sides.left[row].derivative[input] - sides.right[row].derivative[input];
 }
 
-/// ‖∂g/∂ŷ_k‖, by the Frobenius norm, of the four vectors of an outcome. N is at least its twelve numbers.
-template <class S, std::size_t N, class OneEquation>
+/// ‖∂g/∂ŷ_k‖, by the Frobenius norm, of the four vectors of an outcome. N is at least its twelve numbers; R is the type
+/// of the outcome's numbers.
+template <class S, std::size_t N, class OneEquation, class R>
 [[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
-                                         const Outcome<double>& outcome) {
+                                         const Outcome<R>& outcome) {
   using T = Dual<S, N>;
   std::size_t next = 0;
   const auto sides = equation(map_numbers<T>(collision, [](double x) { return T(static_cast<S>(x)); }),
-                              map_outcome<T>(outcome, [&](double x) { return T::input(static_cast<S>(x), next++); }));
+                              map_outcome<T>(outcome, [&](const R& x) { return T::input(static_cast<S>(x), next++); }));
   PerVector<S> slopes{};
   std::size_t first = 0;
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -34,11 +35,12 @@ template <class S, std::size_t N, class OneEquation>
 }
 
 /// Σ_q ‖∂g/∂q‖ ‖q‖ over the quantities of the collision.
-template <class S, class OneEquation>
+template <class S, class OneEquation, class R>
 [[nodiscard]] S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
-                               const Outcome<double>& outcome) {
+                               const Outcome<R>& outcome) {
   using T = Dual<S, collision_inputs>;
-  const auto sides = equation(inputs.collision, map_outcome<T>(outcome, [](double x) { return T(static_cast<S>(x)); }));
+  const auto sides =
+      equation(inputs.collision, map_outcome<T>(outcome, [](const R& x) { return T(static_cast<S>(x)); }));
   return sum_over_quantities(inputs.quantities, static_cast<std::size_t>(sides.left.size()),
                              [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }

@@ -84,6 +84,17 @@ bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
+/// Whether slopes have to be taken at all digits of the outcome: those of a law that is not affine may cancel, and what
+/// extended has beyond binary64 may be all that is left.
+template <class OneEquation>
+bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
+  if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
+    return !equation.name() && outcome.reported() != nullptr && !outcome.is_exactly_rounded();
+  } else {
+    return false;
+  }
+}
+
 /// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.
 template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
@@ -93,6 +104,10 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
     if (const std::optional<AffineEquation> name = equation.name()) {
       return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
     }
+  }
+  if (needs_all_digits(equation, outcome)) {
+    return static_cast<double>(
+        part_by_outputs(output_slopes<long double, outcome_inputs>(equation, collision, *outcome.reported()), sizes));
   }
   return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
@@ -197,19 +212,22 @@ template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                const PerVector<double>& sizes, double allowance) {
   const double by_curvature = part_by_curvature(equation, exact_case, outcome, allowance);
-  const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
-                       part_by_outputs(equation, exact_case, outcome, sizes) + by_curvature;
-  if (is_in_range(scale)) {
-    return scale;
+  if (!needs_all_digits(equation, outcome)) {
+    const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
+                         part_by_outputs(equation, exact_case, outcome, sizes) + by_curvature;
+    if (is_in_range(scale)) {
+      return scale;
+    }
   }
-  // Products of extreme numbers leave the range of binary64; extended has the same bits and more range.
+  // Products of extreme numbers leave the range of binary64. Extended has more range, and digits.
   using Wide = long double;
   const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
-  const Wide wide =
-      part_by_inputs(equation, inputs, outcome.rounded()) +
-      part_by_outputs(output_slopes<Wide, collision_inputs>(equation, exact_case.collision(), outcome.rounded()),
-                      sizes) +
-      static_cast<Wide>(by_curvature);
+  const auto parts = [&](const auto& at) {
+    return part_by_inputs(equation, inputs, at) +
+           part_by_outputs(output_slopes<Wide, collision_inputs>(equation, exact_case.collision(), at), sizes);
+  };
+  const Wide wide = (outcome.reported() != nullptr ? parts(*outcome.reported()) : parts(outcome.rounded())) +
+                    static_cast<Wide>(by_curvature);
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
@@ -294,7 +312,9 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
   }
   const std::optional<double> bound = allowed();
   if (!bound) {
-    return {true, false, 0, 0, {}, {}};
+    Comparison undecided;
+    undecided.is_decided = false;
+    return undecided;
   }
   if (norm_at_most(missed, *bound)) {
     return {};
@@ -314,7 +334,9 @@ Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_c
                              const Yardstick& yardstick) {
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
   if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
-    return {true, false, 0, 0, {}, {}};
+    Comparison undecided;
+    undecided.is_decided = false;
+    return undecided;
   }
   Yardstick judged_by = yardstick;
   judged_by.filtered = yardstick.filtered && is_moderate(shown);  // products then stay in the range of numbers

@@ -298,7 +298,7 @@ bool ExactCase::has_two_answers(Model model, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
-  // By binary64 where it keeps ten digits, else by double-double, and where that does not keep three, exactly.
+  // In binary64 if that keeps ten digits, else in double-double arithmetic if that keeps three, else exactly.
   std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity[branch];
   if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned() &&
       (branch != Branch::on_cone || bounds_.has_clear_divisor())) {

@@ -5,8 +5,8 @@
 
 namespace carom::oracles {
 
-/// M x = b for a symmetric positive definite M = L D Lᵀ. The solution loses κ(M) roundings, where Cramer's rule loses
-/// a power of it: N. Higham, Accuracy and Stability of Numerical Algorithms, §10.1 and §1.10.1.
+/// M x = b for a symmetric positive definite M = L D Lᵀ. The solution loses about κ(M) roundings. Cramer's rule loses a
+/// power of κ(M): N. Higham, Accuracy and Stability of Numerical Algorithms, §10.1 and §1.10.1.
 template <class S>
 class DefiniteSystem {
  public:

@@ -92,9 +92,7 @@ template <class S>
   }
   const Vector3<S> arm = lever_arm<S>(body, point);
   for (int i = 0; i < 3; ++i) {
-    Vector3<S> unit{S(0), S(0), S(0)};
-    unit[i] = S(1);
-    const BodyVelocity<S> answer = response<S>(body, point, unit);
+    const BodyVelocity<S> answer = response<S>(body, point, Vector3<S>::Unit(i));
     result.velocity.col(i) = answer.velocity;
     result.angular_velocity.col(i) = answer.angular_velocity;
     result.at_point.col(i) = point_velocity<S>(answer, arm);

@@ -15,7 +15,7 @@ namespace {
 /// V⁻, from enclosures: its terms may cancel, and the direction of the slip is read off what remains.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
-  const Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
+  Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
   if constexpr (std::is_same_v<S, Enclosure>) {
     return velocity;
   } else {
@@ -202,26 +202,32 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
   });
 }
 
-/// A bound of κ(K), by K ⪰ λI; times, on the cone's surface, how far the divisor of κ cancels.
-double condition_of(const Differentiable<Enclosure>& of, Model model, Branch branch) {
-  const BasicCollision<Enclosure>& c = of.c;
-  const double condition = response_matrix(c).trace().middle() / inverse_mass(c).middle();
-  if (model != Model::rough || branch != Branch::on_cone) {
-    return condition;
+/// By how much roundings grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI, so T / λ bounds κ(K), and
+/// covers what cancels in r × F. On the cone's surface the divisor ‖N × D‖ − μ N·D of κ may cancel besides, from terms
+/// that are as large as the impulses: at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Model model,
+                           Branch branch) {
+  const double lambda = inverse_mass(collision);
+  double terms = lambda;
+  double largest_impulse = 0;
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const double arm = norm_of(lever_arm<double>(*body, collision.point));
+    terms += body->immovable ? 0 : arm * arm / body->principal_inertia.minCoeff();
+    largest_impulse += (norm_of(body->velocity) + norm_of(body->angular_velocity) * arm) / lambda;
   }
-  const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(c, nullptr).difference();
-  const auto length = [](const Vector3<Enclosure>& v) {
-    return norm_of<double>(v.unaryExpr([](const Enclosure& x) { return x.middle(); }));
-  };
-  const double terms = (1 + std::abs(c.friction.middle())) * length(c.normal) * length(d);
-  return condition * terms / std::abs(Rough::divisor<Enclosure>(c, d).middle());
+  if (model != Model::rough || branch != Branch::on_cone) {
+    return terms / lambda;
+  }
+  const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(enclosed, nullptr).difference();
+  const double divisor = Rough::divisor<Enclosure>(enclosed, d).magnitude_below();
+  return terms / lambda * (1 + collision.friction) * norm_of(collision.normal) * largest_impulse / divisor;
 }
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middles lose fewer than 2⁹ κ(K) roundings of double-double arithmetic, of 2⁻¹⁰² each. So far they are known to a
-/// thousandth, though the radii, which know nothing of K ⪰ λI, are larger.
-constexpr double largest_condition = thousandth * 0x1p+102 / 0x1p+9;
+/// The middles lose fewer than 2⁹ roundings of double-double arithmetic, of 2⁻¹⁰² each, times their growth. Up to this
+/// growth they are known to a thousandth. The radii are larger, as they know nothing of K ⪰ λI.
+constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
 
@@ -254,7 +260,8 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
     is_bounded_to_a_thousandth = is_bounded_to_a_thousandth && unknown <= thousandth * result[k];
   }
   // Exact derivatives take a hundred times as long.
-  if (is_bounded_to_a_thousandth || (is_moderate && condition_of(of, model, branch) <= largest_condition)) {
+  if (is_bounded_to_a_thousandth ||
+      (is_moderate && growth_of_roundings(collision, of.c, model, branch) <= largest_growth)) {
     return result;
   }
   return std::nullopt;
@@ -315,13 +322,17 @@ Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch br
 namespace {
 
 /// |μ N·F − ‖N × F‖|, F with κ = 1 + e_t, from below: near the surface it is what rounding would leave.
-double distance_from_cone(const Collision& collision) {
-  const auto c = map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); });
+double distance_from_cone(const BasicCollision<Enclosure>& c) {
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
                                                               Enclosure(Enclosure(1.0) + c.tangential_restitution));
-  const Vector3<Enclosure> tangential = c.normal.cross(whole);
-  return Enclosure(c.friction * c.normal.dot(whole) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
+  // Of an impulse of ordinary size, so that its square stays in the range of numbers.
+  const double size = whole.unaryExpr([](const Enclosure& x) { return x.middle(); }).lpNorm<Eigen::Infinity>();
+  const double unit = std::isfinite(size) && size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
+  const Vector3<Enclosure> scaled = whole * Enclosure(1 / unit);
+  const Vector3<Enclosure> tangential = c.normal.cross(scaled);
+  return unit *
+         Enclosure(c.friction * c.normal.dot(scaled) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
 }
 
 /// ∂(μ N·F), in the first row, and ∂(N × F), F with κ = 1 + e_t.
@@ -356,9 +367,7 @@ ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
     result.tangential.col(j) = n.cross(column);
   }
   for (Eigen::Index i = 0; i < 3; ++i) {
-    Vector3<S> unit{S(0), S(0), S(0)};
-    unit[i] = S(1);
-    result.tangential.col(places.normal + i) += unit.cross(whole);
+    result.tangential.col(places.normal + i) += Vector3<S>(Vector3<S>::Unit(i)).cross(whole);
   }
   return result;
 }
@@ -369,7 +378,7 @@ ConeDistance cone_distance(const Collision& collision) {
   const Differentiable<double> of(collision);
   const ConeDerivatives<double> derivatives = cone_derivatives(of);
   const std::vector<Quantity>& quantities = of.places.quantities;
-  return {distance_from_cone(collision),
+  return {distance_from_cone(map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); })),
           weighted_norm(derivatives.limit, quantities) + weighted_norm(derivatives.tangential, quantities)};
 }
 
@@ -379,7 +388,7 @@ ConeDistance enclosed_cone_distance(const Collision& collision) {
   const auto above = [&](const Jacobian<Enclosure>& jacobian) {
     return enclosed_norm(jacobian, of.places.quantities, [](const Enclosure& x) { return x.magnitude_above(); });
   };
-  return {distance_from_cone(collision), above(derivatives.limit) + above(derivatives.tangential)};
+  return {distance_from_cone(of.c), above(derivatives.limit) + above(derivatives.tangential)};
 }
 
 }  // namespace carom::oracles

@@ -35,15 +35,15 @@ inline constexpr double ten_digits = 0x1p-34;
 /// ‖y_k⁻‖.
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
-/// Of the law's answer to a contact that collides, in binary64, which loses about κ(K) u of the reflection law. By
-/// implicit differentiation: the impulse F solves K F = b, so K dF = db − dK F, and what bodies answer is linear in F,
-/// so that only the answer to one impulse, held fast, is differentiated, body by body. None where a sum is extreme.
-/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`,
-/// for all but the frictionless law κ(K) is well below 1/u, and on the cone the divisor of κ keeps some of its terms.
+/// Of the law's answer to a contact that collides, by implicit differentiation (implicit_differentiation.hpp), in
+/// binary64. It loses about κ(K) u of the reflection law. None if a sum is extreme. Preconditions: the collision is
+/// moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`; for all but the frictionless
+/// law κ(K) is well below 1/u; on the cone the divisor of κ keeps some of its terms.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// The same in double-double arithmetic, for every valid collision with a movable body. None if it is not known to a
-/// thousandth: neither by the radii, nor, if the collision is moderate, because κ(K) is small enough.
+/// The same in double-double arithmetic, of any valid collision with a movable body. It is known if its radii are at
+/// most a thousandth of it. If the collision is moderate, it is also known where roundings grow little enough, as κ(K)
+/// says. Otherwise none.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
                                                               bool is_moderate);
 
@@ -72,7 +72,6 @@ namespace detail {
 [[nodiscard]] inline double as_double(double number) { return number; }
 [[nodiscard]] inline double as_double(const Rational& number) { return to_double(number); }
 [[nodiscard]] inline double as_double(const Radical& number) { return to_double(number); }
-[[nodiscard]] inline double as_double(const Enclosure& number) { return number.magnitude_above(); }
 
 }  // namespace detail
 

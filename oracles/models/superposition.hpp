@@ -73,10 +73,10 @@ template <class T>
 [[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
                                            const Matrix3<T>* matrix) {
   const Matrix3<T> k = matrix != nullptr ? *matrix : response_matrix(collision);
-  if constexpr (std::is_same_v<T, Enclosure>) {
-    return DefiniteSystem<T>(k).solve(change);  // loses fewer digits; rationals lose none
+  if constexpr (std::is_same_v<T, Enclosure> || std::is_same_v<T, double>) {
+    return DefiniteSystem<T>(k).solve(change);
   } else {
-    return cramer<T>(k, change);
+    return cramer<T>(k, change);  // rationals lose no digits, and refinement makes up for those of approximations
   }
 }
 

@@ -93,15 +93,22 @@ template <class S>
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
+/// Why a solve that is stable by norms alone fails in binary32. Far from the origin, rounding the positions may take
+/// the contact off a thin body. There κ(K) u is 1 or more, and the solve loses the margin λ of K: the contact is
+/// pulled, or left as it was.
+inline constexpr const char* stable_by_norms_alone = "stable by norms alone: loses the margin λ of K where κ(K) u ≥ 1";
+
 /// What every scalar type has.
 template <class S>
 [[nodiscard]] std::vector<Method> scalar_methods() {
+  Method llt = reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT");
   Method adjugate = reflection_method<S, impulse::Adjugate>("reflection-adjugate", "the adjugate");
   if constexpr (precision_of<S> == Precision::binary32) {
+    llt = expected_to_fail(std::move(llt), stable_by_norms_alone);
     adjugate = expected_to_fail(std::move(adjugate), "the determinant under- and overflows from about 1e±12 kg on");
   }
   std::vector<Method> methods = law_methods<S>();
-  methods.push_back(reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT"));
+  methods.push_back(std::move(llt));
   methods.push_back(std::move(adjugate));
   methods.push_back(reflection_in_basis_method<S>());
   methods.push_back(reflection_in_stable_basis_method<S>());

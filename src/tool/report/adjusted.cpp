@@ -13,9 +13,8 @@ std::string adjusted_sentences(const properties::GateReport& report) {
   }
   return fmt::format(
       "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies "
-      "on "
-      "the body. They moved {} cases to the origin, so that parallel vectors are parallel. They reversed {} cases that "
-      "separated. They drew {} cases again that left the domain.",
+      "on the body. They moved {} cases to the origin, so that parallel vectors are parallel. They reversed {} cases "
+      "that separated. They drew {} cases again that left the domain.",
       all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
       all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
 }

@@ -251,6 +251,42 @@ TEST(Judge, SurvivesEveryValidCollision) {
   }
 }
 
+/// A slip along each axis, and a lever arm off the normal along each.
+TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
+  for (const bool filtered : {true, false}) {
+    for (int normal = 0; normal < 3; ++normal) {
+      Collision c;
+      c.normal = Vector3<double>::Unit(normal);
+      c.point = -c.normal;
+      c.a.velocity = -c.normal;
+      c.b.immovable = true;
+      EXPECT_TRUE(ExactCase(c, filtered).is_head_on()) << normal;
+      EXPECT_TRUE(ExactCase(c, filtered).is_collinear()) << normal;
+      for (int other = 1; other < 3; ++other) {
+        Collision slips = c;
+        slips.a.velocity[(normal + other) % 3] = 0x1p-60;
+        EXPECT_FALSE(ExactCase(slips, filtered).is_head_on()) << normal << other;
+        Collision off = c;
+        off.point[(normal + other) % 3] = 0x1p-60;
+        EXPECT_FALSE(ExactCase(off, filtered).is_collinear()) << normal << other;
+      }
+    }
+  }
+}
+
+/// (3) of first_order_is_blind: w, r and N are parallel, so no single quantity changes N·V⁻ by as much as its products.
+TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
+  Collision c;
+  c.normal = {0, 0, 1};
+  c.point = {0, 0, 0.5};
+  c.a.velocity = {0, 0, -1};
+  c.b.immovable = true;
+  for (const double spin : {0x1p+3, 0x1p+9}) {
+    c.a.angular_velocity = {0, 0, spin};
+    EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin > 256) << spin;
+  }
+}
+
 TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_TRUE(norm_at_most(std::vector<Rational>{3, 4}, 5));
   EXPECT_FALSE(norm_at_most(std::vector<Rational>{3, 4}, std::nextafter(5.0, 0)));
@@ -505,6 +541,32 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
             compare(equation::FrictionCone{of_a}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
         EXPECT_EQ(result.holds, times < 87.3) << of_a << ' ' << times;
       }
+    }
+  }
+}
+
+/// A ball slips a little: F = (d, 0, 2), and ‖N × F‖ = d is below an ulp of binary64 of its velocity v. With
+/// μ N·F = d − t a both sides are apart by 2 d t a − (t a)². What is allowed is a times 2 d (‖v⁺‖ + 2 ‖v⁻‖) for the
+/// velocities, a times 4 d for N, and 7.3 a² for the square of what F is known to: 12.5 d a in all, as a = d / 16. So
+/// t ≤ 8.5 passes.
+TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::extended);
+  constexpr double d = 0x1p-55;
+  for (const double times : {7.5, 9.5}) {
+    Collision c;
+    c.b.immovable = true;
+    c.a.velocity = {0.75, 0.5, -1};
+    c.normal = {0, 0, 1};
+    c.friction = (d - times * yardstick.allowance()) / 2;
+    ReportedOutcome outcome =
+        map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+    outcome.a.velocity += Vector3<long double>(d, 0, 2);
+    for (const bool filtered : {false, true}) {
+      yardstick.filtered = filtered;
+      const Comparison result =
+          compare(equation::FrictionCone{true}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.holds, times < 8.5) << times << ' ' << result.residual << ' ' << result.allowed;
     }
   }
 }

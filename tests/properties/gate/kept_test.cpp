@@ -18,7 +18,8 @@ struct Number {
 };
 
 /// Cases of `structured` in which rounding the positions to binary32 takes the contact off a thin body.
-const std::map<std::string, Number> rare{{"reflection-ldlt-eigen-float", {1, 13500}},
+const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
+                                         {"reflection-ldlt-eigen-float", {1, 13500}},
                                          {"reflection-partial-lu-float", {1, 13500}},
                                          {"reflection-full-lu-float", {1, 32704}},
                                          {"reflection-qr-float", {3, 125099}}};
@@ -58,10 +59,11 @@ TEST(Kept, Fail) {
   EXPECT_GT(kept, 20U);
 }
 
-/// LDLᵀ written out and LLT keep the margin λ of K in the same cases.
+/// In the same cases LDLᵀ written out keeps the margin λ of K, and in double every solve does.
 TEST(Kept, FailWhereOthersDoNot) {
   for (const auto& [name, number] : rare) {
-    for (const char* sound : {"reflection-float", "reflection-llt-float", "reflection-double"}) {
+    const std::string in_double = name.substr(0, name.rfind('-')) + "-double";
+    for (const std::string& sound : {std::string("reflection-float"), std::string("reflection-double"), in_double}) {
       EXPECT_EQ(violated_in(subjects::subject_named(sound).value(), number), 0U) << sound << ", case of " << name;
     }
   }

@@ -26,6 +26,7 @@ TEST(Memoryless, AsksForTheSameAnswer) {
   EXPECT_EQ(verdict_of(Refused{"no"}, Refused{"no"}).status, Status::holds);
   const Verdict of_kinds = verdict_of(some_outcome(), Refused{"no"});
   EXPECT_EQ(of_kinds.status, Status::violated);
+  EXPECT_EQ(of_kinds.residual, 0);
   EXPECT_TRUE(std::isinf(of_kinds.severity())) << "no number tells";
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <initializer_list>
+
+#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
+
+/// A law differentiated as a whole, in enclosures: what implicit differentiation is held against.
+namespace carom::unit {
+
+using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs>;
+
+[[nodiscard]] inline oracles::DualInputs<oracles::Enclosure, oracles::collision_inputs> enclosed_inputs(
+    const Collision& collision) {
+  return oracles::dual_inputs<oracles::Enclosure, oracles::collision_inputs>(
+      collision, [](double x) { return oracles::Enclosure(x); });
+}
+
+/// Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y, from above.
+[[nodiscard]] inline double sensitivity_above(std::initializer_list<const EnclosedDual*> components,
+                                              const std::vector<oracles::Quantity>& quantities) {
+  return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
+    return components.begin()[i]->derivative[j].magnitude_above();
+  });
+}
+
+}  // namespace carom::unit
