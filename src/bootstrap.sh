@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom; this where no COMMAND is given
 #   package   build, then the Debian packages carom and libcarom-dev in build/package
 #   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
-#   ci-test   [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian 12, as root: an hour on two cores for all
-#             of action, github, gitlab, script and container
+#   ci-test   [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian 12, as root. NAME is one
+#             of action, github, gitlab, script and container; all of them take an hour on two cores
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict

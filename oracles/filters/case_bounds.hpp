@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 /// What bounds decide of a case, in inequalities (docs/internals/bounds.md). u = 2⁻⁵³.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <carom/properties/conformance/subject.hpp>
@@ -10,10 +10,9 @@
 ///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Model::frictionless, my_callable));
 ///
 /// A further argument gives carom::conformance::Options; where one is wrong, or CAROM_CASES, CAROM_EXACT or RC_PARAMS
-/// in the environment, the suite is one test that fails and says so. What is linked for it, the judge and CGAL, is
-/// under the GPL, and so is a program of tests that is handed on. A test is skipped where no case was in the domain of
-/// its invariant. Not judged are, of callables, `invalid_refused`, because the kit refuses invalid collisions for them,
-/// and what is said of the collision matrix unless they return it, as SolvedOutcome<S>.
+/// in the environment, the suite is one test that fails and says so. A test is skipped if no case is in the domain of
+/// its invariant. Two things are not judged of callables: `invalid_refused`, because the kit refuses invalid collisions
+/// for them, and the invariants of the collision matrix, unless they return it as SolvedOutcome<S>.
 #define CAROM_CONFORMANCE(NAME, ...)                                                                               \
   using ::carom::conformance::Conformance;                                                                         \
   INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                                      \

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** What is extracted: a collision as a user describes it, and the velocities after it by each law that has one answer. *)
 

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** What is extracted answers what the laws over the real numbers do: each answer of answers.v over the rational numbers
     is that of the law on the same collision, and rough's two parts are the outcome of the law with its root. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The collision matrix: V⁺ = V⁻ + K F, K is symmetric, K ⪰ λI, and eliminations on it meet no pivot below λ. *)
 

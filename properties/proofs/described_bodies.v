@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** From what a user writes of a body (mass, principal moments, a quaternion of any length but 0, or that it is
     immovable) to the body of the laws, without a root: the rotation is one, the body is possible, and its inverse

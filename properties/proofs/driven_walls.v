@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Energy where an immovable body moves: what a driven wall gives is the work of the force that it exerts on the other
     body, and beyond that neither frictionless nor rough gains any. *)

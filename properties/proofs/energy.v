@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Kinetic energy: what an impulse changes it by, in closed form for each law. It never grows by frictionless and by
     rough; that it can grow by reflection is shown on a cube. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Of the outcome of every law, whether the contact collides or not: what laws_of_impulse.v says of impulses. *)
 

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The answers over the rational numbers as OCaml. Integers become those of Zarith (GMP); the greatest common divisor
     and the quotients of both by it, with which fractions are reduced, are Zarith's too: what is trusted here is the

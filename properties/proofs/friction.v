@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The law rough with its root, over the real numbers: its κ is that of the books and lies in [0, 1 + e_t], its impulse
     pushes and lies in the friction cone, on the surface where it slides, and it creates no energy. *)

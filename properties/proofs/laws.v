@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Two bodies that touch in a point, and the laws of their impact. World frame, SI units; the impulse F acts on A at
     the point of contact, and -F on B. D. Eberly, "Computing Impulse Forces for Colliding Contact", without its square

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** What each law makes of the relative velocity of the point of contact: restitution, non-penetration, and what sets
     the laws apart. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Momenta are kept by every impulse that acts on both bodies in one point, whatever its law. *)
 

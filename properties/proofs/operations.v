@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The operations that the laws are written in, so that one text is read over the real numbers, where theorems hold of
     it, and over the rational ones, where it computes. *)

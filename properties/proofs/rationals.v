@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The laws over the rational numbers, which compute, and that what they compute is what they say over the real ones.
     Every finite binary64 number is rational, and no law but rough needs a root. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The relations between two collisions that Carom asks of a solver: bodies exchanged, all in motion, moved, turned or
     mirrored, in other units, faster, or with a longer normal. Under every law the outcome of the changed contact is the

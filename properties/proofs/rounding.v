@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Arithmetic that rounds each result, as binary32 and binary64 do: to the nearest, ties to even, subnormal numbers
     kept. A result that is too large is not made infinite here, so that the theorems bound the results as well. One

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The elimination of Ldlt::solve_by (src/impulse/solve3.hpp, from d0 to d2), each result rounded, on a symmetric K
     with λI ⪯ K ⪯ cλI: the pivots come out within 8 c (c + 1) (u + s) λ of those of K, wherever c² (u + s) ≤ 1/64, and

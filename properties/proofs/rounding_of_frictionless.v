@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** f = -(1 + ε) a / k as frictionless_impulse computes it (src/impulse/frictionless.hpp, `const S f`), the sum, the
     product and the quotient rounded to nearest, in this order; the sign costs nothing. Given a = N·V and k = N·KN as

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Contacts that are alike up to an isometry and the scales of three quantities: of the normal, of the velocities and
     of the inverse masses. The impulse of each law is then the same one up to the isometry and the scales. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Which bodies have rrᵀ ⪯ 15 S, so that K ⪯ 16 λI: those of uniform density that are star-shaped from the point of
     contact. Nowhere is a body taken to be convex. 15 is the least such number: needles come near it. *)

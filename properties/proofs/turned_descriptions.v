@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** What is described turned, or as in the mirror, is the contact turned, or in the mirror: a quaternion before each
     orientation makes the matrices that relations.v speaks of, so that the answers are turned, or mirrored, as well. *)

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (** K ⪯ 16 λI, so that the condition number of K is at most 16, whatever the masses, for bodies whose second moments
     dominate the lever arm, rrᵀ ⪯ 15 S; star_shaped.v says which do. With rrᵀ ⪯ k S it is 1 + k. *)

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(CAROM_COMPONENTS STREQUAL "all")

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # How Carom's own code is compiled. All of it is said of targets: what the user says by CMAKE_CXX_FLAGS and
 # CMAKE_BUILD_TYPE, and what a project that contains this one says, stays as it is.
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # What a user may choose. src/cmake/caches/ has the choices that bootstrap.sh makes.
 
 set(CAROM_COMPONENTS all CACHE STRING "What is built and installed: impulse (the solvers, for which Eigen is enough) or all")

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # Debian packages: `carom`, the program with what it reads and its documentation, and `libcarom-dev`, the C++ libraries.
 # The target carom_package builds what is in them, and writes them to build/package.
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # The report says with what it was made: the flags that the compile lines of each library have, as CMake puts them
 # together. Where a single file has more (src/subjects: an engine's), these are not among them.
 
@@ -44,7 +44,7 @@ function(carom_record_flags recorder)
     GENERATE
     OUTPUT ${directory}/$<COMPILE_LANGUAGE>/report/compiled.hpp
     CONTENT
-      "// SPDX-License-Identifier: GPL-3.0-or-later
+      "// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <array>

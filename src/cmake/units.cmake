@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # Headers take most of the time that a unit takes to compile. So those that most units include are compiled once for each
 # group of targets that share their flags, and small files several at a time. Every file includes what it needs all the
 # same, and builds by itself.

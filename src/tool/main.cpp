@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <charconv>
 #include <csignal>
@@ -328,19 +328,6 @@ int run_command(int argc, char** argv) {
   add_format(*merge_command, merge.format, {"text", "json"});
   merge_command->callback([&] { run = [&] { return carom::tool::merge_shards(merge); }; });
 
-  carom::tool::TrendsArguments trends;
-  CLI::App* trends_command = app.add_subcommand(
-      "trends",
-      "Show what became of subjects over many reports, in the order of their dates: exit status 2 where one "
-      "could not be read, after the rest was shown");
-  trends_command
-      ->add_option("PATH", trends.paths,
-                   "Reports, or directories: of each every report.json at any depth, and every .json directly in it")
-      ->required();
-  trends_command->add_option("--out", trends.out, "Directory for trends.html and trends.md");
-  add_format(*trends_command, trends.format, {"markdown", "html"});
-  trends_command->callback([&] { run = [&] { return carom::tool::show_trends(trends); }; });
-
   std::string report_file;
   CLI::App* table_command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
   table_command->add_option("FILE", report_file, "report.json of `carom gate --out`")->required();
@@ -348,7 +335,8 @@ int run_command(int argc, char** argv) {
 
   std::string badge_file;
   std::string badge_out;
-  CLI::App* badge_command = app.add_subcommand("badge", "Draw the verdict of a report.json as a badge, in SVG");
+  CLI::App* badge_command =
+      app.add_subcommand("badge", "Write the verdict of a report.json as JSON for a badge of shields.io");
   badge_command->add_option("FILE", badge_file, "report.json of `carom gate --out`")->required();
   badge_command->add_option("--out", badge_out, "File to write (default: standard output)")->type_name("FILE");
   badge_command->callback([&] { run = [&] { return carom::tool::badge(badge_file, badge_out); }; });

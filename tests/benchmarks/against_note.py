@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Holds the times of the solvers against the note's plain C++ (plain_note.hpp), which was timed in the same run.
 
     against_note.py RESULTS

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Runs the same benchmark program of two checkouts in turn and compares them, benchmark by benchmark.
 
     compare.py BEFORE AFTER [--rounds N] [--slower PERCENT] [-- BENCHMARK FLAGS]

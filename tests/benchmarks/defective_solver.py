@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """docs/examples/solver.py with a planted defect, restitution counted twice: how soon is it found?
 
 build/tests/benchmarks/first_violation 'exec:python3 tests/benchmarks/defective_solver.py'

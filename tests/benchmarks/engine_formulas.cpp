@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // What the engines' friction is (docs/findings/engines.md): engine_formulas [CASES]
 // How far each engine's impulse is from the formula that says what it computes, and from the law `coulomb`, over
 // contacts of real bodies with moments to 1 : 100. Where a formula leaves gyroscopic torque out the bodies do not spin.

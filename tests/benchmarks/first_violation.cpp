@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // How soon a defect is found, by a gate that ends at the first violation, its witness shrunk:
 //   first_violation                    over the planted defects, in this process
 //   first_violation 'exec:PROGRAM…'    of a program, its starts included

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // How the laws with friction differ (docs/findings/friction.md): friction_laws [CASES]
 // How many answers `coulomb` has, by κ(K) and μ, of general bodies and of real ones; how often an answer creates
 // energy; and how far it is from that of `rough` at e_t = 0. The answers are exact, of what slips to 2⁻¹²⁰.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
 //   judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
 //   [--one-subject] [--models M,M]

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Judgements a second and core: of the judge in rational numbers alone, and with its filters; generation of cases; the
 // whole gate, by threads. --benchmark_filter and --benchmark_format as ever; the last lines say the ratios and, by
 // invariant, what decided.

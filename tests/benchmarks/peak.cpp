@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Compiled once for each instruction set, named CAROM_INSTRUCTION_SET.
 #include "peak.hpp"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Solves a second over the line protocol, judging left out: protocol_rate 'exec:PROGRAM ARG…' [THREADS]
 #include <chrono>
 #include <cstdlib>

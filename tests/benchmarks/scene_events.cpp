@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Events a second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION [CSV]]].
 // EVENTS are of each round; the file CSV is what tests/figures/scene_events_chart draws.
 #include <algorithm>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // What judging a scene takes, under each law: scene_judging FILE [ROUNDS]. Medians of the rounds, in processor time.
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // How long the solvers take: solvers [--benchmark_…], about a minute. Every figure is the median of repetitions that
 // are interleaved with those of all others, and stands beside its ratio to a baseline of the same run.
 #include <algorithm>

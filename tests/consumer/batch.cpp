@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The batch solvers of the installed package: balls of 2 kg meet a fixed floor at 3 m/s, ε = 1/2.
 #include <carom/impulse/batch/solve.hpp>
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 
 # Runs a command that has to end in `expected`; what it printed is then in `output`.
 function(run_expecting expected)

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The gate as a library: a sound solver passes, one that returns its input does not.
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The solvers alone: a ball of 2 kg meets a fixed floor at 3 m/s, ε = 1/2.
 #include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>

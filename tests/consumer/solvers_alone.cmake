@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # cmake -DSOURCE=… -DWORK=… -DCONSUMER=… -DCOMPILER=… -P solvers_alone.cmake: the solvers from the tree, where of all
 # packages Eigen alone is to be found: configured, built and installed into WORK, and used from there.
 
@@ -14,9 +14,9 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build ${nothing_else} -C ${SOURCE}/
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${WORK}/installed)
 file(GLOB folders RELATIVE ${WORK}/installed/include/carom ${WORK}/installed/include/carom/*)
-foreach(licence BSL-1.0 GPL-3.0)
-  if(NOT EXISTS ${WORK}/installed/share/doc/carom/licences/${licence}.txt)
-    message(FATAL_ERROR "${licence}.txt is not installed")
+foreach(page BSL-1.0.txt README.md)
+  if(NOT EXISTS ${WORK}/installed/share/doc/carom/licences/${page})
+    message(FATAL_ERROR "licences/${page} is not installed")
   endif()
 endforeach()
 if(NOT folders STREQUAL "collision;impulse")

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The laws in impulse space (docs/guide/laws.md): impulse_space OUT
 // One contact in a plane: a body of mass 1 and moments 1 whose contact point is at (1, −1, 0) from its centre strikes a
 // fixed one with (3, −4, 0), N = (0, 1, 0), ε = 1/2, μ = 1. K = (2, 1; 1, 2) of the tangential and the normal

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Measured rebound angles beside the laws (docs/findings/impacts.md): oblique_impact DATA OUT
 // DATA has lines "incidence,rebound" in degrees, the angles of the velocity of the contact patch before and after,
 // after lines that begin with '#' and one of names. The sphere and its coefficients are those of the measurement.

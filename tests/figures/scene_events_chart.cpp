@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Events a second by the number of spheres (docs/internals/performance.md): scene_events_chart DATA OUT
 // DATA is what tests/benchmarks/scene_events writes: lines "spheres,median,least,most" after one of names.
 #include <algorithm>

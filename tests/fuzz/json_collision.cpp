@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The reader of JSON, and that of a collision: what they do not take is a FormatError; what they take has the value
 // that the library's own reader sees, and survives being written.
 #include <string_view>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The reader of what `carom replay` is given: witnesses and collisions, one, an array or lines of them. What it does
 // not take is a UsageError; what it takes is valid, unless it says that it is not.
 #include <string>

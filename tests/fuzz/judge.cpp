@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The filtered judge against the one in rational numbers alone, on answers near the truth and far from it: the same
 // verdicts. The first byte chooses the yardstick, the second relations and digits; then comes the case, then what the
 // subject is and answers.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // What a foreign program wrote, made safe to print, and words of a command line, split and quoted. The first byte is
 // the greatest length that may be printed.
 #include <algorithm>

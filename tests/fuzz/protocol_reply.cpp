@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // What a program prints, as the gate reads it: the first byte chooses its precision, the rest is a line, read as the
 // reply to `start` and as that to `solve` number 1. What cannot be read is a FormatError; what can be is the same when
 // written and read again.

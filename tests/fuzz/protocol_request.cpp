@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // The subject's side of the line: whatever is sent to it, it answers each request in a line that the gate can read, or
 // says that it cannot and ends in status 2.
 #include <iostream>

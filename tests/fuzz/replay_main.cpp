@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Runs a target on files, and on the files of directories, in place of a fuzzing engine. Directories that are not there
 // hold nothing.
 #include <algorithm>

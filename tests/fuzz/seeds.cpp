@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, inputs for each target made from the families, a few of each.
 #include <cstdint>
 #include <exception>

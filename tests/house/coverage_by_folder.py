@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Reads what `gcovr --csv` prints, and prints the share of lines that were run, a folder a line."""
 
 import collections

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """How many judgements a gate's reports hold: judgements.py REPORT_DIRECTORY…
 
 A judgement is one invariant held against one answer, or several that it relates, and decided. Ends in 1 where a

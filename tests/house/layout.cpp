@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "layout.hpp"
 
 #include <algorithm>
@@ -122,19 +122,6 @@ bool is_source(const std::string& path) {
          file == "CMakeLists.txt";
 }
 
-/// The licences that a file may have.
-std::vector<std::string> licences_of(const std::string& path) {
-  if (path == "src/CMakeLists.txt") {
-    return {"BSL-1.0", "GPL-3.0-or-later"};
-  }
-  for (const char* folder : {"src/collision/", "src/impulse/", "src/subjects/", "docs/examples/"}) {
-    if (begins_with(path, folder)) {
-      return {"BSL-1.0"};
-    }
-  }
-  return {"GPL-3.0-or-later"};
-}
-
 }  // namespace
 
 std::vector<std::string> include_offences(const std::string& path, const std::string& text) {
@@ -171,12 +158,8 @@ std::vector<std::string> licence_offences(const std::string& path, const std::st
     std::getline(lines, line);
   }
   const std::string comment = ends_with(path, "pp") ? "//" : "#";
-  const std::vector<std::string> licences = licences_of(path);
-  const bool right = std::any_of(licences.begin(), licences.end(), [&](const std::string& licence) {
-    return line == comment + " SPDX-License-Identifier: " + licence;
-  });
-  return right ? std::vector<std::string>{}
-               : std::vector{path + ": does not begin with SPDX-License-Identifier: " + licences[0]};
+  const std::string tag = "SPDX-License-Identifier: BSL-1.0";
+  return line == comment + ' ' + tag ? std::vector<std::string>{} : std::vector{path + ": does not begin with " + tag};
 }
 
 std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {

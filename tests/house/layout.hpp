@@ -1,19 +1,19 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-/// What the house of the design permits: which folder may include what, what stands at the top, which licence a file
-/// has.
+/// The rules of the source tree: which folder may include what, what stands at the top, and the licence tag of each
+/// file.
 namespace carom::layout {
 
 /// The offences of one source file, "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to the top, with
 /// slashes. Files in folders without a rule have none.
 [[nodiscard]] std::vector<std::string> include_offences(const std::string& path, const std::string& text);
 
-/// Whether the file must name a licence and does not name the right one at its beginning.
+/// The offence of a source file whose first comment does not name BSL-1.0. Other files have none.
 [[nodiscard]] std::vector<std::string> licence_offences(const std::string& path, const std::string& text);
 
 /// What is missing at the top, and what should not be there. Dot-files and names that begin with "build" are nobody's

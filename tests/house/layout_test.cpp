@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "layout.hpp"
 
 #include <string>
@@ -110,25 +110,23 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
 }
 
 TEST(LayoutChecker, FindsAMissingOrWrongLicence) {
-  const std::string gpl = " SPDX-License-Identifier: GPL-3.0-or-later\n";
   const std::string bsl = " SPDX-License-Identifier: BSL-1.0\n";
-  EXPECT_EQ(licence_offences("oracles/x.cpp", "//" + gpl), Offences{});
+  const std::string gpl = " SPDX-License-Identifier: GPL-3.0-or-later\n";
+  EXPECT_EQ(licence_offences("oracles/x.cpp", "//" + bsl), Offences{});
   EXPECT_EQ(licence_offences("src/impulse/x.hpp", "//" + bsl), Offences{});
-  EXPECT_EQ(licence_offences("tests/x.sh", "#!/bin/sh\n#" + gpl), Offences{});
-  EXPECT_EQ(licence_offences("tests/CMakeLists.txt", "#" + gpl), Offences{});
-  EXPECT_EQ(licence_offences("src/cmake/x.cmake", "#" + gpl), Offences{});
-  EXPECT_EQ(licence_offences("src/CMakeLists.txt", "#" + bsl), Offences{});
+  EXPECT_EQ(licence_offences("tests/x.sh", "#!/bin/sh\n#" + bsl), Offences{});
+  EXPECT_EQ(licence_offences("tests/CMakeLists.txt", "#" + bsl), Offences{});
+  EXPECT_EQ(licence_offences("src/cmake/x.cmake", "#" + bsl), Offences{});
   EXPECT_EQ(licence_offences("docs/x.md", "no source file"), Offences{});
   for (const auto& [path, text] : std::vector<std::pair<std::string, std::string>>{
-           {"oracles/x.cpp", "//" + bsl},
+           {"oracles/x.cpp", "//" + gpl},
            {"src/impulse/x.hpp", "//" + gpl},
-           {"src/collision/x.cpp", "//" + gpl},
-           {"src/subjects/engines/x.cpp", "//" + gpl},
-           {"src/tool/x.cpp", "//" + bsl},
+           {"tests/CMakeLists.txt", "#" + gpl},
            {"oracles/x.cpp", ""},
-           {"oracles/x.cpp", "\n//" + gpl},
-           {"oracles/x.cpp", "// SPDX-License-Identifier: GPL-3.0-or-later-or-not\n"},
-           {"tests/x.sh", "#!/bin/sh\necho\n#" + gpl},
+           {"oracles/x.cpp", "#" + bsl},
+           {"oracles/x.cpp", "\n//" + bsl},
+           {"oracles/x.cpp", "// SPDX-License-Identifier: BSL-1.0-or-not\n"},
+           {"tests/x.sh", "#!/bin/sh\necho\n#" + bsl},
            {"src/cmake/x.cmake", ""},
        }) {
     EXPECT_EQ(licence_offences(path, text).size(), 1U) << path << '\n' << text;

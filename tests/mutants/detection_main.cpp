@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Which conditional mutants the cases of the gate kill:
 //   detection [--seed S] [--cases N] [--jobs J] [--law L…] [--format text|markdown]
 // Ends in 1 where a sound outcome is rejected. With --planted: which invariants reject each planted mutant, and what

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Writes the sections of docs/findings/three-properties.md that are generated:
 //   three_properties PAGE [--engines REPORT.json]
 // Without a report the sections of the engines stay as they are.

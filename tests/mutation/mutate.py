@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Changes one operator, sign, number, comparison or term of the judge at a time, and asks whether the tests notice.
 
 In a copy of the sources, build-mutation, each change that is drawn stands behind a switch (change.hpp). The tests

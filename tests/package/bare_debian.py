@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """A bare Debian 12, of what debootstrap calls minbase, in which commands run as on a machine that has nothing else."""
 
 import os

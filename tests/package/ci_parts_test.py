@@ -1,5 +1,5 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be said of the workflows without running them, of the action's scripts, and of what plays them."""
+# SPDX-License-Identifier: BSL-1.0
+"""Tests of the workflows that need no bare Debian, and of the action's scripts."""
 
 import os
 import pathlib
@@ -7,53 +7,44 @@ import subprocess
 import tempfile
 import unittest
 
-import yaml
-
 import ci_test
 import containerfile
-import github_job
-from github_expressions import evaluated, filled_in, is_to_run
+import github_steps
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
-ACTION = TOP / github_job.ACTION
+ACTION = TOP / github_steps.ACTION
+ACTION_FILE = github_steps.read_yaml((ACTION / "action.yml").read_text(encoding="utf-8"))
 PAGE = (TOP / ci_test.PAGE).read_text(encoding="utf-8")
 
 
-class Expressions(unittest.TestCase):
-    CONTEXTS = {"env": {"A": "x"}, "steps": {"cache": {"outputs": {"cache-hit": "true"}}}}
+class Steps(unittest.TestCase):
+    STEPS = [{"uses": "actions/checkout@v4"}, {"run": "one"}, {"run": "two", "if": github_steps.CACHE_MISS},
+             {"uses": "actions/cache/save@v4", "with": {"path": "kept"}}, {"run": "three", "shell": "bash"}]
 
-    def test_are_read_as_github_reads_them(self):
-        for expression, value in (("env.A", "x"), ("env.none", ""), ("'it''s'", "it's"), ("env.A == 'x'", True),
-                                  ("steps.cache.outputs.cache-hit != 'true'", False), ("!always()", False),
-                                  ("env.none || 'y'", "y"), ("env.A && (failure() || 'z')", "z")):
-            self.assertEqual(evaluated(expression, self.CONTEXTS), value, expression)
-        self.assertEqual(filled_in("a-${{ env.A }}-${{env.none}}", self.CONTEXTS), "a-x-")
+    def test_have_commands(self):
+        last = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", "three"]
+        self.assertEqual(github_steps.commands_of(self.STEPS, False), [["sh", "-e", "-c", "one"], ["sh", "-e", "-c", "two"], last])
+        self.assertEqual(github_steps.commands_of(self.STEPS, True), [["sh", "-e", "-c", "one"], last])
 
-    def test_that_are_not_known_are_errors(self):
-        for expression in ("env.A ==", "env.A env.A", "(env.A", "env.A + 1"):
-            with self.assertRaises(ValueError, msg=expression):
-                evaluated(expression, self.CONTEXTS)
-        with self.assertRaises(KeyError):
-            evaluated("unknown()", self.CONTEXTS)
+    def test_have_a_folder_that_is_cached(self):
+        self.assertEqual(github_steps.cached_folder(self.STEPS), "kept")
 
-    def test_of_a_step_do_not_hold_after_a_failure_unless_they_say_so(self):
-        for condition, after_success, after_failure in (("env.A == 'x'", True, False), ("always()", True, True),
-                                                        ("failure()", False, True), ("${{ always() }}", True, True)):
-            self.assertEqual(is_to_run(condition, self.CONTEXTS, False), after_success, condition)
-            self.assertEqual(is_to_run(condition, self.CONTEXTS, True), after_failure, condition)
-
-
-class Annotations(unittest.TestCase):
-    def test_between_stop_and_its_token_are_none(self):
-        with tempfile.TemporaryDirectory() as folder:
-            log = pathlib.Path(folder, "log")
-            log.write_text("::notice title=a::1\n::stop-commands::t\n ::error::2\n::t::\n  ::error title=b::3\n", encoding="utf-8")
-            self.assertEqual(github_job.annotations_in(log), [("notice", "1"), ("error", "3")])
+    def test_print_no_annotations_between_stop_and_its_token(self):
+        text = "::notice title=a::1\n::stop-commands::t\n ::error::2\n::t::\n  ::error title=b::3\n"
+        self.assertEqual(github_steps.annotations_in(text), [("notice", "1"), ("error", "3")])
 
 
 class Page(unittest.TestCase):
     def workflows(self):
-        return [github_job.read_yaml(block) for block in ci_test.blocks_of(PAGE, "yaml") if "jobs:" in block]
+        return [github_steps.read_yaml(block) for block in ci_test.blocks_of(PAGE, "yaml") if "jobs:" in block]
+
+    def all_steps(self):
+        """The steps of each workflow, and those of the action."""
+        return [*(step for workflow in self.workflows() for step in self.steps_of(workflow)), *ACTION_FILE["runs"]["steps"]]
+
+    def steps_of(self, workflow):
+        (job,) = workflow["jobs"].values()
+        return job["steps"]
 
     def test_workflows_have_triggers_and_one_job_in_debian(self):
         self.assertEqual(len(self.workflows()), 2)
@@ -63,17 +54,31 @@ class Page(unittest.TestCase):
             self.assertEqual(job["container"], "debian:12")
 
     def test_the_package_is_kept_before_anything_is_judged(self):
-        (steps,) = [list(workflow["jobs"].values())[0]["steps"] for workflow in self.workflows() if "env" in workflow]
-        action = yaml.safe_load((ACTION / "action.yml").read_text(encoding="utf-8"))
-        for judging, of in (("carom gate", steps), ("gate.sh", action["runs"]["steps"])):
+        (steps,) = [self.steps_of(workflow) for workflow in self.workflows() if "env" in workflow]
+        for judging, of in (("carom gate", steps), ("gate.sh", ACTION_FILE["runs"]["steps"])):
             names = [step.get("uses") or step["run"] for step in of]
             save = names.index("actions/cache/save@v4")
             self.assertLess(save, [judging in name for name in names].index(True))
             self.assertEqual(of[save]["with"], of[names.index("actions/cache/restore@v4")]["with"])
 
+    def test_scripts_need_nothing_that_github_fills_in(self):
+        for step in self.all_steps():
+            self.assertNotIn("${{", step.get("run", ""))
+            conditions = {None, github_steps.CACHE_MISS} if "run" in step else {None, github_steps.CACHE_MISS, github_steps.ALWAYS}
+            self.assertIn(step.get("if"), conditions)
+
+    def test_variables_come_by_the_environment(self):
+        (workflow,) = [workflow for workflow in self.workflows() if "env" in workflow]
+        self.assertEqual(workflow["env"], {name: f"${{{{ vars.{name} }}}}" for name in ("CAROM_URL", "CAROM_REVISION")})
+        (judging,) = [step for step in ACTION_FILE["runs"]["steps"] if "gate.sh" in step.get("run", "")]
+        inputs = set(ACTION_FILE["inputs"]) - {"artifact"}
+        self.assertEqual(judging["env"], {f"CAROM_{name.upper()}": f"${{{{ inputs.{name} }}}}" for name in inputs})
+
     def test_names_the_inputs_of_the_action(self):
-        for name in yaml.safe_load((ACTION / "action.yml").read_text(encoding="utf-8"))["inputs"]:
+        for name in ACTION_FILE["inputs"]:
             self.assertIn(f"`{name}`", PAGE)
+        (use,) = [step for step in self.all_steps() if github_steps.is_action(step)]
+        self.assertLessEqual(set(use["with"]), set(ACTION_FILE["inputs"]))
 
     def test_the_containerfile_has_no_instruction_that_is_not_played(self):
         text = (TOP / "docs/examples/Containerfile").read_text(encoding="utf-8")
@@ -115,18 +120,18 @@ class ActionScripts(unittest.TestCase):
         self.assertNotIn("--baseline", self.judge()[0])
         self.assertEqual(self.judge(CAROM_BASELINE="old report.json")[0][-2:], ["--baseline", "old report.json"])
 
-    def test_end_as_the_gate_and_draw_the_badge(self):
+    def test_end_as_the_gate_and_write_the_badge(self):
         (self.folder / "out").mkdir()
         (self.folder / "out/report.json").touch()
         arguments, status = self.judge(status=1)
-        self.assertEqual(arguments[-4:], ["badge", "out/report.json", "--out", "out/carom.svg"])
+        self.assertEqual(arguments[-4:], ["badge", "out/report.json", "--out", "out/badge.json"])
         self.assertEqual(status, 1)
 
     def test_name_another_key_where_a_source_differs(self):
         for name in ("CMakeLists.txt", "src/a.cpp", "oracles/b", "properties/c", "docs/d"):
             (self.folder / name).parent.mkdir(exist_ok=True)
             (self.folder / name).write_text("1", encoding="utf-8")
-        script = self.folder / github_job.ACTION / "key.sh"
+        script = self.folder / github_steps.ACTION / "key.sh"
         script.parent.mkdir(parents=True)
         script.write_text((ACTION / "key.sh").read_text(encoding="utf-8"), encoding="utf-8")
 

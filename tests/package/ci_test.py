@@ -1,8 +1,8 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
-"""ci_test.py SOURCE WORK [NAME…]: what docs/guide/ci.md shows, run as it stands there, in a bare Debian, twice: at first
-on a solver with a defect, by which the job has to fail and to leave everything behind that explains it; then on one that
-is sound, when nothing may be built any more. NAME is one of action, github, gitlab, script, container; all where none is
-given. Of Carom the last commit is taken. Ends in 77 where this machine cannot make a bare Debian."""
+# SPDX-License-Identifier: BSL-1.0
+"""ci_test.py SOURCE WORK [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian. Each
+job runs twice. The first run is on a solver with a defect: the job has to fail, and to leave a report. The second run is
+on a sound solver: nothing is built any more. NAME is one of action, github, gitlab, script, container; without it all
+run. The last commit of Carom is taken. Ends in 77 if this machine cannot make a bare Debian."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ import time
 import yaml
 
 import containerfile
-import github_job
+import github_steps
 import gitlab_job
 from bare_debian import SKIPPED, BareDebian, Unavailable
 
@@ -115,35 +115,62 @@ def expect_report(run, folder, verdict):
     run.expect(f'"status": "{verdict}"' in (folder / "report.json").read_text(encoding="utf-8"), f"the report is not {verdict}")
 
 
-def play_github(playground, name, is_wanted):
-    workflow = github_job.read_yaml(playground.yaml_block(is_wanted))
-    store = playground.work / name
-    job = None
+def play_steps(playground, name, steps, report, environment):
+    """The scripts of a job for GitHub. The folder that its cache would keep is copied from the first run to the second."""
+    package = github_steps.cached_folder(steps)
+    kept = playground.work / name / "package"
+    debian = None
 
     def play(project, log):
-        nonlocal job
+        nonlocal debian
         debian = playground.debian(name)
-        job = github_job.Job(workflow, debian, project, playground.work / "carom", store, playground.variables)
-        return job.play(log)
+        debian.binds["/carom"] = playground.work / "carom"
+        folder = debian.root / "home/project"
+        shutil.copytree(project, folder)
+        (debian.root / "home/summary").touch()
+        has_package = kept.exists()
+        if has_package:
+            shutil.copytree(kept, folder / package)
+        ended_well = all(debian.run(command, environment, "/home/project", log) == 0
+                         for command in github_steps.commands_of(steps, has_package))
+        if not has_package and (folder / package).exists():
+            shutil.copytree(folder / package, kept)
+        return ended_well
 
     def keeps(run, verdict):
-        (artefact,) = (store / "artefacts").iterdir()
-        expect_report(run, artefact, verdict)
-        run.expect(verdict in job.summary.read_text(encoding="utf-8"), "the job's summary does not say the verdict")
-        annotations = github_job.annotations_in(run.log)
-        run.expect(any(kind == "notice" for kind, _ in annotations), "there is no notice with the verdict")
-        run.expect(any(kind == "error" for kind, _ in annotations) == (verdict == "violated"), "errors are not as the verdict")
-        job.debian.remove()
+        expect_report(run, debian.root / "home/project" / report, verdict)
+        summary = (debian.root / "home/summary").read_text(encoding="utf-8")
+        run.expect(verdict in summary, "the job's summary does not say the verdict")
+        kinds = {kind for kind, _ in github_steps.annotations_in(run.text)}
+        run.expect("notice" in kinds, "there is no notice with the verdict")
+        run.expect(("error" in kinds) == (verdict == "violated"), "errors are not as the verdict")
+        debian.remove()
 
     judge_twice(playground, name, play, keeps)
 
 
+def workflow_steps(playground, has_action):
+    """The steps of the workflow that uses Carom's action, or of the other one."""
+    block = playground.yaml_block(lambda text: "jobs:" in text and (github_steps.ACTION in text) == has_action)
+    (job,) = github_steps.read_yaml(block)["jobs"].values()
+    return job["steps"]
+
+
 def play_action(playground):
-    play_github(playground, "action", lambda block: "jobs:" in block and github_job.ACTION in block)
+    action = github_steps.read_yaml((playground.source / github_steps.ACTION / "action.yml").read_text(encoding="utf-8"))
+    steps = workflow_steps(playground, True)
+    (use,) = [step for step in steps if github_steps.is_action(step)]
+    at = steps.index(use)
+    inputs = {name: declared["default"] for name, declared in action["inputs"].items()} | use["with"]
+    environment = {f"CAROM_{name.upper()}": str(value) for name, value in inputs.items()}
+    environment |= {"GITHUB_ACTION_PATH": f"/carom/{github_steps.ACTION}", "GITHUB_OUTPUT": "/home/output",
+                    "GITHUB_STEP_SUMMARY": "/home/summary"}
+    play_steps(playground, "action", steps[:at] + action["runs"]["steps"] + steps[at + 1:], inputs["out"], environment)
 
 
 def play_workflow(playground):
-    play_github(playground, "github", lambda block: "jobs:" in block and github_job.ACTION not in block)
+    environment = playground.variables | {"GITHUB_STEP_SUMMARY": "/home/summary"}
+    play_steps(playground, "github", workflow_steps(playground, False), "report", environment)
 
 
 def play_gitlab(playground):

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Builds a Containerfile where there is no container daemon: each stage in a bare Debian of its own."""
 
 import glob

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Plays a job of GitLab in a bare Debian: its lines as they stand, its cache and its artefacts."""
 
 import re

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # cmake -DBUILD=… -DSOURCE=… -DWORK=… -P moved_prefix.cmake: the program, installed into WORK and moved, finds what it reads.
 
 include(${CMAKE_CURRENT_LIST_DIR}/../consumer/commands.cmake)

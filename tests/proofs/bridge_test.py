@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """The exact truth of `carom replay` is, in every component, what the proved laws answer over the rational numbers.
 
 usage: bridge_test.py CAROM PROVED COLLISIONS [FILE…]

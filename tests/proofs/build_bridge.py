@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Builds the oracle whose specification is proved: BUILD/proved.
 
 usage: build_bridge.py PROOFS BUILD

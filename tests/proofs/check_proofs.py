@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Checks all proofs, and prints the theorems and the axioms that they rest on.
 
 usage: check_proofs.py PROOFS BUILD [--each]

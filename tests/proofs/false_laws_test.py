@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """A false law makes a proof fail, and the one that speaks of it.
 
 usage: false_laws_test.py PROOFS BUILD

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Files that try a reader: their size, their text, their having no end.
 #include <chrono>
 #include <csignal>

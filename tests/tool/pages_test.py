@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 """Holds what the pages say in figures and lists against what the program prints: pages_test.py CAROM"""
 
 import json

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # The gate with the action's inputs, which come by the environment: no input is ever a part of a command. Ends as the gate.
 set -euo pipefail
 
@@ -17,5 +17,5 @@ mapfile -d '' -t arguments < <(lines "$CAROM_ARGUMENTS")
 status=0
 carom gate "${subjects[@]}" --seed "$CAROM_SEED" --cases "$CAROM_CASES" --out "$CAROM_OUT" --annotations github \
   --summary "$GITHUB_STEP_SUMMARY" "${arguments[@]}" || status=$?
-[ ! -e "$CAROM_OUT/report.json" ] || carom badge "$CAROM_OUT/report.json" --out "$CAROM_OUT/carom.svg"
+[ ! -e "$CAROM_OUT/report.json" ] || carom badge "$CAROM_OUT/report.json" --out "$CAROM_OUT/badge.json"
 exit "$status"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # Prints key=…, which is another one where the sources of the package differ, or the system that it is for.
 set -euo pipefail
 export LC_ALL=C

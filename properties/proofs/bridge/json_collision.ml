@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (* The reader of collisions, in the form of the subject protocol. What it reads is trusted to mean what was written. *)
 

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSL-1.0 *)
 
 (* An oracle whose specification is proved: the laws of properties/proofs over the rational numbers.
    Without an argument: reads collisions, one a line, and writes the answers of all laws, one line each.

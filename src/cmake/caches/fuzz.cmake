@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # The targets of tests/fuzz for clang's libFuzzer, with AddressSanitizer, UndefinedBehaviorSanitizer, and all assertions.
 set(CAROM_BUILD_FUZZERS ON CACHE BOOL "")
 set(CAROM_BUILD_TESTS OFF CACHE BOOL "")

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # The tests that tests/mutation/mutate.py runs, in the least time, and with assertions: they notice a change that reads
 # beyond the end of an array. A change may well make a warning.
 set(CAROM_BUILD_TESTS ON CACHE BOOL "")

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # ThreadSanitizer, and all assertions.
 include(${CMAKE_CURRENT_LIST_DIR}/everything.cmake)
 set(CAROM_SANITIZE thread CACHE STRING "")

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -11,16 +11,16 @@ namespace carom::tool {
 
 int badge(const std::string& file, const std::string& out) {
   const nlohmann::json report = report_from(file);
-  std::string picture;
+  std::string record;
   try {
-    picture = badge_svg(overall_of(report));
+    record = badge_record(overall_of(report)).dump() + '\n';
   } catch (const nlohmann::json::exception& error) {
     throw UsageError(fmt::format("{}: is not a report.json of carom gate: {}", file, error.what()));
   }
   if (out.empty()) {
-    fmt::print("{}", picture);
+    fmt::print("{}", record);
   } else {
-    write_file(out, picture);
+    write_file(out, record);
   }
   return exit_all_hold;
 }

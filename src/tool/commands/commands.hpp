@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <chrono>
@@ -59,12 +59,6 @@ struct MergeArguments {
   std::string format = "text";
 };
 
-struct TrendsArguments {
-  std::vector<std::string> paths;  // reports, and directories that hold them
-  std::string out;                 // a directory; empty for none
-  std::string format = "markdown";
-};
-
 struct ReplayArguments {
   std::string file;               // empty where a case of a family is meant
   bool drawn = false;             // of a witness the collision that was drawn
@@ -123,11 +117,9 @@ struct PlanArguments {
 [[nodiscard]] int compare_files(const CompareArguments& arguments);
 /// Makes the report of the whole of those of its shards: the exit status is that of the whole.
 [[nodiscard]] int merge_shards(const MergeArguments& arguments);
-/// Prints what became of the subjects from report to report: exit_usage where one could not be read, after the rest.
-[[nodiscard]] int show_trends(const TrendsArguments& arguments);
 /// Prints the subjects of a report.json as a Markdown table.
 [[nodiscard]] int table(const std::string& file);
-/// Writes the verdict of a report.json as a picture; to standard output where `out` is empty.
+/// Writes the verdict of a report.json as JSON for a badge; to standard output if `out` is empty.
 [[nodiscard]] int badge(const std::string& file, const std::string& out);
 [[nodiscard]] int list_subjects(const std::string& format);
 [[nodiscard]] int list_invariants(const std::string& format);

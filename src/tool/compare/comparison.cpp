@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "compare/comparison.hpp"
 
 #include <algorithm>
@@ -105,6 +105,66 @@ std::size_t count_in(const ComparedSubject& subject, Change change) {
                     [&](const ComparedViolation& violation) { return violation.change == change; }));
 }
 
+/// One subject of both reports; nullptr where one has it not. Precondition: not both.
+ComparedSubject compare_subjects(const ReadSubject* before, const ReadSubject* now) {
+  ComparedSubject subject;
+  subject.name = (now != nullptr ? now : before)->name;
+  subject.counts = now != nullptr && now->counts;
+  if (before != nullptr) {
+    subject.before = before->summary;
+  }
+  if (now != nullptr) {
+    subject.now = now->summary;
+  }
+  if (before != nullptr && now != nullptr) {
+    subject.no_longer_claimed = without(now->summary.deviates, before->summary.deviates);
+    if (before->summary.not_claimed && now->summary.not_claimed) {
+      const std::vector<std::string> more = without(*now->summary.not_claimed, *before->summary.not_claimed);
+      subject.no_longer_claimed.insert(subject.no_longer_claimed.end(), more.begin(), more.end());
+    }
+  }
+  subject.cannot_be_judged_now =
+      now != nullptr && cannot_be_judged(now->summary) && (before == nullptr || !cannot_be_judged(before->summary));
+  const Names names = names_of(before, now);
+  for (const std::string& invariant : names.invariants) {
+    for (const std::string& family : names.families) {
+      const ReadCount old_count = count_in(before, family, invariant);
+      const ReadCount new_count = count_in(now, family, invariant);
+      if (const std::optional<Change> change = change_of(old_count, new_count)) {
+        subject.violations.push_back({*change, invariant, family, old_count, new_count});
+      }
+    }
+  }
+  return subject;
+}
+
+/// The settings in which the runs differ.
+std::vector<Difference> differences_between(const ReadReport& before, const ReadReport& now) {
+  std::vector<Difference> differences;
+  const auto note = [&](const char* what, const std::string& old_value, const std::string& new_value) {
+    if (old_value != new_value) {
+      differences.push_back({what, old_value, new_value});
+    }
+  };
+  const auto cut_short = [](const ReadReport& report) -> std::string {
+    return report.interrupted ? "interrupted" : report.fail_fast ? "at the first violation of each subject" : "not";
+  };
+  note("version of Carom", before.carom, now.carom);
+  note("seed", std::to_string(before.seed), std::to_string(now.seed));
+  note("cases of each family", extent_of(before), extent_of(now));
+  const std::vector<std::string> gone = without(before.families, now.families);
+  const std::vector<std::string> added = without(now.families, before.families);
+  if (!gone.empty() || !added.empty()) {
+    differences.push_back({"families that the other has not", list_of(gone), list_of(added)});
+  }
+  note("yardstick", before.yardstick, now.yardstick);
+  note("relations judged on every so many cases", or_none(before.relations_every, "as is the default"),
+       or_none(now.relations_every, "as is the default"));
+  note("cut short", cut_short(before), cut_short(now));
+  note("shard", before.shard.empty() ? "the whole" : before.shard, now.shard.empty() ? "the whole" : now.shard);
+  return differences;
+}
+
 }  // namespace
 
 std::string_view in_words(Change change) {
@@ -161,64 +221,6 @@ Comparison compare_reports(ReadReport before, ReadReport now) {
     }
   }
   return comparison;
-}
-
-ComparedSubject compare_subjects(const ReadSubject* before, const ReadSubject* now) {
-  ComparedSubject subject;
-  subject.name = (now != nullptr ? now : before)->name;
-  subject.counts = now != nullptr && now->counts;
-  if (before != nullptr) {
-    subject.before = before->summary;
-  }
-  if (now != nullptr) {
-    subject.now = now->summary;
-  }
-  if (before != nullptr && now != nullptr) {
-    subject.no_longer_claimed = without(now->summary.deviates, before->summary.deviates);
-    if (before->summary.not_claimed && now->summary.not_claimed) {
-      const std::vector<std::string> more = without(*now->summary.not_claimed, *before->summary.not_claimed);
-      subject.no_longer_claimed.insert(subject.no_longer_claimed.end(), more.begin(), more.end());
-    }
-  }
-  subject.cannot_be_judged_now =
-      now != nullptr && cannot_be_judged(now->summary) && (before == nullptr || !cannot_be_judged(before->summary));
-  const Names names = names_of(before, now);
-  for (const std::string& invariant : names.invariants) {
-    for (const std::string& family : names.families) {
-      const ReadCount old_count = count_in(before, family, invariant);
-      const ReadCount new_count = count_in(now, family, invariant);
-      if (const std::optional<Change> change = change_of(old_count, new_count)) {
-        subject.violations.push_back({*change, invariant, family, old_count, new_count});
-      }
-    }
-  }
-  return subject;
-}
-
-std::vector<Difference> differences_between(const ReadReport& before, const ReadReport& now) {
-  std::vector<Difference> differences;
-  const auto note = [&](const char* what, const std::string& old_value, const std::string& new_value) {
-    if (old_value != new_value) {
-      differences.push_back({what, old_value, new_value});
-    }
-  };
-  const auto cut_short = [](const ReadReport& report) -> std::string {
-    return report.interrupted ? "interrupted" : report.fail_fast ? "at the first violation of each subject" : "not";
-  };
-  note("version of Carom", before.carom, now.carom);
-  note("seed", std::to_string(before.seed), std::to_string(now.seed));
-  note("cases of each family", extent_of(before), extent_of(now));
-  const std::vector<std::string> gone = without(before.families, now.families);
-  const std::vector<std::string> added = without(now.families, before.families);
-  if (!gone.empty() || !added.empty()) {
-    differences.push_back({"families that the other has not", list_of(gone), list_of(added)});
-  }
-  note("yardstick", before.yardstick, now.yardstick);
-  note("relations judged on every so many cases", or_none(before.relations_every, "as is the default"),
-       or_none(now.relations_every, "as is the default"));
-  note("cut short", cut_short(before), cut_short(now));
-  note("shard", before.shard.empty() ? "the whole" : before.shard, now.shard.empty() ? "the whole" : now.shard);
-  return differences;
 }
 
 bool is_known(const Comparison& comparison, const std::string& subject, const std::string& invariant) {

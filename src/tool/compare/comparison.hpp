@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <cstddef>
@@ -65,12 +65,6 @@ struct Comparison {
 };
 
 [[nodiscard]] Comparison compare_reports(ReadReport before, ReadReport now);
-
-/// One subject of both reports; nullptr where one has it not. Precondition: not both.
-[[nodiscard]] ComparedSubject compare_subjects(const ReadSubject* before, const ReadSubject* now);
-
-/// In what the runs were asked otherwise.
-[[nodiscard]] std::vector<Difference> differences_between(const ReadReport& before, const ReadReport& now);
 
 /// Whether the subject violates the invariant, in no family of which that is new.
 [[nodiscard]] bool is_known(const Comparison& comparison, const std::string& subject, const std::string& invariant);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "compare/comparison_markdown.hpp"
 
 #include <string_view>
@@ -9,6 +9,23 @@
 
 namespace carom::tool::compare {
 namespace {
+
+/// The text as a cell of a Markdown table can hold it: nothing in it ends the cell, or is read as markup.
+std::string markdown_cell(const std::string& text) {
+  constexpr std::string_view markup = "\\`*_{}[]()#+!|~";
+  std::string cell;
+  for (const char letter : text) {
+    if (letter == '<') {
+      cell += "&lt;";
+    } else if (letter == '&') {
+      cell += "&amp;";
+    } else {
+      cell += markup.find(letter) == std::string_view::npos ? "" : "\\";
+      cell += letter;
+    }
+  }
+  return cell;
+}
 
 std::string violation_rows(const Comparison& comparison) {
   std::string rows;
@@ -44,22 +61,6 @@ std::string subject_row(const ComparedSubject& subject) {
 }
 
 }  // namespace
-
-std::string markdown_cell(const std::string& text) {
-  constexpr std::string_view markup = "\\`*_{}[]()#+!|~";
-  std::string cell;
-  for (const char letter : text) {
-    if (letter == '<') {
-      cell += "&lt;";
-    } else if (letter == '&') {
-      cell += "&amp;";
-    } else {
-      cell += markup.find(letter) == std::string_view::npos ? "" : "\\";
-      cell += letter;
-    }
-  }
-  return cell;
-}
 
 std::string comparison_markdown(const Comparison& comparison) {
   std::string text = fmt::format("**{}**\n\n- before: {}: {}\n- now: {}: {}\n", summary_of(comparison),

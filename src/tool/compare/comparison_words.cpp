@@ -1,5 +1,7 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "compare/comparison_words.hpp"
+
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,17 @@ std::string share_of(const ReadCount& count) { return fmt::format("{} of {}", co
 std::string of_cases(const ReadCount& count) { return share_of(count) + " cases"; }
 
 std::string in_tenths(const std::optional<double>& digits) { return digits ? fmt::format("{:.1f}", *digits) : none; }
+
+/// In few digits; "–" where there is none.
+std::string backward_error_text(const std::optional<double>& ulps) {
+  return ulps ? fmt::format("{:.3g}", *ulps) : none;
+}
+
+std::string digits_text(const SubjectSummary& summary) {
+  return summary.digits_p50 ? fmt::format("{} / {} / {}", in_tenths(summary.digits_p50), in_tenths(summary.digits_p99),
+                                          in_tenths(summary.digits_worst))
+                            : none;
+}
 
 std::string worst_text(const SubjectSummary& summary) {
   const std::string error = backward_error_text(summary.worst_backward_error);
@@ -94,16 +107,6 @@ std::vector<ChangedNumber> changed_numbers(const ComparedSubject& subject) {
 
 std::string difference_in_words(const Difference& difference) {
   return fmt::format("{}: {} before, {} now", difference.what, difference.before, difference.now);
-}
-
-std::string backward_error_text(const std::optional<double>& ulps) {
-  return ulps ? fmt::format("{:.3g}", *ulps) : none;
-}
-
-std::string digits_text(const SubjectSummary& summary) {
-  return summary.digits_p50 ? fmt::format("{} / {} / {}", in_tenths(summary.digits_p50), in_tenths(summary.digits_p99),
-                                          in_tenths(summary.digits_worst))
-                            : none;
 }
 
 }  // namespace carom::tool::compare

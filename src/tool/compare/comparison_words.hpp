@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +37,5 @@ struct ChangedNumber {
 
 /// What it means that there are any.
 extern const char* const differences_mean;
-
-/// In few digits; "–" where there is none.
-[[nodiscard]] std::string backward_error_text(const std::optional<double>& ulps);
-[[nodiscard]] std::string digits_text(const SubjectSummary& summary);
 
 }  // namespace carom::tool::compare

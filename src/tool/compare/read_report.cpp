@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #include "compare/read_report.hpp"
 
 #include <cstddef>
@@ -72,7 +72,6 @@ void read_judged(const Field& record, ReadSubject& subject) {
   summary.digits_p50 = digits.at("p50").optional_number();
   summary.digits_p99 = digits.at("p99").optional_number();
   summary.digits_worst = digits.at("worst").optional_number();
-  summary.nanoseconds_per_solve = record.at("nanoseconds_per_solve").number();
   std::set<std::string> names;
   for (const Field& family : record.at("families").elements()) {
     require_new(names, family.at("family"));

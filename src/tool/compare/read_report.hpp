@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
 #include <cstdint>
@@ -40,13 +40,10 @@ struct SubjectSummary {
   std::optional<double> digits_p50;            // none where no case has digits
   std::optional<double> digits_p99;
   std::optional<double> digits_worst;
-  std::optional<double> nanoseconds_per_solve;
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
   /// Invariants of the collision matrix, where the subject shows none; none where the report is of before they were
   /// listed.
   std::optional<std::vector<std::string>> not_claimed;
-
-  [[nodiscard]] bool is_judged() const { return status == "sound" || status == "violated"; }
 };
 
 struct ReadSubject {

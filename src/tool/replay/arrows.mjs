@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { Color, InstancedBufferAttribute, InstancedMesh, LatheGeometry, Matrix4, Quaternion, ShaderMaterial, Vector2,
   Vector3 } from "three";
 

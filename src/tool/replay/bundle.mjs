@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // node bundle.mjs FILE: the page without its title and its replay, all in one text; as C++ where FILE ends in .cpp.
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";

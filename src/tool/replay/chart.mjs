@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { path_of, ticks, value_at } from "./chart_parts.mjs";
 import { svg } from "./elements.mjs";
 import { prefix_of, quantity } from "./units.mjs";

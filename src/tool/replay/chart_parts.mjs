@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 
 /** Round numbers from least to greatest, about so many. */
 export function ticks(least, greatest, about) {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 
 /** A hue of its own for each body, by the golden angle, all about equally bright: OKLCH to linear red, green, blue of 0 to 1. */
 export function hue_of(index) {

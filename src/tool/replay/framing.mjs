@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { Vector3 } from "three";
 
 import { radius_of } from "./replay_data.mjs";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { Orientations, at } from "./orientation.mjs";
 
 /** Numbers of an arc: t, position, velocity, acceleration, angular velocity, its rate; then the phase. */

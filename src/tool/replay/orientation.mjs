@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { cross, normalized, product, turn } from "./quaternion.mjs";
 
 /** What one arc may be off by, in radians: a hundredth of a pixel on a ball that fills the screen. */

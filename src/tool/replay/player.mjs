@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { by_id, svg } from "./elements.mjs";
 import { count_up_to } from "./replay_data.mjs";
 

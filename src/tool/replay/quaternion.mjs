@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Quaternions as [w, x, y, z], and vectors as [x, y, z].
 
 export function product([w, x, y, z], [a, b, c, d]) {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { cross, dot } from "./quaternion.mjs";
 
 // The space that planes and the room leave to the bodies: the points x with normal · x ≥ offset for each half-space.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { Chart } from "./chart.mjs";
 import { by_id } from "./elements.mjs";
 import { phases } from "./motion.mjs";

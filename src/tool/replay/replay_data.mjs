@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { Motion } from "./motion.mjs";
 
 /** The replay as the page holds it, made ready: motions that can be asked, impacts in the order of time. */

@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <string>
+#include <nlohmann/json.hpp>
 
 #include "report/overall.hpp"
 
 namespace carom::tool {
 
-/// "carom | sound" and the like as a picture, in SVG, that refers to nothing else.
-[[nodiscard]] std::string badge_svg(const Overall& overall);
+/// The verdict as shields.io's endpoint badge reads it (https://shields.io/badges/endpoint-badge).
+[[nodiscard]] nlohmann::json badge_record(const Overall& overall);
 
 }  // namespace carom::tool

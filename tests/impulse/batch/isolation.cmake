@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # cmake -DNM=… -DOBJECTS=… -P isolation.cmake
 # The linker keeps one of many copies of an inline function. Where the copy comes from a unit compiled for a wide
 # instruction set, a machine without that set ends at it. So all that such a unit may define for others are the functions

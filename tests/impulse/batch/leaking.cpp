@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // What isolation.cmake is there to find: an inline function of the standard library compiled in this unit.
 #include <algorithm>
 

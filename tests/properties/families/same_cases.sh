@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSL-1.0
 # Draws the same cases by other compilers, for other instruction sets, and compares every bit:
 #   same_cases.sh SOURCE WORK [CASES]
 # builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs it. The first thousand cases

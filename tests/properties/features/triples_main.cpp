@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Which share of the triples of features the cases of a gate have:
 //   triples [--seed S] [--cases N] [--jobs J] [--missing K]
 // at N cases of each family, times its weight, as `carom gate --cases N`, and on the way there.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Scenes with structure that random ones do not have: rows that touch, exact grazes, balls that are pressed together.
 #include <stop_token>
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // Scenes with polyhedra: random ones hold, and what is planted in one is found.
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // A sound subject but for the fault that the first argument names. Its name on the line is its process id, where that
 // is of use to a test.
 #include <csignal>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // A sound subject, but that its reader takes one spelling that the protocol leaves free for another number, another
 // default or an error: which one, the first argument says.
 #include <functional>

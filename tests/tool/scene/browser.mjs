@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 import { spawn } from "node:child_process";
 
 /** Chromium without a window, asked through its debugging pipe: JSON, each message ended by a zero byte. */

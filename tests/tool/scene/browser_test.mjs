@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // node browser_test.mjs WRITE_REPLAY DIRECTORY: opens a replay in Chromium, looks at it at several times, and plays with
 // it. Exit 77 where there is no Chromium, or no bundle in the program. With KEEP=1 the pictures that it compares with are
 // written anew: look at them then.

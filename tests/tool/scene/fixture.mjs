@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // node fixture.mjs FILE: a replay to look at. Six balls and a cube in a room bounce, slide, roll and come to rest, and a
 // ball on the ground has an angular velocity that turns and changes. It is simple physics in small steps, good enough to
 // see what the page draws and to compare pictures with; nothing is judged by it.

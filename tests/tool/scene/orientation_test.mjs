@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // node --test orientation_test.mjs: how bodies turn and where they are between the starts of their arcs.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // node --test parts_test.mjs: the parts of the page of replays that draw nothing by themselves.
 import assert from "node:assert/strict";
 import { test } from "node:test";

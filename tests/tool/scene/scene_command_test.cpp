@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // `carom scene` on the scenes that ship, and on what it has to refuse.
 #include <algorithm>
 #include <filesystem>

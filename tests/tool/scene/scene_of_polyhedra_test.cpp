@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // `carom scene` and `carom plan` on a scene of polyhedra: what they write, and what they say of energy.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSL-1.0
 // write_replay JSON HTML: the page of a replay, for the test that opens it. Exit 77 where the program has no replays.
 #include <exception>
 #include <fstream>
