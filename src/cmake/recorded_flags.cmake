@@ -19,7 +19,7 @@ function(carom_libraries_below directory result)
   set(${result} ${libraries} PARENT_SCOPE)
 endfunction()
 
-# carom_record_flags(TARGET): gives TARGET a header report/compiled.hpp, of every library that there is by now.
+# carom_record_flags(TARGET): gives TARGET a header io/compiled.hpp, of every library that there is by now.
 function(carom_record_flags recorder)
   carom_libraries_below(${PROJECT_SOURCE_DIR} libraries)
   list(SORT libraries)
@@ -42,7 +42,7 @@ function(carom_record_flags recorder)
   set(directory ${PROJECT_BINARY_DIR}/include/tool/$<CONFIG>)
   file(
     GENERATE
-    OUTPUT ${directory}/$<COMPILE_LANGUAGE>/report/compiled.hpp
+    OUTPUT ${directory}/$<COMPILE_LANGUAGE>/io/compiled.hpp
     CONTENT
       "// SPDX-License-Identifier: BSL-1.0
 #pragma once

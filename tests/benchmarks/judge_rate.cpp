@@ -15,7 +15,7 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include "support/exit_status.hpp"
+#include <carom/report/model/exit_status.hpp>
 
 namespace carom::benchmarks {
 namespace {

@@ -15,7 +15,7 @@
 #include <carom/impulse/laws.hpp>
 
 #include "chart/gnuplot.hpp"
-#include "support/exit_status.hpp"
+#include <carom/report/model/exit_status.hpp>
 
 namespace carom::figures {
 namespace {

@@ -21,7 +21,7 @@
 #include <carom/impulse/solve3.hpp>
 
 #include "chart/gnuplot.hpp"
-#include "support/exit_status.hpp"
+#include <carom/report/model/exit_status.hpp>
 
 namespace carom::figures {
 namespace {

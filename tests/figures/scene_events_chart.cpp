@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "chart/gnuplot.hpp"
-#include "support/exit_status.hpp"
+#include <carom/report/model/exit_status.hpp>
 
 namespace carom::figures {
 namespace {

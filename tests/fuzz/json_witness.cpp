@@ -8,9 +8,9 @@
 
 #include <carom/collision/validate.hpp>
 
-#include "commands/commands.hpp"
-#include "commands/input_file.hpp"
-#include "commands/json_file.hpp"
+#include "io/usage_error.hpp"
+#include "io/input_file.hpp"
+#include "io/json_file.hpp"
 #include "input.hpp"
 #include "target.hpp"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/subjects/protocol/command_line.hpp>
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/collision/json/text.hpp>
 
 #include "input.hpp"
 #include "target.hpp"
@@ -33,7 +33,7 @@ bool is_utf8(const std::string& text) {
 bool is_control(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; }
 
 void print(const std::string& text, std::size_t longest) {
-  const std::string shown = protocol::printable(text, longest);
+  const std::string shown = carom::printable(text, longest);
   require(is_utf8(shown), "what is printed is not UTF-8");
   require(shown.size() <= longest_replacement * longest + ellipsis.size(), "more is printed than may be");
   require(std::none_of(shown.begin(), shown.end(),
@@ -43,18 +43,18 @@ void print(const std::string& text, std::size_t longest) {
        {"\u061c", "\u200e", "\u200f", "\u2028", "\u202a", "\u202e", "\u2066", "\u2069", "\u0085", "\u009b"}) {
     require(shown.find(turning) == std::string::npos, "what turns the writing is printed");
   }
-  const std::string line = protocol::printable_line(text, longest);
+  const std::string line = carom::printable_line(text, longest);
   require(std::none_of(line.begin(), line.end(), is_control), "a line is printed that is none");
 }
 
 void split(const std::string& text) {
-  require(protocol::split_words(protocol::quoted(text)) == std::vector<std::string>{text},
+  require(protocol::split_words(carom::quoted(text)) == std::vector<std::string>{text},
           "a quoted word is not read back");
   try {
     std::string line;
     const std::vector<std::string> words = protocol::split_words(text);
     for (const std::string& word : words) {
-      line += protocol::quoted(word) + ' ';
+      line += carom::quoted(word) + ' ';
     }
     require(protocol::split_words(line) == words, "quoted words are not read back");
   } catch (const std::invalid_argument&) {

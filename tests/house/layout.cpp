@@ -34,8 +34,30 @@ const std::vector<Rule>& rules() {
        true,
        {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/", "fcl/", "gmpxx.h"}},
       {"src/scene/", "", true, {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/"}},
-      {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/tool/", "CGAL/"}},
-      {"src/tool/commands/", "memory_reserve.cpp", true, {"gmp.h", "sys/", "unistd.h"}},
+      {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/report/", "carom/tool/", "CGAL/"}},
+      // A report starts no process and no thread and touches no file: it has nothing of the system to include.
+      {"src/report/document/", "", true, {"carom/collision/", "carom/report/document/", "pugixml"}},
+      {"src/report/drawing/",
+       "",
+       true,
+       {"carom/collision/", "carom/oracles/", "carom/report/document/", "carom/report/drawing/", "fmt/", "pugixml",
+        "Eigen/"}},
+      {"src/report/model/",
+       "",
+       true,
+       {"carom/collision/", "carom/oracles/", "carom/properties/", "carom/report/model/", "fmt/", "nlohmann/"}},
+      {"src/report/pages/",
+       "",
+       true,
+       {"carom/collision/", "carom/oracles/", "carom/properties/", "carom/report/document/", "carom/report/drawing/",
+        "carom/report/model/", "carom/report/pages/", "fmt/", "nlohmann/", "pugixml"}},
+      {"src/report/chart/",
+       "",
+       true,
+       {"carom/collision/", "carom/oracles/", "carom/report/document/", "carom/report/drawing/", "carom/report/model/",
+        "carom/report/chart/", "fmt/", "nlohmann/"}},
+      {"src/report/", "", true, {}},  // every file stands in one of these rooms
+      {"src/tool/io/", "memory_reserve.cpp", true, {"carom/report/", "gmp.h", "sys/", "unistd.h"}},
       {"src/tool/",
        "",
        true,
@@ -90,6 +112,22 @@ const std::vector<Rule>& rules() {
   return all;
 }
 
+/// A room of the program, and those rooms beside it that its files may name.
+struct Room {
+  std::string folder;
+  std::vector<std::string> neighbours;
+};
+
+const std::vector<Room>& rooms() {
+  static const std::vector<Room> all{{"src/tool/io/", {"io/"}},
+                                     {"src/tool/chart/", {"io/", "chart/"}},
+                                     {"src/tool/scene/", {"io/", "scene/"}},
+                                     {"src/tool/plan/", {"io/", "chart/", "scene/", "plan/"}},
+                                     {"src/tool/commands/", {"io/", "chart/", "scene/", "plan/", "commands/"}},
+                                     {"src/tool/", {"io/", "commands/"}}};
+  return all;
+}
+
 bool begins_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }
@@ -110,6 +148,14 @@ bool is_allowed(const Rule& rule, const std::string& name) {
   const bool named = std::any_of(rule.names.begin(), rule.names.end(),
                                  [&](const std::string& beginning) { return begins_with(name, beginning); });
   return rule.only ? named || is_standard(name) : !named;
+}
+
+/// Whether a file of the program may name this one in quotes: of its own room, or of one below it.
+bool is_neighbour(const std::string& path, const std::string& name) {
+  const auto room =
+      std::find_if(rooms().begin(), rooms().end(), [&](const Room& one) { return begins_with(path, one.folder); });
+  return room == rooms().end() || std::any_of(room->neighbours.begin(), room->neighbours.end(),
+                                              [&](const std::string& folder) { return begins_with(name, folder); });
 }
 
 bool ends_with(std::string_view text, std::string_view ending) {
@@ -140,7 +186,7 @@ std::vector<std::string> include_offences(const std::string& path, const std::st
     const bool may_quote = begins_with(path, "src/tool/") || begins_with(path, "tests/");
     const std::string name = match[2];
     const bool leaves_folder = name.find("..") != std::string::npos;
-    if (quoted ? !may_quote || leaves_folder : !is_allowed(rule, name) || leaves_folder) {
+    if (quoted ? !may_quote || leaves_folder || !is_neighbour(path, name) : !is_allowed(rule, name) || leaves_folder) {
       offences.push_back(path + ": includes " + (quoted ? '"' + name + '"' : '<' + name + '>'));
     }
   }
@@ -160,6 +206,27 @@ std::vector<std::string> licence_offences(const std::string& path, const std::st
   const std::string comment = ends_with(path, "pp") ? "//" : "#";
   const std::string tag = "SPDX-License-Identifier: BSL-1.0";
   return line == comment + ' ' + tag ? std::vector<std::string>{} : std::vector{path + ": does not begin with " + tag};
+}
+
+std::vector<std::string> long_functions(const std::string& path, const std::string& text, std::size_t most_lines) {
+  std::vector<std::string> offences;
+  for (const std::string indent : {"", "  "}) {
+    std::istringstream lines(text);
+    std::size_t head = 0;  // the last line that stands as far left as the closing brace will
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      const bool begins_here = begins_with(line, indent) && line.size() > indent.size() &&
+                               std::string_view(" #}").find(line[indent.size()]) == std::string_view::npos;
+      if (begins_here) {
+        head = number;
+      } else if (line == indent + '}' && number - head + 1 > most_lines) {
+        offences.push_back(path + ':' + std::to_string(head) + ": a function of " + std::to_string(number - head + 1) +
+                           " lines");
+      }
+    }
+  }
+  return offences;
 }
 
 std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {

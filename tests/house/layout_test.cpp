@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "layout.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,18 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"properties/conformance/suite.hpp", "carom/impulse/frictionless.hpp"},
            {"properties/conformance/suite.hpp", "carom/subjects/session.hpp"},
            {"properties/conformance/suite.hpp", "carom/tool/table.hpp"},
+           {"src/subjects/catalogue.cpp", "carom/report/model/run.hpp"},
+           {"properties/gate/gate.cpp", "carom/report/model/run.hpp"},
+           {"src/report/document/html.cpp", "carom/report/model/run.hpp"},
+           {"src/report/document/html.cpp", "carom/properties/gate/gate.hpp"},
+           {"src/report/drawing/plot.cpp", "carom/report/pages/pages.hpp"},
+           {"src/report/model/run.cpp", "carom/report/document/document.hpp"},
+           {"src/report/model/run.cpp", "carom/subjects/catalogue.hpp"},
+           {"src/report/model/run.cpp", "unistd.h"},
+           {"src/report/pages/run_text.cpp", "carom/report/chart/diagrams.hpp"},
+           {"src/report/pages/run_text.cpp", "CLI/CLI.hpp"},
+           {"src/report/chart/diagrams.hpp", "carom/report/pages/pages.hpp"},
+           {"src/report/flat.hpp", "carom/report/model/run.hpp"},
            {"tests/oracles/some_test.cpp", "carom/tool/table.hpp"},
            {"tests/oracles/some_test.cpp", "CGAL/Gmpq.h"},
            {"oracles/models/superposition.hpp", "carom/oracles/../impulse/contact.hpp"},
@@ -90,8 +103,35 @@ TEST(LayoutChecker, FindsAnIncludeHoweverItIsSpaced) {
 TEST(LayoutChecker, FindsQuotesThatLeaveTheFolders) {
   EXPECT_NE(offence_of("oracles/models/superposition.hpp", "#include \"kinematics.hpp\""), "");
   EXPECT_NE(offence_of("src/tool/main.cpp", "#include \"../impulse/contact.hpp\""), "");
-  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include \"table.hpp\""), "");
+  EXPECT_EQ(offence_of("src/tool/main.cpp", "#include \"commands/commands.hpp\""), "");
   EXPECT_EQ(offence_of("tests/oracles/some_test.cpp", "#include \"cases.hpp\""), "");
+}
+
+TEST(LayoutChecker, FindsARoomOfTheProgramThatNamesOneAboveIt) {
+  for (const auto& [path, name] :
+       std::vector<std::pair<std::string, std::string>>{{"src/tool/io/progress.cpp", "commands/commands.hpp"},
+                                                        {"src/tool/io/progress.cpp", "plan/clock.hpp"},
+                                                        {"src/tool/chart/timing.cpp", "scene/scene_file.hpp"},
+                                                        {"src/tool/scene/scene_file.cpp", "plan/clock.hpp"},
+                                                        {"src/tool/plan/clock.cpp", "commands/options.hpp"},
+                                                        {"src/tool/main.cpp", "plan/clock.hpp"}}) {
+    EXPECT_EQ(offence_of(path, "#include \"" + name + '"'), path + ": includes \"" + name + "\"\n");
+  }
+  EXPECT_EQ(offence_of("src/tool/commands/plan_command.cpp", "#include \"plan/clock.hpp\""), "");
+  EXPECT_EQ(offence_of("src/tool/plan/clock.cpp", "#include \"io/progress.hpp\""), "");
+}
+
+TEST(LayoutChecker, FindsALongFunction) {
+  const std::string body = "  one();\n  two();\n";
+  for (const char* head :
+       {"int f() {", "int f(int x,\n      int y) const {", "auto f() -> int {", "int X::f() noexcept {"}) {
+    const std::string text = head + ('\n' + body) + "}\n";
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    EXPECT_EQ(long_functions("x.cpp", text, lines - 1).size(), 1U) << head;
+    EXPECT_EQ(long_functions("x.cpp", text, lines), Offences{}) << head;
+  }
+  EXPECT_EQ(long_functions("x.cpp", "struct X {\n  void f() {\n    one();\n    two();\n  }\n};\n", 3).size(), 1U);
+  EXPECT_EQ(long_functions("x.cpp", "namespace x {\nstruct Y {\n  int a;\n  int b;\n  int c;\n};\n}\n", 3), Offences{});
 }
 
 TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
@@ -166,6 +206,20 @@ TEST(Layout, KeepsTheArrowsBetweenTheFolders) {
   for (const SourceFile& file : source_files(top)) {
     const Offences more = include_offences(file.path, file.text);
     offences.insert(offences.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(joined(offences), "");
+}
+
+TEST(Layout, KeepsFunctionsOfTheProgramShort) {
+  constexpr std::size_t most_lines = 80;
+  constexpr std::size_t most_lines_of_main = 60;
+  Offences offences;
+  for (const SourceFile& file : source_files(top)) {
+    if (file.path.starts_with("src/tool/") || file.path.starts_with("src/report/")) {
+      const bool is_main = file.path == "src/tool/main.cpp";
+      const Offences more = long_functions(file.path, file.text, is_main ? most_lines_of_main : most_lines);
+      offences.insert(offences.end(), more.begin(), more.end());
+    }
   }
   EXPECT_EQ(joined(offences), "");
 }

@@ -4,15 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/report/chart/diagrams.hpp>
+#include <carom/report/chart/measurement.hpp>
+#include <carom/report/drawing/plot.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "chart/canvas.hpp"
-#include "chart/diagrams.hpp"
 #include "chart/exactness.hpp"
-#include "chart/measurement.hpp"
 
 namespace carom::tool::chart {
 namespace {
+
+using namespace report;  // what is tested
 
 TEST(ChartParts, QuantilesAreOfTheNearestRank) {
   const std::vector<double> values{1, 2, 3, 4};

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "report/environment.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -13,8 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/report/model/run_json.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
+#include "io/this_environment.hpp"
 #include "support/program.hpp"
 
 /// What the report says of compiler flags, held against the compile lines of this build.
@@ -104,7 +104,7 @@ TEST(Environment, RecordsTheFlagsThatEachLibraryWasCompiledWith) {
     GTEST_SKIP() << "this generator writes no " << CAROM_COMPILE_COMMANDS;
   }
   const std::map<std::string, Flags> compiled = compiled_flags();
-  const Environment environment = this_environment();
+  const report::Environment environment = this_environment();
   for (const auto& [library, flags] : environment.compiler_flags) {
     const auto found = compiled.find(library);
     ASSERT_NE(found, compiled.end()) << library;

@@ -36,10 +36,12 @@ void expect_harmless(const RunResult& run) {
 json ball() { return collision_to_json(unit::ball_on_a_plane(0.5, 1)); }
 
 json report_of_one_subject() {
-  return json::parse(R"({"carom": "0.1.0", "cases_of_each_family": 5, "subjects": [
+  return json::parse(R"({"carom": "0.1.0", "environment": {"date": "2026-11-25"}, "seed": 1, "cases_of_each_family": 5,
+    "yardstick": {"limit_ulps": 32}, "interrupted": false, "families": [], "subjects": [
     {"name": "mine", "version": "1", "precision": "binary64", "model": "reflection", "status": "violated",
-     "worst_backward_error": {"ulps": "inf"}, "digits": {"p50": 15.2, "p99": "-inf", "worst": "-inf"},
-     "violations": [], "families": [], "nanoseconds_per_solve": 12}]})");
+     "deviates": [], "counts": true, "error": "", "worst_backward_error": {"ulps": "inf", "family": ""},
+     "digits": {"p50": 15.2, "p99": "-inf", "worst": "-inf"}, "violations": [], "families": [],
+     "nanoseconds_per_solve": 12}]})");
 }
 
 TEST(HostileInput, TableTakesReportsOfWhatIsNotFinite) {

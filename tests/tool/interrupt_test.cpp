@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/interrupt.hpp"
+#include "io/interrupt.hpp"
 
 #include <chrono>
 #include <csignal>

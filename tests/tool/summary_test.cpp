@@ -28,7 +28,7 @@ void expect_in(const std::string& text, const std::vector<std::string>& parts) {
 TEST(Summary, OfASoundSubjectIsALineOfATable) {
   const std::string text = summary_of({"gate", "frictionless-double", "--families", "head_on", "--cases", "20"}, 0);
   expect_in(text, {"## Carom: sound\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 families, seed 1, ",
-                   "| `frictionless-double` | frictionless | sound | 20 | "});
+                   "| `frictionless-double` | sound | "});
   EXPECT_EQ(text.find("###"), std::string::npos) << text;
 }
 
@@ -40,15 +40,14 @@ TEST(Summary, HasTheFirstWitnessOfAViolatedSubjectInWordsAndItsReplay) {
   const auto report = nlohmann::json::parse(content_of(out.path() / "report.json"));
   const auto& violations = report.at("subjects").at(0).at("violations");
   ASSERT_GE(violations.size(), 2U);
-  expect_in(text, {"**" + std::to_string(violations.size()) + " violated**", "### `reflection-in-basis-double`",
-                   "In 2 of 2 families: ", "\n      answered\n        A: velocity ", ", apart by ", ", allowed "});
+  expect_in(text, {"| " + std::to_string(violations.size()) + " violated |", "### `reflection-in-basis-double`",
+                   "\n      answered\n        A: velocity ", ", apart by ", ", allowed "});
   for (const auto& violation : violations) {
     expect_in(text, {"| " + violation.at("invariant").get<std::string>() + " | " +
                      std::to_string(violation.at("count").get<int>()) + " of "});
   }
   const std::string telling = report.at("subjects").at(0).at("diagnosis").at("telling");
   const std::string witness = "witnesses/reflection-in-basis-double." + telling + ".json";
-  expect_in(text, {"    " + report.at("subjects").at(0).at("diagnosis").at("what").get<std::string>()});
   expect_in(text, {"    carom replay " + (out.path() / witness).string() + " --subject reflection-in-basis-double\n"});
 }
 

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <carom/subjects/engines/adapters.hpp>
-#include <carom/subjects/protocol/command_line.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects {
 namespace {
@@ -35,7 +35,7 @@ bool is_on_path(const std::string& program) {
 
 /// What installs the packages of that folder, or, where it cannot be written, of a copy.
 std::string how_to_install(const fs::path& directory) {
-  const std::string quoted = protocol::quoted(directory.string());
+  const std::string quoted = carom::quoted(directory.string());
   if (access(directory.c_str(), W_OK) == 0) {
     return "npm ci --prefix " + quoted;
   }

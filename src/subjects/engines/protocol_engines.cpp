@@ -7,7 +7,7 @@
 #include <carom/subjects/engines/adapters.hpp>
 #include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/engines.hpp>
-#include <carom/subjects/protocol/command_line.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects {
 namespace {
@@ -16,7 +16,7 @@ std::string specification(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) {
     text += text.empty() ? std::string(protocol::exec_prefix) : " ";
-    text += protocol::quoted(word);
+    text += carom::quoted(word);
   }
   return text;
 }

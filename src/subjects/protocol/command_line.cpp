@@ -98,18 +98,4 @@ class Splitter {
 
 std::vector<std::string> split_words(std::string_view text) { return Splitter(text).words(); }
 
-std::string quoted(const std::string& word) {
-  const auto is_plain = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || is_one_of(letter, "-._/");
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
-    return word;
-  }
-  std::string result = "'";
-  for (const char letter : word) {
-    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  }
-  return result + '\'';
-}
-
 }  // namespace carom::subjects::protocol

@@ -10,7 +10,7 @@
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

@@ -12,7 +12,7 @@
 #include <carom/impulse/normal_velocity.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

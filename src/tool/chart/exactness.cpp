@@ -42,7 +42,7 @@ oracles::Yardstick yardstick_of(const Subject& subject, double limit_ulps) {
   return yardstick;
 }
 
-void add_result(ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
+void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
                 const Answer& answer, double limit_ulps) {
   const oracles::Yardstick yardstick = yardstick_of(subject, limit_ulps);
   if (properties::reason_unjudged(exact_case, yardstick)) {
@@ -76,7 +76,7 @@ struct CoulombCase {
   properties::JudgedCase judged;
   std::vector<oracles::CoulombAnswer> answers;  // empty where they were left out
 
-  void add_to(ExactnessBuilder& builder, double digits, bool holds) const {
+  void add_to(report::ExactnessBuilder& builder, double digits, bool holds) const {
     if (answers.empty()) {
       builder.add(holds);
     } else {
@@ -94,8 +94,8 @@ properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps)
   return claim;
 }
 
-void add_coulomb_result(ExactnessBuilder& builder, const CoulombCase& one, const Subject& subject, const Answer& answer,
-                        double limit_ulps) {
+void add_coulomb_result(report::ExactnessBuilder& builder, const CoulombCase& one, const Subject& subject,
+                        const Answer& answer, double limit_ulps) {
   if (properties::reason_unjudged(one.judged.exact(), yardstick_of(subject, limit_ulps))) {
     return;
   }
@@ -130,19 +130,19 @@ std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double qu
       count);
 }
 
-std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
-                                          std::span<const Collision> collisions, double limit_ulps, unsigned jobs,
-                                          AnswersOfCoulomb answers_of_coulomb) {
+std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
+                                                  std::span<const Collision> collisions, double limit_ulps,
+                                                  unsigned jobs, AnswersOfCoulomb answers_of_coulomb) {
   std::vector<std::vector<Answer>> answers;
   for (const subjects::Method& method : methods) {
     Session session = method.subject.open();
     answers.push_back(properties::answers_of(session, collisions));
   }
   // Cases outside, methods inside: the truth of a case is worked out once.
-  std::vector<std::vector<ExactnessBuilder>> parts(jobs, std::vector<ExactnessBuilder>(methods.size()));
+  std::vector<std::vector<report::ExactnessBuilder>> parts(jobs, std::vector<report::ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;
   properties::in_parallel(jobs, jobs, [&](std::size_t thread) {
-    std::vector<ExactnessBuilder>& part = parts[thread];
+    std::vector<report::ExactnessBuilder>& part = parts[thread];
     for (std::size_t i = next++; i < collisions.size(); i = next++) {
       const oracles::ExactCase exact_case(collisions[i]);
       std::optional<CoulombCase> coulomb_case;
@@ -159,7 +159,7 @@ std::vector<Exactness> measured_exactness(std::span<const subjects::Method> meth
       }
     }
   });
-  std::vector<Exactness> result;
+  std::vector<report::Exactness> result;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     for (std::size_t part = 1; part < parts.size(); ++part) {
       parts[0][m] += parts[part][m];

@@ -8,8 +8,8 @@
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/families/sweep.hpp>
-
-#include "chart/measurement.hpp"
+#include <carom/report/chart/measurement.hpp>
+#include <carom/subjects/methods.hpp>
 
 namespace carom::tool::chart {
 
@@ -28,8 +28,9 @@ enum class AnswersOfCoulomb { found, left_out };
 /// How exact each method is on the same colliding collisions, judged against the exact truth, or the equations
 /// of a law that has none and the nearest of its answers: one for each method, without the cases that its precision
 /// cannot hold, or of which nothing is asked. So many threads at once.
-[[nodiscard]] std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
-                                                        std::span<const Collision> collisions, double limit_ulps,
-                                                        unsigned jobs, AnswersOfCoulomb answers_of_coulomb);
+[[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
+                                                                std::span<const Collision> collisions,
+                                                                double limit_ulps, unsigned jobs,
+                                                                AnswersOfCoulomb answers_of_coulomb);
 
 }  // namespace carom::tool::chart

@@ -43,11 +43,11 @@ class Times : public benchmark::BenchmarkReporter {
     }
   }
 
-  [[nodiscard]] std::vector<Spread> spreads() const {
-    std::vector<Spread> result;
+  [[nodiscard]] std::vector<report::Spread> spreads() const {
+    std::vector<report::Spread> result;
     for (std::vector<double> times : nanoseconds_) {
       std::sort(times.begin(), times.end());
-      result.push_back({quantile(times, 0.5), times.front(), times.back()});
+      result.push_back({report::quantile(times, 0.5), times.front(), times.back()});
     }
     return result;
   }
@@ -69,8 +69,8 @@ void set_up_benchmark() {
 
 }  // namespace
 
-std::vector<Spread> measured_times(std::span<const TimedKernel> kernels, int repetitions,
-                                   const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+std::vector<report::Spread> measured_times(std::span<const TimedKernel> kernels, int repetitions,
+                                           const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
   set_up_benchmark();
   benchmark::ClearRegisteredBenchmarks();
   for (std::size_t k = 0; k < kernels.size(); ++k) {

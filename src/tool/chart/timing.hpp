@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <carom/collision/collision.hpp>
-
-#include "chart/measurement.hpp"
+#include <carom/report/chart/measurement.hpp>
+#include <carom/subjects/methods.hpp>
 
 namespace carom::tool::chart {
 
@@ -22,7 +22,8 @@ struct TimedKernel {
 
 /// Nanoseconds for each contact of each kernel, by Google Benchmark: so many repetitions in a random order, so that a
 /// disturbance of the machine does not hit one kernel alone. `progress(done, all)` where given.
-[[nodiscard]] std::vector<Spread> measured_times(std::span<const TimedKernel> kernels, int repetitions,
-                                                 const std::function<void(std::uint64_t, std::uint64_t)>& progress);
+[[nodiscard]] std::vector<report::Spread> measured_times(
+    std::span<const TimedKernel> kernels, int repetitions,
+    const std::function<void(std::uint64_t, std::uint64_t)>& progress);
 
 }  // namespace carom::tool::chart

@@ -1,28 +1,38 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <memory>
+#include <string>
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include <carom/report/pages/pages.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/output_file.hpp"
-#include "commands/report_file.hpp"
-#include "report/badge.hpp"
+#include "io/output_file.hpp"
+#include "io/report_file.hpp"
 
 namespace carom::tool {
 
-int badge(const std::string& file, const std::string& out) {
-  const nlohmann::json report = report_from(file);
-  std::string record;
-  try {
-    record = badge_record(overall_of(report)).dump() + '\n';
-  } catch (const nlohmann::json::exception& error) {
-    throw UsageError(fmt::format("{}: is not a report.json of carom gate: {}", file, error.what()));
-  }
-  if (out.empty()) {
-    fmt::print("{}", record);
-  } else {
-    write_file(out, record);
-  }
-  return exit_all_hold;
+void add_badge(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    std::string file;
+    std::string out;  // empty for standard output
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("badge", "Write the verdict of a report.json as JSON for a badge of shields.io");
+  command->add_option("FILE", arguments->file, "report.json of `carom gate --out`")->required();
+  command->add_option("--out", arguments->out, "File to write (default: standard output)")->type_name("FILE");
+  command->callback([&chosen, arguments] {
+    chosen = [arguments] {
+      const std::string record = report::badge_record(read_report(arguments->file).run).dump() + '\n';
+      if (arguments->out.empty()) {
+        fmt::print("{}", record);
+      } else {
+        write_file(arguments->out, record);
+      }
+      return exit_all_hold;
+    };
+  });
 }
 
 }  // namespace carom::tool

@@ -3,29 +3,42 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <thread>
+#include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
+#include <carom/report/chart/chart_records.hpp>
+#include <carom/report/chart/diagrams.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "chart/chart_records.hpp"
-#include "chart/diagrams.hpp"
 #include "chart/exactness.hpp"
-#include "chart/gnuplot.hpp"
 #include "chart/timing.hpp"
 #include "commands/commands.hpp"
-#include "commands/output_file.hpp"
-#include "commands/progress.hpp"
-#include "commands/staged_output.hpp"
+#include "commands/options.hpp"
+#include "io/gnuplot.hpp"
+#include "io/output_file.hpp"
+#include "io/progress.hpp"
+#include "io/staged_output.hpp"
+#include "io/this_environment.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
 
-using chart::Exactness;
-using chart::MethodMeasurement;
+struct ChartArguments {
+  std::vector<std::string> methods;  // names; empty for all
+  std::string out;                   // a directory
+  std::uint64_t seed = 1;
+  std::size_t cases = 200;  // of each family, and at each point of a sweep
+  int repetitions = 5;      // of each timing
+  unsigned jobs = 0;        // threads that judge; 0: one for each core
+};
+
+using report::Exactness;
+using report::MethodMeasurement;
 using subjects::Method;
 
 std::vector<Method> methods_of(const std::vector<std::string>& names) {
@@ -76,7 +89,7 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
       kernels.push_back({&method, family.collisions});
     }
   }
-  const std::vector<chart::Spread> times =
+  const std::vector<report::Spread> times =
       chart::measured_times(kernels, arguments.repetitions, progress_line("timings"));
 
   std::vector<MethodMeasurement> result;
@@ -94,17 +107,17 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   return result;
 }
 
-std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
-                                                     const std::vector<Method>& methods, unsigned jobs) {
+std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
+                                                      const std::vector<Method>& methods, unsigned jobs) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
     all += sweep.quantities().size();
   }
   std::uint64_t done = 0;
-  std::vector<chart::SweepMeasurement> result;
+  std::vector<report::SweepMeasurement> result;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
-    chart::SweepMeasurement measurement{
+    report::SweepMeasurement measurement{
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
     for (const Method& method : methods) {
       measurement.lines.push_back(
@@ -127,48 +140,46 @@ std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& argum
   return result;
 }
 
-std::vector<chart::Picture> pictures_of(const chart::Measurements& measurements) {
-  std::vector<chart::Picture> pictures;
-  for (const Model model : chart::charted_models()) {
-    const std::vector<MethodMeasurement> methods = chart::of_model(measurements.methods, model);
+std::vector<report::Plot> pictures_of(const report::Measurements& measurements) {
+  std::vector<report::Plot> pictures;
+  for (const Model model : report::charted_models()) {
+    const std::vector<MethodMeasurement> methods = report::of_model(measurements.methods, model);
     if (methods.empty()) {
       continue;
     }
-    pictures.push_back(chart::work_precision(methods));
-    pictures.push_back(chart::work_precision_of_families(methods));
-    pictures.push_back(chart::deadline(methods));
+    pictures.push_back(report::work_precision(methods));
+    pictures.push_back(report::work_precision_of_families(methods));
+    pictures.push_back(report::deadline(methods));
     if (!determines_outcome(model)) {
       continue;  // stability maps show backward errors
     }
-    for (const chart::SweepMeasurement& sweep : measurements.sweeps) {
-      pictures.push_back(chart::stability_map(sweep, model, measurements.limit_ulps));
+    for (const report::SweepMeasurement& sweep : measurements.sweeps) {
+      pictures.push_back(report::stability_map(sweep, model, measurements.limit_ulps));
     }
   }
   return pictures;
 }
 
-}  // namespace
-
 int chart_methods(const ChartArguments& arguments) {
   const std::vector<Method> methods = methods_of(arguments.methods);
   StagedOutput staged(arguments.out);
-  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const chart::Measurements measurements{this_environment(),
-                                         arguments.seed,
-                                         arguments.cases,
-                                         arguments.repetitions,
-                                         oracles::default_limit_ulps,
-                                         measured_methods(arguments, methods, jobs),
-                                         measured_sweeps(arguments, methods, jobs)};
-  const std::string tables = chart::tables_markdown(measurements);
+  const unsigned jobs = threads(arguments.jobs);
+  const report::Measurements measurements{this_environment(),
+                                          arguments.seed,
+                                          arguments.cases,
+                                          arguments.repetitions,
+                                          oracles::default_limit_ulps,
+                                          measured_methods(arguments, methods, jobs),
+                                          measured_sweeps(arguments, methods, jobs)};
+  const std::string tables = report::tables_markdown(measurements);
   const std::filesystem::path& stage = staged.stage();
   write_file(stage / "tables.md", tables);
-  write_file(stage / "work-precision.csv", chart::work_precision_csv(measurements));
-  write_file(stage / "stability.csv", chart::stability_csv(measurements));
-  write_file(stage / "deadline.csv", chart::deadline_csv(measurements));
-  write_file(stage / "chart.json", chart::chart_record(measurements).dump(1) + '\n');
+  write_file(stage / "work-precision.csv", report::work_precision_csv(measurements));
+  write_file(stage / "stability.csv", report::stability_csv(measurements));
+  write_file(stage / "deadline.csv", report::deadline_csv(measurements));
+  write_file(stage / "chart.json", report::chart_record(measurements).dump(1) + '\n');
   // Where gnuplot fails, the numbers are there.
-  const std::exception_ptr undrawn = chart::try_to_draw(pictures_of(measurements), stage);
+  const std::exception_ptr undrawn = try_to_draw(pictures_of(measurements), stage);
   staged.put_in_place("chart.json");
   remove_abandoned_stages(arguments.out);
   fmt::print("{}", tables);
@@ -177,6 +188,25 @@ int chart_methods(const ChartArguments& arguments) {
     std::rethrow_exception(undrawn);
   }
   return exit_all_hold;
+}
+
+}  // namespace
+
+void add_chart(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<ChartArguments>();
+  CLI::App* command =
+      app.add_subcommand("chart", "Measure speed and accuracy of the built-in methods and draw one against the other");
+  command->add_option("METHOD", arguments->methods, "Methods to measure (default: every built-in one)");
+  command->add_option("--out", arguments->out, "Directory for the pictures and the data")->required();
+  add_seed(*command, arguments->seed, "The same seed gives the same cases");
+  command->add_option("--cases", arguments->cases, "Colliding cases of each family and at each point of a sweep")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--repetitions", arguments->repetitions, "Repetitions of each timing")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_jobs(*command, arguments->jobs, "Threads that judge");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return chart_methods(*arguments); }; });
 }
 
 }  // namespace carom::tool

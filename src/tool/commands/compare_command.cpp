@@ -1,27 +1,52 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <memory>
+#include <string>
+
 #include <fmt/format.h>
 
+#include <carom/report/model/comparison_record.hpp>
+#include <carom/report/pages/pages.hpp>
+
 #include "commands/commands.hpp"
-#include "compare/comparison_html.hpp"
-#include "compare/comparison_markdown.hpp"
-#include "compare/comparison_record.hpp"
-#include "compare/comparison_text.hpp"
+#include "commands/options.hpp"
+#include "io/report_file.hpp"
 
 namespace carom::tool {
+namespace {
+
+struct CompareArguments {
+  std::string before;  // reports, or the directories that hold them
+  std::string now;
+  std::string format = "text";
+};
 
 int compare_files(const CompareArguments& arguments) {
-  const compare::Comparison comparison =
-      compare::compare_reports(compare::read_report(arguments.before), compare::read_report(arguments.now));
+  const ReadRun before = read_report(arguments.before);
+  const ReadRun now = read_report(arguments.now);
+  const report::Comparison comparison = report::compare_runs(before.run, before.file, now.run, now.file);
   if (arguments.format == "json") {
-    fmt::print("{}\n", compare::comparison_record(comparison).dump(2));
+    fmt::print("{}\n", report::comparison_record(comparison).dump(2));
   } else if (arguments.format == "markdown") {
-    fmt::print("{}", compare::comparison_markdown(comparison));
+    fmt::print("{}", report::comparison_markdown(comparison));
   } else if (arguments.format == "html") {
-    fmt::print("{}", compare::comparison_html(comparison));
+    fmt::print("{}", report::comparison_html(comparison));
   } else {
-    fmt::print("{}", compare::comparison_text(comparison));
+    fmt::print("{}", report::comparison_text(comparison));
   }
   return comparison.count_new(false) > 0 ? exit_violated : exit_all_hold;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Compare two reports: exit status 0 nothing is new in the second, 1 something is, 2 bad input");
+  command->add_option("OLD", arguments->before, "report.json of `carom gate --out`, or the directory that holds it")
+      ->required();
+  command->add_option("NEW", arguments->now, "The later one")->required();
+  add_format(*command, arguments->format, {"text", "markdown", "html", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return compare_files(*arguments); }; });
 }
 
 }  // namespace carom::tool

@@ -1,33 +1,59 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <carom/properties/gate/gate.hpp>
+#include <carom/report/model/duration.hpp>
+#include <carom/report/model/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/family_argument.hpp"
-#include "commands/interrupt.hpp"
-#include "commands/orphans.hpp"
-#include "commands/output_file.hpp"
-#include "commands/present_run.hpp"
-#include "commands/progress.hpp"
-#include "commands/staged_output.hpp"
-#include "commands/subject_argument.hpp"
-#include "commands/workflow_commands.hpp"
-#include "compare/read_report.hpp"
-#include "report/environment.hpp"
-#include "report/records.hpp"
+#include "commands/options.hpp"
+#include "io/family_argument.hpp"
+#include "io/interrupt.hpp"
+#include "io/orphans.hpp"
+#include "io/output_file.hpp"
+#include "io/present_run.hpp"
+#include "io/progress.hpp"
+#include "io/report_file.hpp"
+#include "io/staged_output.hpp"
+#include "io/subject_argument.hpp"
+#include "io/this_environment.hpp"
+#include "io/usage_error.hpp"
+#include "io/workflow_commands.hpp"
 
 namespace carom::tool {
 namespace {
+
+struct GateArguments {
+  std::vector<std::string> subjects;
+  std::vector<std::string> families;
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;
+  std::optional<std::chrono::nanoseconds> budget;  // in place of `cases`
+  bool fail_fast = false;
+  YardstickArguments judged;
+  unsigned jobs = 0;        // 0: one for each core
+  std::string out;          // a directory; empty for none
+  std::string annotations;  // "github", or empty for none
+  std::string summary;      // a file to add to; empty for none
+  bool engines = false;
+  std::uint64_t relations_every = 0;  // 0: as GateOptions says
+  double timeout = 5;                 // of each reply of a program [s]
+  std::string format = "text";
+  std::string baseline;                         // a report.json, or the directory that holds it; empty for none
+  std::vector<std::string> deviates;            // "invariant" or "invariant@family"
+  std::optional<properties::Shard> shard = {};  // that alone is judged; empty for the whole
+};
 
 namespace fs = std::filesystem;
 
@@ -59,7 +85,7 @@ struct Selection {
 std::set<std::string> known_file_names() {
   std::set<std::string> names;
   for (const Subject& known : subjects::known_subjects()) {
-    names.insert(file_name_of(known.name));
+    names.insert(report::file_name_of(known.name));
   }
   return names;
 }
@@ -76,7 +102,7 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
     if (word.starts_with(subjects::protocol::exec_prefix)) {
       // A program may call itself what it likes: what is taken, or would be taken for another's file, is numbered.
       const std::string name = subject.name;
-      for (int count = 2; !taken.insert(file_name_of(subject.name)).second; ++count) {
+      for (int count = 2; !taken.insert(report::file_name_of(subject.name)).second; ++count) {
         subject.name = fmt::format("{} #{}", name, count);
       }
     }
@@ -111,7 +137,7 @@ std::vector<std::string> known_deviations(const GateArguments& arguments) {
     try {
       (void)properties::deviation_from(text);
     } catch (const std::invalid_argument& error) {
-      throw UsageError(compare::shown(std::string("--deviates: ") + error.what()));
+      throw UsageError(report::shown(std::string("--deviates: ") + error.what()));
     }
     if (std::find(deviates.begin(), deviates.end(), text) == deviates.end()) {
       deviates.push_back(text);
@@ -131,14 +157,37 @@ void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>&
   }
 }
 
-}  // namespace
+properties::GateOptions options_of(const GateArguments& arguments, const std::stop_token& stop) {
+  properties::GateOptions options;
+  options.seed = arguments.seed;
+  options.cases = arguments.cases;
+  options.budget = arguments.budget;
+  options.fail_fast = arguments.fail_fast;
+  options.families = families_of(arguments);
+  if (arguments.families.empty() && !arguments.budget && !arguments.fail_fast) {
+    for (const properties::Family& family : properties::families_beyond_domain()) {
+      options.beyond_domain.push_back(&family);
+    }
+  }
+  options.yardstick = arguments.judged.yardstick();
+  options.jobs = threads(arguments.jobs);
+  options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
+  options.stop = stop;
+  options.relations_every = arguments.relations_every;
+  if (arguments.shard) {
+    if (arguments.cases < arguments.shard->of) {
+      throw UsageError(fmt::format("--shard: {} cases of each family are too few for {} shards", arguments.cases,
+                                   arguments.shard->of));
+    }
+    options.shard = *arguments.shard;
+  }
+  return options;
+}
 
 int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments);
-  std::optional<compare::ReadReport> baseline;
-  if (!arguments.baseline.empty()) {
-    baseline = compare::read_report(arguments.baseline);
-  }
+  const std::optional<ReadRun> baseline =
+      arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
   if (!arguments.annotations.empty() && arguments.format != "text") {
     throw UsageError("--annotations: stand in the text alone, not with --format " + arguments.format);
   }
@@ -153,49 +202,114 @@ int gate(const GateArguments& arguments) {
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
   let_deviate(selection.subjects, deviates);
-  properties::GateOptions options;
-  options.seed = arguments.seed;
-  options.cases = arguments.cases;
-  options.budget = arguments.budget;
-  options.fail_fast = arguments.fail_fast;
-  options.families = families_of(arguments);
-  if (arguments.families.empty() && !arguments.budget && !arguments.fail_fast) {
-    for (const properties::Family& family : properties::families_beyond_domain()) {
-      options.beyond_domain.push_back(&family);
-    }
-  }
-  options.yardstick.limit_ulps = arguments.limit_ulps;
-  options.yardstick.digits = arguments.digits;
-  options.yardstick.filtered = !arguments.exact;
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
-  options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
-  options.stop = stop;
-  options.relations_every = arguments.relations_every;
-  if (arguments.shard) {
-    if (arguments.cases < arguments.shard->of) {
-      throw UsageError(fmt::format("--shard: {} cases of each family are too few for {} shards", arguments.cases,
-                                   arguments.shard->of));
-    }
-    options.shard = *arguments.shard;
-  }
+  const properties::GateOptions options = options_of(arguments, stop);
   std::optional<StagedOutput> staged;
   if (!arguments.out.empty()) {
     make_directories(fs::path(arguments.out) / "witnesses");
     staged.emplace(arguments.out);
   }
-  const Environment environment = this_environment();
-  GateRun run{properties::run_gate(selection.subjects, options),
-              selection.counts,
-              selection.absent,
-              environment,
-              {},
-              deviates,
-              arguments.shard.has_value()};
-  run.diagnoses = properties::diagnosis::diagnose_all(run.report);
+  const report::Environment environment = this_environment();
+  report::Run run = report::run_of(properties::run_gate(selection.subjects, options), selection.counts,
+                                   std::move(selection.absent), environment, deviates, arguments.shard.has_value());
   return present_run(std::move(run), baseline,
                      {arguments.out, arguments.format, !arguments.annotations.empty(), arguments.summary,
                       [&] { commands_stopped.reset(); }},
                      staged);
+}
+
+std::string is_duration(const std::string& text) {
+  return report::duration_from(text) ? std::string() : std::string("expected ") + report::duration_form;
+}
+
+/// "2/3"; none where it is not one of so many.
+std::optional<properties::Shard> shard_from(std::string_view text) {
+  constexpr std::uint64_t most = 1'000'000;
+  properties::Shard shard;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto is_read = [](std::string_view digits, std::uint64_t& number) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const bool is_shard = slash < text.size() && is_read(text.substr(0, slash), shard.number) &&
+                        is_read(text.substr(slash + 1), shard.of) && shard.number >= 1 && shard.number <= shard.of &&
+                        shard.of <= most;
+  return is_shard ? std::optional(shard) : std::nullopt;
+}
+
+std::string is_shard(const std::string& text) {
+  return shard_from(text) ? std::string() : std::string("expected I/N, I from 1 to N, N at most 1000000");
+}
+
+}  // namespace
+
+void add_gate(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<GateArguments>();
+  CLI::App* command = app.add_subcommand(
+      "gate", "Judge subjects: exit status 0 all hold, 1 something violated, 2 usage or environment");
+  command->add_option("SUBJECT", arguments->subjects,
+                      "Subjects to judge, built-in names or 'exec:PROGRAM ARG…' for a program that speaks the "
+                      "protocol (default: all built-ins; those expected to fail do not count)");
+  command->add_flag("--engines", arguments->engines, "Judge every engine that is installed");
+  add_seed(*command, arguments->seed, "The same seed gives the same cases");
+  CLI::Option* cases = command->add_option("--cases", arguments->cases, "Cases of each family, times its weight")
+                           ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+                           ->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--budget", [arguments](const std::string& text) { arguments->budget = report::duration_from(text); },
+          "Time to judge for, in place of --cases: 500ms, 10s, 2m or 1h. Families are drawn from in turn, those first "
+          "that find most soonest; what was judged is reported. Shrinking what was found comes on top")
+      ->check(is_duration)
+      ->type_name("DURATION")
+      ->excludes(cases);
+  command->add_flag("--fail-fast", arguments->fail_fast,
+                    "Ask a subject nothing more once it has violated an invariant. The run ends where this holds "
+                    "of every subject, or there are no more cases; of each subject the first violation is "
+                    "reported, shrunk and written, the same with any --jobs");
+  command
+      ->add_option("--relations-every", arguments->relations_every,
+                   "Judge each invariant that relates collisions on every Nth case, the next one on other cases "
+                   "(default: 1; 4 for programs)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+  command->add_option("--families", arguments->families, "Families to draw from, separated by commas (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option(
+      "--out", arguments->out,
+      "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
+  command
+      ->add_option(
+          "--baseline", arguments->baseline,
+          "An earlier report.json, or the directory that holds it: what it has violated is known, and the exit "
+          "status is 0 where nothing is new")
+      ->excludes("--fail-fast");  // what comes first may be known, and hide what is new
+  command
+      ->add_option_function<std::string>(
+          "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
+          "I/N: judge every Nth case of each family from the Ith on, a part of the run that carom merge makes one "
+          "report of")
+      ->check(is_shard)
+      ->type_name("I/N")
+      ->excludes("--budget")
+      ->excludes("--fail-fast")
+      ->excludes("--baseline");
+  command
+      ->add_option("--deviates", arguments->deviates,
+                   "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "
+                   "family. It is not judged, and shown as not claimed")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--annotations", arguments->annotations,
+                   "Print what is violated as annotations too, in the form that this service shows beside a commit")
+      ->check(CLI::IsMember({"github"}));
+  command->add_option("--summary", arguments->summary, "File to whose end a summary in Markdown is added")
+      ->type_name("FILE");
+  add_jobs(*command, arguments->jobs, "Threads");
+  add_yardstick(*command, arguments->judged);
+  add_timeout(*command, arguments->timeout);
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return gate(*arguments); }; });
 }
 
 }  // namespace carom::tool

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <memory>
+
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
@@ -10,6 +12,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/options.hpp"
 
 namespace carom::tool {
 namespace {
@@ -102,8 +105,6 @@ void print_markdown() {
                shown_in_markdown(invariant));
   }
 }
-
-}  // namespace
 
 int list_subjects(const std::string& format) {
   json list = json::array();
@@ -211,6 +212,39 @@ int list_features(const std::string& format) {
     }
   }
   return exit_all_hold;
+}
+
+/// A list that is printed in one of the formats.
+void add_list(CLI::App& app, Chosen& chosen, const char* name, const char* summary, std::vector<std::string> formats,
+              int (*print)(const std::string& format)) {
+  const auto format = std::make_shared<std::string>("text");
+  CLI::App* command = app.add_subcommand(name, summary);
+  add_format(*command, *format, std::move(formats));
+  command->callback([&chosen, format, print] { chosen = [format, print] { return print(*format); }; });
+}
+
+void add_families(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    std::string format = "text";
+    std::uint64_t seed = 1;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("families", "List the families, with an example of each");
+  add_seed(*command, arguments->seed, "Seed of the examples");
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return list_families(arguments->format, arguments->seed); }; });
+}
+
+}  // namespace
+
+void add_lists(CLI::App& app, Chosen& chosen) {
+  add_list(app, chosen, "subjects", "List the built-in subjects and engines", {"text", "json"}, list_subjects);
+  add_list(app, chosen, "invariants", "Print the catalogue of invariants", {"text", "markdown", "json"},
+           list_invariants);
+  add_families(app, chosen);
+  add_list(app, chosen, "features", "List the features that cases are composed of", {"text", "markdown", "json"},
+           list_features);
 }
 
 }  // namespace carom::tool

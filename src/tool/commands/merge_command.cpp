@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <carom/report/model/merged_run.hpp>
+#include <carom/report/model/words.hpp>
+
 #include "commands/commands.hpp"
-#include "commands/old_witnesses.hpp"
-#include "commands/output_file.hpp"
-#include "commands/present_run.hpp"
-#include "merge/merged_run.hpp"
+#include "commands/options.hpp"
+#include "io/old_witnesses.hpp"
+#include "io/output_file.hpp"
+#include "io/present_run.hpp"
+#include "io/report_file.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
+
+struct MergeArguments {
+  std::vector<std::string> directories;  // of the shards
+  std::string out;                       // a directory
+  std::string baseline;                  // as of a gate
+  std::string format = "text";
+};
 
 namespace fs = std::filesystem;
 
@@ -22,29 +35,38 @@ void require_apart(const std::string& out, const std::vector<std::string>& direc
   for (const std::string& directory : directories) {
     std::error_code ignored;
     if (fs::equivalent(out, directory, ignored)) {
-      throw UsageError(fmt::format("--out: {} is that of a shard", compare::shown(out)));
+      throw UsageError(fmt::format("--out: {} is that of a shard", report::shown(out)));
     }
   }
 }
 
-}  // namespace
-
 int merge_shards(const MergeArguments& arguments) {
   require_apart(arguments.out, arguments.directories);
-  std::optional<compare::ReadReport> baseline;
-  if (!arguments.baseline.empty()) {
-    baseline = compare::read_report(arguments.baseline);
-  }
-  std::vector<merge::ReadShard> shards;
+  const std::optional<ReadRun> baseline =
+      arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
+  std::vector<report::ReadShard> shards;
   for (const std::string& directory : arguments.directories) {
-    shards.push_back(merge::read_shard(directory));
+    shards.push_back(read_shard(directory));
   }
-  GateRun run = merge::merged_run(shards);
-  run.is_shard = false;
-  run.diagnoses = properties::diagnosis::diagnose_all(run.report);
+  report::Run run = report::merged_run(shards);
   make_directories(fs::path(arguments.out) / "witnesses");
   std::optional<StagedOutput> staged(std::in_place, arguments.out);
   return present_run(std::move(run), baseline, {arguments.out, arguments.format, false, {}, {}}, staged);
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  CLI::App* command = app.add_subcommand(
+      "merge",
+      "Make one report of those of all shards of a run: exit status as of the whole run, 2 where they do not "
+      "belong together");
+  command->add_option("DIRECTORY", arguments->directories, "What `carom gate --shard I/N --out` wrote")->required();
+  command->add_option("--out", arguments->out, "Directory for the reports and witnesses/")->required();
+  command->add_option("--baseline", arguments->baseline, "An earlier report of the whole, as of carom gate");
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return merge_shards(*arguments); }; });
 }
 
 }  // namespace carom::tool

@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
 
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/collision/json/text.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/interrupt.hpp"
-#include "commands/progress.hpp"
+#include "commands/options.hpp"
+#include "io/interrupt.hpp"
+#include "io/progress.hpp"
 #include "plan/clock.hpp"
 #include "plan/contacts_of_file.hpp"
 #include "plan/plan_text.hpp"
 #include "plan/spelling.hpp"
 
 namespace carom::tool {
+namespace {
+
+struct PlanArguments {
+  std::string file;
+  std::string law;         // the name of a model, not `any`; empty: a scene's own, else rough
+  double limit_ulps = 32;  // of binary64
+  std::optional<int> digits;
+  bool exact_law = false;
+  int repetitions = 5;  // of each timing; 0: nothing is timed
+  unsigned jobs = 0;    // threads that judge; 0: one for each core
+  std::string format = "text";
+};
 
 int plan_contacts(const PlanArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
@@ -27,7 +41,7 @@ int plan_contacts(const PlanArguments& arguments) {
   }
   properties::plan::PlanOptions options;
   options.demand = {law, arguments.limit_ulps, arguments.digits, arguments.exact_law};
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.jobs = threads(arguments.jobs);
   options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
   options.progress = progress_line("contacts");
   options.stop = stop;
@@ -37,9 +51,44 @@ int plan_contacts(const PlanArguments& arguments) {
     fmt::print("{}\n", plan_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     const std::string text = arguments.format == "markdown" ? plan_markdown(run) : plan_text(run);
-    fmt::print("{}", subjects::protocol::printable(text, text.size()));
+    fmt::print("{}", carom::printable(text, text.size()));
   }
   return run.exit_status();
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<PlanArguments>();
+  std::vector<std::string> laws;
+  for (const Model model : all_models) {
+    if (model != Model::any) {
+      laws.emplace_back(name_of(model));
+    }
+  }
+  CLI::App* command = app.add_subcommand(
+      "plan",
+      "The least law, precision, solve, frame and batch that serve the contacts of a file, certified on them: exit "
+      "status 0 something serves, 1 nothing does, 2 usage or bad input");
+  command
+      ->add_option("FILE", arguments->file,
+                   "A scene; or JSON Lines of collisions, or one, or an array; \"class\" names that of a contact")
+      ->required();
+  command->add_option("--law", arguments->law, "The law that is wanted (default: the scene's; of collisions, rough)")
+      ->check(CLI::IsMember(laws));
+  add_accuracy(*command, arguments->limit_ulps, arguments->digits,
+               "Largest backward error that serves, in ulps of binary64",
+               "So many correct digits of the change of the velocities serve, in place of ulps");
+  command->add_flag("--exact-law", arguments->exact_law,
+                    "A lesser law only where it is, exactly and on every contact, the one that is wanted");
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "Repetitions of each timing; 0 times nothing, and law, precision and solve decide what is least")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  add_jobs(*command, arguments->jobs, "Threads that judge");
+  add_format(*command, arguments->format, {"text", "markdown", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return plan_contacts(*arguments); }; });
 }
 
 }  // namespace carom::tool

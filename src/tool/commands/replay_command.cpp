@@ -1,24 +1,40 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <memory>
+
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/json/text.hpp>
 #include <carom/oracles/judge/coulomb_case.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/report/model/answer_json.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/family_argument.hpp"
-#include "commands/input_file.hpp"
-#include "commands/interrupt.hpp"
-#include "commands/json_file.hpp"
-#include "commands/open_subjects.hpp"
-#include "commands/orphans.hpp"
-#include "report/records.hpp"
+#include "commands/options.hpp"
+#include "io/family_argument.hpp"
+#include "io/input_file.hpp"
+#include "io/interrupt.hpp"
+#include "io/json_file.hpp"
+#include "io/open_subjects.hpp"
+#include "io/orphans.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
+
+struct ReplayArguments {
+  std::string file;               // empty where a case of a family is meant
+  bool drawn = false;             // of a witness the collision that was drawn
+  std::string family;             // whose case is replayed in place of a file
+  std::uint64_t case_number = 0;  // in the family
+  std::uint64_t seed = 1;
+  std::string subject;  // empty: the one that a witness names
+  double timeout = 5;   // of each reply of a program [s]
+  YardstickArguments judged;
+  std::string format = "text";
+};
 
 using nlohmann::json;
 using oracles::Approach;
@@ -167,92 +183,150 @@ ReadCollision numbered_case(const ReplayArguments& arguments) {
           properties::drawn_case(family, arguments.seed, arguments.case_number), std::nullopt};
 }
 
-}  // namespace
+/// What is shown of one collision, as JSON and as text.
+struct Shown {
+  json record;
+  std::string text;
+};
+
+/// The truth under each law; all answers of `coulomb` are returned. Precondition: the case is valid.
+std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const properties::JudgedCase& judged_case,
+                                               Shown& shown) {
+  const oracles::ExactCase& exact_case = judged_case.exact();
+  const std::vector<const properties::Feature*> features = properties::features_of(collision);
+  shown.record["approach"] = name_of(exact_case.approach());
+  shown.record["features"] = json::array();
+  for (const properties::Feature* feature : features) {
+    shown.record["features"].push_back(feature->name);
+  }
+  shown.text += "  features: " + joined(features) + '\n' + contact_steps(exact_case);
+  for (const Model model : models_with_truth) {
+    shown.record["truth"][std::string(carom::name_of(model))] = report::truth_record(exact_case, model);
+    shown.text += truth_steps(exact_case, model);
+  }
+  std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
+  shown.record["answers"]["coulomb"] = report::answers_record(answers);
+  shown.text += answers_steps(exact_case, answers);
+  return answers;
+}
+
+/// What the subject answers, and how that is judged.
+void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown& shown) {
+  const Subject& subject = open.subject();
+  const auto& claim = open.claim();
+  const properties::Judgement& judgement = replayed.judgement;
+  json& record = shown.record;
+  record["subject"] = subject.name;
+  record["yardstick"] = report::Json<oracles::Yardstick>::write(claim.yardstick);
+  record["outcome"] = report::Json<Answer>::write(replayed.answer);
+  if (judgement.accuracy) {
+    record["backward_error_ulps"] =
+        judgement.accuracy->is_decided
+            ? number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff))
+            : json();
+  }
+  for (const properties::NamedVerdict& named : judgement.verdicts) {
+    record["verdicts"][std::string(named.invariant->name)] = report::Json<properties::Verdict>::write(named.verdict);
+  }
+  if (replayed.spellings > 0) {
+    record["spellings"] = replayed.spellings;
+    record["violated_spellings"] = replayed.violated_spellings;
+    record["spelt"] = replayed.spelt;
+  }
+  if (replayed.violated_spellings > 0) {
+    shown.text += fmt::format("  violated in {} of {} spellings of the request, first in {}\n",
+                              replayed.violated_spellings, replayed.spellings, replayed.spelt);
+  }
+  shown.text +=
+      fmt::format("{}, judged{}\n{}", subject.name, claim.yardstick.filtered ? "" : " in exact arithmetic alone",
+                  judgement_text(judgement, replayed.answer, claim.yardstick.unit_roundoff));
+}
+
+/// Shows the collision; whether the subject violates something on it.
+bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, OpenSubjects& subjects) {
+  const properties::JudgedCase judged_case(read.one, !arguments.judged.exact);
+  Shown shown{{{"place", read.place}, {"collision", collision_to_json(read.one.collision)}},
+              fmt::format("{}\n{}", read.place, in_words(read.one.collision, "  "))};
+  std::vector<oracles::CoulombAnswer> answers;
+  if (judged_case.is_valid()) {
+    answers = show_truth(read.one.collision, judged_case, shown);
+  } else {
+    shown.text += "  an invalid collision: it has no truth, and is to be refused\n";
+  }
+  bool violated = false;
+  if (OpenSubject* const open = subjects.subject_for(read)) {
+    const ReplayedCase replayed = open->judge(read.one);
+    violated = is_violated(replayed.judgement);
+    show_judgement(*open, replayed, shown);
+    if (open->subject().model == Model::coulomb && judged_case.is_valid()) {
+      shown.text += nearest_answer_text(judged_case.exact(), replayed.answer, answers);
+    }
+  }
+  if (const std::string why_none = subjects.why_none(read); !why_none.empty()) {
+    shown.record["not_judged"] = why_none;
+    shown.text += "  " + why_none + '\n';
+  }
+  if (arguments.format == "json") {
+    fmt::print("{}\n", shown.record.dump(-1, ' ', false, json::error_handler_t::replace));
+  } else {
+    fmt::print("{}\n", printable(shown.text, shown.text.size()));
+  }
+  return violated;
+}
 
 int replay(const ReplayArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
-  OpenSubjects subjects(arguments, stop);
+  OpenSubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(), stop);
   bool violated = false;
-  const auto replay_one = [&](const ReadCollision& read) {
+  const auto visit = [&](const ReadCollision& read) {
     if (stop.stop_requested()) {
       throw UsageError(fmt::format("stopped by the user before {}", read.place));
     }
-    const properties::JudgedCase judged_case(read.one, !arguments.exact);
-    const Collision& collision = read.one.collision;
-    json record{{"place", read.place}, {"collision", collision_to_json(collision)}};
-    std::string text = fmt::format("{}\n{}", read.place, in_words(collision, "  "));
-    std::vector<oracles::CoulombAnswer> answers;
-    if (judged_case.is_valid()) {
-      record["approach"] = name_of(judged_case.exact().approach());
-      record["features"] = json::array();
-      for (const properties::Feature* feature : properties::features_of(collision)) {
-        record["features"].push_back(feature->name);
-      }
-      text += "  features: " + joined(properties::features_of(collision)) + '\n';
-      text += contact_steps(judged_case.exact());
-      for (const Model model : models_with_truth) {
-        record["truth"][std::string(carom::name_of(model))] = truth_record(judged_case.exact(), model);
-        text += truth_steps(judged_case.exact(), model);
-      }
-      answers = oracles::coulomb_answers(judged_case.exact());
-      record["answers"]["coulomb"] = answers_record(answers);
-      text += answers_steps(judged_case.exact(), answers);
-    } else {
-      text += "  an invalid collision: it has no truth, and is to be refused\n";
-    }
-    if (OpenSubject* const open = subjects.subject_for(read)) {
-      const auto& subject = open->subject();
-      const auto& claim = open->claim();
-      const ReplayedCase replayed = open->judge(read.one);
-      const Answer& answer = replayed.answer;
-      const properties::Judgement& judgement = replayed.judgement;
-      violated = violated || is_violated(judgement);
-      record["subject"] = subject.name;
-      record["yardstick"] = yardstick_record(claim.yardstick);
-      record["outcome"] = answer_record(answer);
-      if (judgement.accuracy) {
-        record["backward_error_ulps"] =
-            judgement.accuracy->is_decided
-                ? number_to_json(judgement.accuracy->backward_error(claim.yardstick.unit_roundoff))
-                : json();
-      }
-      for (const properties::NamedVerdict& named : judgement.verdicts) {
-        record["verdicts"][std::string(named.invariant->name)] = verdict_record(named.verdict);
-      }
-      if (replayed.spellings > 0) {
-        record["spellings"] = replayed.spellings;
-        record["violated_spellings"] = replayed.violated_spellings;
-        record["spelt"] = replayed.spelt;
-      }
-      if (replayed.violated_spellings > 0) {
-        text += fmt::format("  violated in {} of {} spellings of the request, first in {}\n",
-                            replayed.violated_spellings, replayed.spellings, replayed.spelt);
-      }
-      text += fmt::format("{}, judged{}\n{}", subject.name, arguments.exact ? " in exact arithmetic alone" : "",
-                          judgement_text(judgement, answer, claim.yardstick.unit_roundoff));
-      if (subject.model == Model::coulomb && judged_case.is_valid()) {
-        text += nearest_answer_text(judged_case.exact(), answer, answers);
-      }
-    }
-    if (const std::string why_none = subjects.why_none(read); !why_none.empty()) {
-      record["not_judged"] = why_none;
-      text += "  " + why_none + '\n';
-    }
-    if (arguments.format == "json") {
-      fmt::print("{}\n", record.dump(-1, ' ', false, json::error_handler_t::replace));
-    } else {
-      fmt::print("{}\n", subjects::protocol::printable(text, text.size()));
-    }
+    violated = replay_one(read, arguments, subjects) || violated;
   };
   if (!arguments.family.empty()) {
-    replay_one(numbered_case(arguments));
+    visit(numbered_case(arguments));
   } else {
     JsonFile file(arguments.file, stop);
-    for_each_collision(file, OutOfRange::refused, replay_one, arguments.drawn ? OfWitness::drawn : OfWitness::shrunk);
+    for_each_collision(file, OutOfRange::refused, visit, arguments.drawn ? OfWitness::drawn : OfWitness::shrunk);
   }
   subjects.close();
   return violated ? exit_violated : exit_all_hold;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command =
+      app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
+  CLI::Option* replayed_file =
+      command->add_option("FILE", arguments->file, "A witness, a vector file, or JSON Lines of collisions");
+  command->add_flag("--drawn", arguments->drawn, "Of a witness the collision that was drawn, before it was shrunk")
+      ->needs(replayed_file);
+  CLI::Option* replayed_family =
+      command->add_option("--family", arguments->family, "In place of FILE: the family whose case is meant")
+          ->excludes(replayed_file);
+  CLI::Option* replayed_case =
+      command->add_option("--case", arguments->case_number, "The number of that case, from 0")->check(is_count);
+  replayed_case->needs(replayed_family);
+  replayed_family->needs(replayed_case);
+  command->add_option("--seed", arguments->seed, "The seed that it is drawn with")
+      ->check(is_count)
+      ->capture_default_str()
+      ->needs(replayed_family);
+  command->add_option("--subject", arguments->subject,
+                      "Subject to judge (default: the one that a witness names, where that is no program)");
+  add_yardstick(*command, arguments->judged);
+  add_timeout(*command, arguments->timeout);
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback([&chosen, arguments] {
+    if (arguments->file.empty() && arguments->family.empty()) {
+      throw CLI::RequiredError("FILE, or --family and --case");
+    }
+    chosen = [arguments] { return replay(*arguments); };
+  });
 }
 
 }  // namespace carom::tool

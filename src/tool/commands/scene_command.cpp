@@ -14,17 +14,19 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/json/text.hpp>
 #include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
-#include <carom/subjects/protocol/text.hpp>
 
-#include "chart/gnuplot.hpp"
 #include "commands/commands.hpp"
-#include "commands/interrupt.hpp"
-#include "commands/json_file.hpp"
-#include "commands/output_file.hpp"
-#include "commands/progress.hpp"
-#include "commands/staged_output.hpp"
+#include "commands/options.hpp"
+#include "io/gnuplot.hpp"
+#include "io/interrupt.hpp"
+#include "io/json_file.hpp"
+#include "io/output_file.hpp"
+#include "io/progress.hpp"
+#include "io/staged_output.hpp"
+#include "io/usage_error.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
@@ -34,6 +36,17 @@
 
 namespace carom::tool {
 namespace {
+
+struct SceneArguments {
+  std::string file;
+  std::vector<std::string> laws;        // names; empty for the scene's own
+  std::string out;                      // a directory; empty for none
+  std::uint64_t judge_every = 1;        // every so many impulses; 0: none
+  bool check = true;                    // that nothing overlaps
+  std::optional<std::uint64_t> events;  // that end the run
+  unsigned jobs = 0;                    // laws that run at once; 0: one for each core
+  std::string format = "text";
+};
 
 namespace fs = std::filesystem;
 
@@ -164,7 +177,7 @@ class LawRun {
       write_file(*out_ / "report.html", scene_html(*run_, has_page));
       const std::vector laws{written.sampled};
       written.undrawn =
-          chart::try_to_draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
+          try_to_draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
     }
     return written;
   }
@@ -179,7 +192,7 @@ class LawRun {
 /// Each on a thread of its own, so many at once; of what they throw, the first law's is thrown on.
 void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
              Progress& progress) {
-  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned jobs = threads(arguments.jobs);
   std::vector<std::exception_ptr> errors(runs.size());
   properties::in_parallel(std::min(jobs, static_cast<unsigned>(runs.size())), runs.size(), [&](std::size_t k) {
     try {
@@ -202,7 +215,7 @@ void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::ve
     for (const Written& written : all) {
       sampled.push_back(written.sampled);
     }
-    const std::exception_ptr undrawn = chart::try_to_draw(
+    const std::exception_ptr undrawn = try_to_draw(
         std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, staged.stage());
     all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
   }
@@ -220,11 +233,9 @@ void print_laws(const SceneArguments& arguments, const std::vector<Written>& all
     fmt::print("{}\n", record.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   for (const Written& written : all) {
-    fmt::print("{}", subjects::protocol::printable(written.text, written.text.size()));
+    fmt::print("{}", carom::printable(written.text, written.text.size()));
   }
 }
-
-}  // namespace
 
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
@@ -275,6 +286,28 @@ int run_scene_file(const SceneArguments& arguments) {
   }
   return std::all_of(all.begin(), all.end(), [](const Written& written) { return written.holds; }) ? exit_all_hold
                                                                                                    : exit_violated;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* command = app.add_subcommand(
+      "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
+  command->add_option("FILE", arguments->file, "A scene (docs/reference/schemas/arguments->schema.json)")->required();
+  command->add_option("--laws", arguments->laws, "Laws to run it under, separated by commas (default: the scene's)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out, "Directory for events, series, pictures, report and replay");
+  command->add_option("--judge-every", arguments->judge_every, "Judge every Nth impulse; 0: none")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
+      ->capture_default_str();
+  command->add_flag("!--no-check", arguments->check, "Do not check that nothing overlaps");
+  command->add_option("--events", arguments->events, "End the run after so many events")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  add_jobs(*command, arguments->jobs, "Laws that run at once");
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_scene_file(*arguments); }; });
 }
 
 }  // namespace carom::tool

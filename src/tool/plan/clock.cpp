@@ -7,7 +7,7 @@
 #include <carom/subjects/methods.hpp>
 
 #include "chart/timing.hpp"
-#include "commands/progress.hpp"
+#include "io/progress.hpp"
 
 namespace carom::tool::plan {
 namespace {
@@ -32,7 +32,7 @@ properties::plan::Clock clock_of(int repetitions) {
       kernels.push_back({&method_named(methods, timing.candidate->subject.name), timing.collisions});
     }
     std::vector<double> nanoseconds;
-    for (const chart::Spread& spread : chart::measured_times(kernels, repetitions, progress_line("timings"))) {
+    for (const report::Spread& spread : chart::measured_times(kernels, repetitions, progress_line("timings"))) {
       nanoseconds.push_back(spread.median);
     }
     return nanoseconds;

@@ -7,9 +7,9 @@
 
 #include <carom/scene/polyhedra/scene_loop.hpp>
 
-#include "commands/commands.hpp"
-#include "commands/input_file.hpp"
-#include "commands/json_file.hpp"
+#include "io/input_file.hpp"
+#include "io/json_file.hpp"
+#include "io/usage_error.hpp"
 #include "scene/scene_file.hpp"
 
 namespace carom::tool::plan {

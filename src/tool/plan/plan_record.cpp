@@ -2,11 +2,12 @@
 #include "plan/plan_record.hpp"
 
 #include <carom/collision/json/json.hpp>
+#include <carom/report/model/exit_status.hpp>
+#include <carom/report/model/run_json.hpp>
+#include <carom/report/model/version.hpp>
 
-#include "commands/commands.hpp"
+#include "io/this_environment.hpp"
 #include "plan/spelling.hpp"
-#include "report/environment.hpp"
-#include "version.hpp"
 
 namespace carom::tool::plan {
 namespace {
@@ -98,7 +99,7 @@ json part_record(const Part& part, const Plan& plan) {
 
 }  // namespace
 
-int PlanRun::exit_status() const { return plan.serves() ? exit_all_hold : exit_violated; }
+int PlanRun::exit_status() const { return plan.serves() ? report::exit_all_hold : report::exit_violated; }
 
 json plan_record(const PlanRun& run) {
   const Plan& plan = run.plan;
@@ -108,8 +109,8 @@ json plan_record(const PlanRun& run) {
   } else {
     demand["limit_ulps"] = run.demand.limit_ulps;
   }
-  json record{{"carom", version},
-              {"environment", environment_record(this_environment())},
+  json record{{"carom", report::version},
+              {"environment", report::environment_record(this_environment())},
               {"file", run.file},
               {"demand", demand},
               {"repetitions", run.repetitions},

@@ -5,12 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "chart/measurement.hpp"
-#include "plan/grid.hpp"
+#include <carom/report/chart/measurement.hpp>
+#include <carom/report/document/document.hpp>
+
 #include "plan/spelling.hpp"
 
 namespace carom::tool::plan {
 namespace {
+
+using report::Document;
+using report::Table;
 
 using properties::plan::all_lints;
 using properties::plan::Candidate;
@@ -45,7 +49,7 @@ std::vector<const Part*> parts_of(const Plan& plan) {
   return parts;
 }
 
-void add_choice(Grid& grid, const Part& part, const Plan& plan, bool in_batches) {
+void add_choice(Table& table, const Part& part, const Plan& plan, bool in_batches) {
   const std::optional<std::size_t>& choice = in_batches ? part.in_batches : part.one_at_a_time;
   std::vector<std::string> row{part.name, fmt::format("{}", part.contacts.size()),
                                in_batches ? "in batches" : "one at a time"};
@@ -58,26 +62,35 @@ void add_choice(Grid& grid, const Part& part, const Plan& plan, bool in_batches)
     row.push_back(in_words(candidate));
     row.push_back(number_or_dash(one.certificate.worst_backward_error, "{:.3g}"));
     row.push_back(number_or_dash(one.certificate.least_digits, "{:.1f}"));
-    row.push_back(one.nanoseconds ? chart::in_three_digits(*one.nanoseconds) : "–");
+    row.push_back(one.nanoseconds ? report::in_three_digits(*one.nanoseconds) : "–");
     row.push_back(one.nanoseconds ? fmt::format("{:.2g}", part.saving_of(one)) : "–");
   }
-  grid.rows.push_back(std::move(row));
+  table.rows.push_back({{row.begin(), row.end()}});
 }
 
-Grid choices(const Plan& plan) {
-  Grid grid{{"class", "contacts", "solved", "least that serves", "computes in", "worst ulps", "least digits",
-             "ns a contact", "times as quick"},
-            {}};
+Table choices(const Plan& plan) {
+  Table table{"",
+              {{"class"},
+               {"contacts"},
+               {"solved"},
+               {"least that serves"},
+               {"computes in"},
+               {"worst ulps"},
+               {"least digits"},
+               {"ns a contact"},
+               {"times as quick"}},
+              {}};
   for (const Part* part : parts_of(plan)) {
-    add_choice(grid, *part, plan, false);
-    add_choice(grid, *part, plan, true);
+    add_choice(table, *part, plan, false);
+    add_choice(table, *part, plan, true);
   }
-  return grid;
+  return table;
 }
 
 /// On how many contacts each lesser law is the one asked for.
-Grid laws(const Plan& plan, Model law) {
-  Grid grid{{"class", "law", "serves on", fmt::format("is {} exactly on", name_of(law)), "because"}, {}};
+Table laws(const Plan& plan, Model law) {
+  Table table{
+      "", {{"class"}, {"law"}, {"serves on"}, {fmt::format("is {} exactly on", name_of(law))}, {"because"}}, {}};
   for (const Part* part : parts_of(plan)) {
     for (const LawCount& count : part->laws) {
       if (count.law == law) {
@@ -90,17 +103,17 @@ Grid laws(const Plan& plan, Model law) {
                                  count.by_reason[reason]);
         }
       }
-      grid.rows.push_back(
-          {part->name, std::string(name_of(count.law)), fmt::format("{} of {}", count.served, part->contacts.size()),
-           fmt::format("{} of {}", count.exactly(), part->contacts.size()), reasons.empty() ? "–" : reasons});
+      table.rows.push_back(
+          {{part->name, std::string(name_of(count.law)), fmt::format("{} of {}", count.served, part->contacts.size()),
+            fmt::format("{} of {}", count.exactly(), part->contacts.size()), reasons.empty() ? "–" : reasons}});
     }
   }
-  return grid;
+  return table;
 }
 
 /// How what was chosen is called, each once.
-Grid calls(const Plan& plan) {
-  Grid grid{{"least that serves", "include", "call"}, {}};
+Table calls(const Plan& plan) {
+  Table table{"", {{"least that serves"}, {"include"}, {"call"}}, {}};
   for (const Part* part : parts_of(plan)) {
     for (const auto& choice : {part->one_at_a_time, part->in_batches}) {
       if (!choice) {
@@ -112,26 +125,27 @@ Grid calls(const Plan& plan) {
       for (const std::string& header : spelling.headers) {
         headers += fmt::format("{}<{}>", headers.empty() ? "" : ", ", header);
       }
-      if (std::ranges::none_of(grid.rows, [&](const auto& row) { return row.front() == subject.name; })) {
-        grid.rows.push_back({subject.name, headers, spelling.call});
+      if (std::ranges::none_of(table.rows, [&](const auto& row) { return row.cells.front().text == subject.name; })) {
+        table.rows.push_back({{subject.name, report::name_cell(headers), report::name_cell(spelling.call)}});
       }
     }
   }
-  return grid;
+  return table;
 }
 
 /// What does not serve the whole. A law of which nothing does is one row, that of its best candidate.
-Grid failures(const Plan& plan) {
-  Grid grid{{"does not serve", "contacts failed", "worst at", "since", "ulps there", "digits there"}, {}};
+Table failures(const Plan& plan) {
+  Table table{
+      "", {{"does not serve"}, {"contacts failed"}, {"worst at"}, {"since"}, {"ulps there"}, {"digits there"}}, {}};
   const auto add = [&](const std::string& name, const JudgedCandidate& one) {
     if (!one.certificate.worst) {
-      grid.rows.push_back({name, "0", "–", "it is another law", "–", "–"});
+      table.rows.push_back({{name, "0", "–", "it is another law", "–", "–"}});
       return;
     }
     const auto& [contact, result] = *one.certificate.worst;
-    grid.rows.push_back({name, fmt::format("{} of {}", one.certificate.failures, one.certificate.contacts),
-                         plan.places[contact], result.failure, number_or_dash(result.backward_error, "{:.3g}"),
-                         number_or_dash(result.digits, "{:.1f}")});
+    table.rows.push_back(
+        {{name, fmt::format("{} of {}", one.certificate.failures, one.certificate.contacts), plan.places[contact],
+          result.failure, number_or_dash(result.backward_error, "{:.3g}"), number_or_dash(result.digits, "{:.1f}")}});
   };
   for (const LawCount& count : plan.whole.laws) {
     std::vector<const JudgedCandidate*> of_law;
@@ -151,25 +165,26 @@ Grid failures(const Plan& plan) {
       }
     }
   }
-  return grid;
+  return table;
 }
 
 /// The first of each kind, and how many more there are.
-Grid findings(const Plan& plan) {
-  Grid grid{{"severity", "lint", "place", "field", "what"}, {}};
+Table findings(const Plan& plan) {
+  Table table{"", {{"severity"}, {"lint"}, {"place"}, {"field"}, {"what"}}, {}};
   for (const auto lint : all_lints) {
     std::size_t count = 0;
     for (const LintFinding& finding : plan.findings) {
       if (finding.lint == lint && ++count <= findings_shown) {
-        grid.rows.push_back({std::string(name_of(finding.severity)), std::string(name_of(lint)), finding.place,
-                             finding.field, finding.text});
+        table.rows.push_back({{std::string(name_of(finding.severity)), std::string(name_of(lint)), finding.place,
+                               finding.field, finding.text}});
       }
     }
     if (count > findings_shown) {
-      grid.rows.push_back({"", std::string(name_of(lint)), "", "", fmt::format("and {} more", count - findings_shown)});
+      table.rows.push_back(
+          {{"", std::string(name_of(lint)), "", "", fmt::format("and {} more", count - findings_shown)}});
     }
   }
-  return grid;
+  return table;
 }
 
 std::string accuracy_in_words(const properties::plan::Demand& demand) {
@@ -185,45 +200,40 @@ std::string saving_in_words(const Plan& plan) {
       number_or_dash(one, "{:.2g}"), number_or_dash(batch, "{:.2g}"));
 }
 
-/// All of it, each grid by `show`, which says of what.
-template <class Show>
-std::string page(const PlanRun& run, const Show& show) {
+Document page(const PlanRun& run) {
   const Plan& plan = run.plan;
-  std::string text =
-      fmt::format("{}: {} contacts, {} of them colliding; asked for: {}, {}\n", run.file, plan.whole.contacts.size(),
-                  plan.whole.colliding, name_of(run.demand.law), accuracy_in_words(run.demand));
+  Document document{report::Paragraph{fmt::format("{}: {} contacts, {} of them colliding; asked for: {}, {}", run.file,
+                                                  plan.whole.contacts.size(), plan.whole.colliding,
+                                                  name_of(run.demand.law), accuracy_in_words(run.demand))}};
   if (plan.left_out > 0) {
-    text += fmt::format("left out, since no law is defined for their coefficients: {}\n", plan.left_out);
+    document.emplace_back(
+        report::Paragraph{fmt::format("left out, since no law is defined for their coefficients: {}", plan.left_out)});
   }
-  text += show("", choices(plan));
+  const auto add = [&](const char* title, Table table) {
+    if (!table.rows.empty()) {
+      document.emplace_back(report::Section{title, {std::move(table)}});
+    }
+  };
+  add("", choices(plan));
   if (run.repetitions > 0 && !plan.classes.empty()) {
-    text += fmt::format(
-        "\nBeside {}-double, timed in the same run on at most {} contacts of each class, {} repetitions in random "
-        "order, "
-        "the median. {}\n",
-        name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions, saving_in_words(plan));
+    document.emplace_back(report::Section{
+        "",
+        {report::Paragraph{fmt::format(
+            "Beside {}-double, timed in the same run on at most {} contacts of each class, {} repetitions in random "
+            "order, the median. {}",
+            name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions, saving_in_words(plan))}}});
   }
-  text += show("How to call it", calls(plan));
-  text += show("Lesser laws", laws(plan, run.demand.law));
-  text += show("What does not serve the whole", failures(plan));
-  text += show("What the lint found", findings(plan));
-  return text;
+  add("How to call it", calls(plan));
+  add("Lesser laws", laws(plan, run.demand.law));
+  add("What does not serve the whole", failures(plan));
+  add("What the lint found", findings(plan));
+  return document;
 }
 
 }  // namespace
 
-std::string plan_text(const PlanRun& run) {
-  return page(run, [](const std::string& title, const Grid& grid) {
-    const std::string heading = title.empty() ? std::string() : title + '\n';
-    return grid.rows.empty() ? std::string() : '\n' + heading + grid_text(grid);
-  });
-}
+std::string plan_text(const PlanRun& run) { return in_text(page(run)); }
 
-std::string plan_markdown(const PlanRun& run) {
-  return page(run, [](const std::string& title, const Grid& grid) {
-    const std::string heading = title.empty() ? std::string() : "## " + title + "\n\n";
-    return grid.rows.empty() ? std::string() : '\n' + heading + grid_markdown(grid);
-  });
-}
+std::string plan_markdown(const PlanRun& run) { return in_markdown(page(run)); }
 
 }  // namespace carom::tool::plan

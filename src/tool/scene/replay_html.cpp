@@ -5,7 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/markup.hpp"
+#include <carom/report/document/markup.hpp>
+
 #include "scene/replay_page.hpp"
 
 namespace carom::tool {
@@ -35,7 +36,7 @@ std::string embedded(const nlohmann::json& replay) {
 }
 
 std::string escaped(std::string_view title) {
-  return with_letters_as(printable_text(title), "&<>", {"&amp;", "&lt;", "&gt;"});
+  return with_letters_as(report::printable_text(title), "&<>", {"&amp;", "&lt;", "&gt;"});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/scene/json/scene_json.hpp>
 
-#include "commands/commands.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 

@@ -4,139 +4,136 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <pugixml.hpp>
 
-#include "report/environment.hpp"
-#include "report/html_tables.hpp"
-#include "report/markup.hpp"
-#include "report/page.hpp"
+#include <carom/report/document/document.hpp>
+#include <carom/report/model/version.hpp>
+
+#include "io/this_environment.hpp"
 #include "scene/scene_records.hpp"
-#include "version.hpp"
 
 namespace carom::tool {
 namespace {
 
 using properties::Cause;
-
-pugi::xml_node add_section(pugi::xml_node main, const char* anchor, const char* heading) {
-  const std::string id = std::string(anchor) + "-heading";
-  const pugi::xml_node section = add(main, "section", {{"id", anchor}, {"aria-labelledby", id}});
-  add(section, "h2", {{"id", id}}, heading);
-  return section;
-}
+using report::Cell;
+using report::Document;
+using report::Facts;
+using report::List;
+using report::Paragraph;
+using report::Row;
+using report::Section;
+using report::Table;
 
 std::string joules(long double energy) { return fmt::format("{:.9g} J", static_cast<double>(energy)); }
 
-void add_row(pugi::xml_node body, std::string_view name, const std::string& value) {
-  const pugi::xml_node row = add(body, "tr");
-  add(row, "th", {{"scope", "row"}}, name);
-  add(row, "td", {{"class", "number"}}, value);
-}
+Row number_row(std::string_view name, const std::string& value) { return {{std::string(name), Cell(value, "number")}}; }
 
-void add_ledger(pugi::xml_node main, const SceneRun& run) {
-  const pugi::xml_node section = add_section(main, "ledger", "Ledger");
-  add(section, "p", {},
-      "Where each joule went. A cause is booked by its closed form; what the stored states differ by beyond that is "
-      "rounding.");
-  const pugi::xml_node table = add_table(section, "Energy by cause", "ledger");
-  const pugi::xml_node body = add(table, "tbody");
+Document ledger_part(const SceneRun& run) {
   const properties::Ledger& ledger = run.ledger();
-  add_row(body, "at first", joules(ledger.initial().total()));
+  Table table{"Energy by cause", {{""}, {"", true}}, {}, "ledger"};
+  table.rows.push_back(number_row("at first", joules(ledger.initial().total())));
   for (const Cause cause : properties::all_causes) {
-    add_row(body, name_of(cause), joules(ledger.energy(cause)));
+    table.rows.push_back(number_row(name_of(cause), joules(ledger.energy(cause))));
   }
-  add_row(body, "at last", joules(ledger.present().total()));
-  add_row(body, "rounding beside the scale of the energy",
-          fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit()));
-  add_row(
-      body, "single roundings, without signs",
-      fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L))));
+  table.rows.push_back(number_row("at last", joules(ledger.present().total())));
+  table.rows.push_back(
+      number_row("rounding beside the scale of the energy",
+                 fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit())));
+  table.rows.push_back(number_row(
+      "single roundings, without signs",
+      fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L)))));
+  return {
+      Paragraph{"Where each joule went. A cause is booked by its closed form; what the stored states differ by beyond "
+                "that is rounding."},
+      std::move(table)};
 }
 
-void add_impulses(pugi::xml_node main, const SceneRun& run) {
-  const pugi::xml_node section = add_section(main, "impulses", "Impulses");
+Document impulses_part(const SceneRun& run) {
   const properties::ImpulseJudge& judge = run.judge();
   std::string text = fmt::format("{} of {} judged, {} violated.", judge.judged(), judge.impulses(), judge.violated());
   if (const auto& bad = judge.first_bad()) {
     text +=
         fmt::format(" The first at t = {} s violates {}; its collision is in scene.json.", bad->time, bad->invariant);
   }
-  add(section, "p", {}, text);
-  if (judge.held().empty()) {
-    return;
+  Document document{Paragraph{text}};
+  if (!judge.held().empty()) {
+    Table table{"Impulses that each invariant holds for", {{""}, {"", true}}, {}, "impulses"};
+    for (const auto& [name, count] : judge.held()) {
+      table.rows.push_back(number_row(name, std::to_string(count)));
+    }
+    document.emplace_back(std::move(table));
   }
-  const pugi::xml_node table = add_table(section, "Impulses that each invariant holds for", "impulses");
-  const pugi::xml_node body = add(table, "tbody");
-  for (const auto& [name, count] : judge.held()) {
-    add_row(body, name, std::to_string(count));
-  }
+  return document;
 }
 
-void add_order(pugi::xml_node main, const SceneRun& run) {
-  const pugi::xml_node section = add_section(main, "order", "Events and their order");
+Document order_part(const SceneRun& run) {
   const scene::Counts& counts = run.simulation().counts();
-  std::vector<Fact> facts{{"events", std::to_string(counts.events)},
-                          {"impacts of bodies", std::to_string(counts.impacts)},
-                          {"impacts with planes", std::to_string(counts.plane_impacts)},
-                          {"captures by level planes", std::to_string(counts.captures)},
-                          {"changes of phase", std::to_string(counts.phases)},
-                          {"slow contacts", std::to_string(counts.slow)},
-                          {"most at one instant", std::to_string(counts.at_one_instant)},
-                          {"orders decided exactly", std::to_string(counts.exact.orders)},
-                          {"ties", std::to_string(counts.exact.ties)},
-                          {"contacts decided exactly", std::to_string(counts.exact.predictions)},
-                          {"gaps decided exactly", std::to_string(counts.exact.gaps)},
-                          {"gaps asked for by conservative advancement", std::to_string(counts.advances)},
-                          {"places moved clear", std::to_string(counts.moved_clear)}};
+  Facts facts{{{"events", std::to_string(counts.events)},
+               {"impacts of bodies", std::to_string(counts.impacts)},
+               {"impacts with planes", std::to_string(counts.plane_impacts)},
+               {"captures by level planes", std::to_string(counts.captures)},
+               {"changes of phase", std::to_string(counts.phases)},
+               {"slow contacts", std::to_string(counts.slow)},
+               {"most at one instant", std::to_string(counts.at_one_instant)},
+               {"orders decided exactly", std::to_string(counts.exact.orders)},
+               {"ties", std::to_string(counts.exact.ties)},
+               {"contacts decided exactly", std::to_string(counts.exact.predictions)},
+               {"gaps decided exactly", std::to_string(counts.exact.gaps)},
+               {"gaps asked for by conservative advancement", std::to_string(counts.advances)},
+               {"places moved clear", std::to_string(counts.moved_clear)}}};
   if (const auto& validity = run.validity()) {
-    facts.emplace_back("invalid states", std::to_string(validity->count));
-    facts.emplace_back("pairs of paths checked",
-                       fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
-    facts.emplace_back("largest jump of a stored place", fmt::format("{:.2g} m", validity->largest_jump));
-    facts.emplace_back("deepest overlap that would not have been seen", fmt::format("{:.2g} m", validity->unseen));
+    facts.pairs.emplace_back("invalid states", std::to_string(validity->count));
+    facts.pairs.emplace_back("pairs of paths checked",
+                             fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
+    facts.pairs.emplace_back("largest jump of a stored place", fmt::format("{:.2g} m", validity->largest_jump));
+    facts.pairs.emplace_back("deepest overlap that would not have been seen",
+                             fmt::format("{:.2g} m", validity->unseen));
   } else {
-    facts.emplace_back("invalid states", "not checked");
+    facts.pairs.emplace_back("invalid states", "not checked");
   }
-  add_facts(section, facts);
+  return {std::move(facts)};
+}
+
+/// The files beside the page.
+List files_beside(bool has_replay) {
+  List list;
+  for (const char* file :
+       {"replay.html", "energy.svg", "momentum.svg", "spin.svg", "events.csv", "series.csv", "scene.json"}) {
+    if (file != std::string_view("replay.html") || has_replay) {
+      list.items.emplace_back(file);
+      list.items.back().link = file;
+    }
+  }
+  return list;
 }
 
 }  // namespace
 
 std::string scene_html(const SceneRun& run, bool has_replay_beside) {
-  pugi::xml_document document;
-  document.append_child(pugi::node_doctype).set_value("html");
-  const pugi::xml_node html = add(document, "html", {{"lang", "en"}});
-  add_head(html, "Carom: " + printable_text(run.scene().title));
-  const pugi::xml_node body = add(html, "body");
-  add(add(body, "header"), "h1", {}, run.scene().title);
-  const pugi::xml_node main = add(body, "main");
-  const pugi::xml_node summary = add_section(main, "summary", "Summary");
-  add(summary, "p", {{"class", run.holds() ? "result exit-0" : "result exit-1"}}, scene_verdict(run));
-  add_facts(summary, {{"law", std::string(name_of(run.scene().law))},
-                      {"precision of impulses", std::string(name_of(run.scene().precision))},
-                      {"spheres", std::to_string(run.scene().spheres.size())},
-                      {"polyhedra", std::to_string(run.scene().polyhedra.size())},
-                      {"planes", std::to_string(run.scene().planes.size())},
-                      {"simulated", fmt::format("{:g} s of {:g} s", run.simulation().time(), run.scene().duration)},
-                      {"ended early", run.ended_early()},
-                      {"bodies whose spin changed", std::to_string(run.spins_changed())}});
-  const pugi::xml_node links = add(summary, "p");
-  for (const char* file :
-       {"replay.html", "energy.svg", "momentum.svg", "spin.svg", "events.csv", "series.csv", "scene.json"}) {
-    if (file != std::string_view("replay.html") || has_replay_beside) {
-      add(links, "a", {{"href", file}}, file);
-      add_text(links, " ");
-    }
-  }
-  add_ledger(main, run);
-  add_impulses(main, run);
-  add_order(main, run);
-  const Environment environment = this_environment();
-  add_facts(add_section(main, "environment", "Environment"), {{"Carom", version},
-                                                              {"date", environment.date},
-                                                              {"compiler", environment.compiler},
-                                                              {"processor", environment.processor}});
-  return serialized(document);
+  const scene::Scene& scene = run.scene();
+  const report::Environment environment = this_environment();
+  Document summary{Paragraph{scene_verdict(run), run.holds() ? "result exit-0" : "result exit-1"},
+                   Facts{{{"law", std::string(name_of(scene.law))},
+                          {"precision of impulses", std::string(name_of(scene.precision))},
+                          {"spheres", std::to_string(scene.spheres.size())},
+                          {"polyhedra", std::to_string(scene.polyhedra.size())},
+                          {"planes", std::to_string(scene.planes.size())},
+                          {"simulated", fmt::format("{:g} s of {:g} s", run.simulation().time(), scene.duration)},
+                          {"ended early", run.ended_early()},
+                          {"bodies whose spin changed", std::to_string(run.spins_changed())}}},
+                   files_beside(has_replay_beside)};
+  Facts made{{{"Carom", report::version},
+              {"date", environment.date},
+              {"compiler", environment.compiler},
+              {"processor", environment.processor}}};
+  return report::html_page(
+      {"Carom: " + scene.title,
+       scene.title,
+       {},
+       {Section{"Summary", std::move(summary), "summary"}, Section{"Ledger", ledger_part(run), "ledger"},
+        Section{"Impulses", impulses_part(run), "impulses"},
+        Section{"Events and their order", order_part(run), "order"},
+        Section{"Environment", {std::move(made)}, "environment"}}});
 }
 
 }  // namespace carom::tool

@@ -11,11 +11,11 @@
 namespace carom::tool {
 namespace {
 
-using chart::Picture;
+using report::Plot;
 using Quantity = std::function<double(const Sample&)>;
 
-constexpr std::array<std::string_view, 6> colours{chart::blue,   chart::vermillion, chart::green,
-                                                  chart::purple, chart::orange,     chart::sky_blue};
+constexpr std::array<std::string_view, 6> colours{report::blue,   report::vermillion, report::green,
+                                                  report::purple, report::orange,     report::sky_blue};
 
 struct Line {
   std::string name;
@@ -23,8 +23,8 @@ struct Line {
   Quantity quantity;
 };
 
-Picture lines_over_time(const std::string& name, const std::string& title, const std::string& y_name,
-                        const std::vector<Line>& lines) {
+Plot lines_over_time(const std::string& name, const std::string& title, const std::string& y_name,
+                     const std::vector<Line>& lines) {
   double low = 0;
   double high = 0;
   double last = 0;
@@ -36,9 +36,9 @@ Picture lines_over_time(const std::string& name, const std::string& title, const
     }
   }
   const double margin = high > low ? 0.05 * (high - low) : 1;
-  Picture picture(name, 1000, 520, 16);
-  const chart::Panel panel{{0, last > 0 ? last : 1, false, 110, 800},
-                           {low - (low < 0 ? margin : 0), high + margin, false, 75, 470}};
+  Plot picture(name, 1000, 520, 16);
+  const report::Panel panel{{0, last > 0 ? last : 1, false, 110, 800},
+                            {low - (low < 0 ? margin : 0), high + margin, false, 75, 470}};
   picture.begin(panel, title, "time [s]", y_name);
   double y = panel.y.last_pixel - 10;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -70,7 +70,7 @@ std::vector<Line> one_line_a_law(std::span<const SampledLaw> laws, const Quantit
 
 }  // namespace
 
-Picture energy_picture(std::span<const SampledLaw> laws) {
+Plot energy_picture(std::span<const SampledLaw> laws) {
   if (laws.size() == 1) {
     const std::vector<Sample>& samples = laws.front().samples;
     const double first = samples.empty() ? 0 : samples.front().total();
@@ -84,7 +84,7 @@ Picture energy_picture(std::span<const SampledLaw> laws) {
                          one_line_a_law(laws, [](const Sample& s) { return s.total(); }));
 }
 
-Picture momentum_picture(std::span<const SampledLaw> laws) {
+Plot momentum_picture(std::span<const SampledLaw> laws) {
   if (laws.size() == 1) {
     const std::vector<Sample>& samples = laws.front().samples;
     return lines_over_time("momentum", "Momentum", "N s",
@@ -96,7 +96,7 @@ Picture momentum_picture(std::span<const SampledLaw> laws) {
                          one_line_a_law(laws, [](const Sample& s) { return s.momentum.norm(); }));
 }
 
-Picture spin_picture(std::span<const SampledLaw> laws) {
+Plot spin_picture(std::span<const SampledLaw> laws) {
   return lines_over_time("spin", "Mean of ‖w‖ over the spheres", "rad/s",
                          one_line_a_law(laws, [](const Sample& s) { return s.mean_spin; }));
 }

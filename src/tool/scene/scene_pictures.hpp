@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "chart/canvas.hpp"
+#include <carom/report/drawing/plot.hpp>
+
 #include "scene/series.hpp"
 
 namespace carom::tool {
@@ -17,10 +18,10 @@ struct SampledLaw {
 };
 
 /// Energy over time: of one law its parts and what is lost, of several the whole of each.
-[[nodiscard]] chart::Picture energy_picture(std::span<const SampledLaw> laws);
+[[nodiscard]] report::Plot energy_picture(std::span<const SampledLaw> laws);
 /// The components of the momentum, or of several laws its size.
-[[nodiscard]] chart::Picture momentum_picture(std::span<const SampledLaw> laws);
+[[nodiscard]] report::Plot momentum_picture(std::span<const SampledLaw> laws);
 /// Energy of rotation.
-[[nodiscard]] chart::Picture spin_picture(std::span<const SampledLaw> laws);
+[[nodiscard]] report::Plot spin_picture(std::span<const SampledLaw> laws);
 
 }  // namespace carom::tool

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/json/text.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
-#include <carom/subjects/protocol/text.hpp>
 
 namespace carom::tool {
 namespace {
@@ -151,11 +151,71 @@ json bodies_json(const SceneRun& run) {
   return bodies;
 }
 
+json validity_json(const SceneRun& run) {
+  if (!run.validity()) {
+    return nullptr;
+  }
+  json invalid = json::array();
+  for (const properties::Invalidity& one : run.validity()->invalid) {
+    invalid.push_back({{"body", kind_and_number(run.scene(), one.body)},
+                       {"other", one.other},
+                       {"begin", one.begin},
+                       {"end", one.end},
+                       {"what", one.what}});
+  }
+  return {{"invalid", run.validity()->count},
+          {"pairs", run.validity()->pairs},
+          {"exact_pairs", run.validity()->exact_pairs},
+          {"planes", run.validity()->planes},
+          {"largest_jump", run.validity()->largest_jump},
+          {"unseen", run.validity()->unseen},
+          {"first", invalid}};
+}
+
+json impulses_json(const SceneRun& run) {
+  json held;
+  for (const auto& [name, count] : run.judge().held()) {
+    held[std::string(name)] = count;
+  }
+  json record = {{"all", run.judge().impulses()},
+                 {"judged", run.judge().judged()},
+                 {"violated", run.judge().violated()},
+                 {"worst_backward_error", number_to_json(run.judge().worst_backward_error())},
+                 {"held", held}};
+  if (const auto& bad = run.judge().first_bad()) {
+    record["first_violated"] = {
+        {"time", bad->time}, {"invariant", bad->invariant}, {"collision", collision_to_json(bad->collision)}};
+  }
+  return record;
+}
+
+json ledger_json(const SceneRun& run) {
+  const properties::Ledger& ledger = run.ledger();
+  json causes;
+  for (const Cause cause : all_causes) {
+    causes[std::string(name_of(cause))] = static_cast<double>(ledger.energy(cause));
+  }
+  return {{"initial", energies_json(ledger.initial())},
+          {"final", energies_json(ledger.present())},
+          {"causes", causes},
+          {"work_of_gravity", static_cast<double>(ledger.gravity_work())},
+          {"scale", static_cast<double>(ledger.scale())},
+          {"relative_rounding", run.relative_rounding()},
+          {"rounding_limit", run.rounding_limit()},
+          {"rounding_without_signs", static_cast<double>(ledger.rounding_without_signs())},
+          {"momentum",
+           {{"initial", momentum_json(ledger.initial_momentum())},
+            {"gravity", momentum_json(ledger.gravity_impulse())},
+            {"planes", momentum_json(ledger.plane_impulse())},
+            {"rounding", momentum_json(ledger.momentum_rounding())}}},
+          {"angular_momentum_rounding", static_cast<double>(ledger.angular_momentum_rounding())},
+          {"angular_momentum_scale", static_cast<double>(ledger.angular_momentum_scale())}};
+}
+
 }  // namespace
 
 json scene_record(const SceneRun& run) {
   const scene::Counts& counts = run.simulation().counts();
-  const properties::Ledger& ledger = run.ledger();
   json record;
   record["title"] = run.scene().title;
   record["law"] = name_of(run.scene().law);
@@ -185,57 +245,9 @@ json scene_record(const SceneRun& run) {
     record["bodies"] = bodies_json(run);
   }
   record["spins_changed"] = run.spins_changed();
-  if (run.validity()) {
-    json invalid = json::array();
-    for (const properties::Invalidity& one : run.validity()->invalid) {
-      invalid.push_back({{"body", kind_and_number(run.scene(), one.body)},
-                         {"other", one.other},
-                         {"begin", one.begin},
-                         {"end", one.end},
-                         {"what", one.what}});
-    }
-    record["validity"] = {{"invalid", run.validity()->count},
-                          {"pairs", run.validity()->pairs},
-                          {"exact_pairs", run.validity()->exact_pairs},
-                          {"planes", run.validity()->planes},
-                          {"largest_jump", run.validity()->largest_jump},
-                          {"unseen", run.validity()->unseen},
-                          {"first", invalid}};
-  } else {
-    record["validity"] = nullptr;
-  }
-  json held;
-  for (const auto& [name, count] : run.judge().held()) {
-    held[std::string(name)] = count;
-  }
-  record["impulses"] = {{"all", run.judge().impulses()},
-                        {"judged", run.judge().judged()},
-                        {"violated", run.judge().violated()},
-                        {"worst_backward_error", number_to_json(run.judge().worst_backward_error())},
-                        {"held", held}};
-  if (const auto& bad = run.judge().first_bad()) {
-    record["impulses"]["first_violated"] = {
-        {"time", bad->time}, {"invariant", bad->invariant}, {"collision", collision_to_json(bad->collision)}};
-  }
-  json causes;
-  for (const Cause cause : all_causes) {
-    causes[std::string(name_of(cause))] = static_cast<double>(ledger.energy(cause));
-  }
-  record["ledger"] = {{"initial", energies_json(ledger.initial())},
-                      {"final", energies_json(ledger.present())},
-                      {"causes", causes},
-                      {"work_of_gravity", static_cast<double>(ledger.gravity_work())},
-                      {"scale", static_cast<double>(ledger.scale())},
-                      {"relative_rounding", run.relative_rounding()},
-                      {"rounding_limit", run.rounding_limit()},
-                      {"rounding_without_signs", static_cast<double>(ledger.rounding_without_signs())},
-                      {"momentum",
-                       {{"initial", momentum_json(ledger.initial_momentum())},
-                        {"gravity", momentum_json(ledger.gravity_impulse())},
-                        {"planes", momentum_json(ledger.plane_impulse())},
-                        {"rounding", momentum_json(ledger.momentum_rounding())}}},
-                      {"angular_momentum_rounding", static_cast<double>(ledger.angular_momentum_rounding())},
-                      {"angular_momentum_scale", static_cast<double>(ledger.angular_momentum_scale())}};
+  record["validity"] = validity_json(run);
+  record["impulses"] = impulses_json(run);
+  record["ledger"] = ledger_json(run);
   record["seconds"] = run.seconds();
   return record;
 }
@@ -263,7 +275,7 @@ std::string scene_verdict(const SceneRun& run) {
 
 std::string shown_title(const scene::Scene& scene) {
   constexpr std::size_t longest = 400;
-  return scene.title.empty() ? "scene" : subjects::protocol::printable_line(scene.title, longest);
+  return scene.title.empty() ? "scene" : carom::printable_line(scene.title, longest);
 }
 
 std::string scene_text(const SceneRun& run) {

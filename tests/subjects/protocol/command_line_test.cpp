@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/collision/json/text.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects::protocol {

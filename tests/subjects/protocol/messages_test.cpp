@@ -9,7 +9,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/messages.hpp>
-#include <carom/subjects/protocol/text.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

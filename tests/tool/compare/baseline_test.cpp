@@ -74,7 +74,7 @@ TEST_F(Baseline, WhatIsNewFails) {
   const std::string out = (directory_.path() / "second").string();
   const RunResult result = run({"--baseline", baseline_where_held("restitution"), "--out", out});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_NE(result.output.find("new: restitution in head_on"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("restitution  head_on ("), std::string::npos) << result.output;
   const json report = json::parse(content_of(std::filesystem::path(out) / "report.json"));
   EXPECT_EQ(report.at("exit_status"), 1);
   EXPECT_EQ(report.at("baseline").at("new").at(0).at("invariant"), "restitution");

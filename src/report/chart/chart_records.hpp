@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/report/chart/measurement.hpp>
+#include <carom/report/model/run_json.hpp>
+
+/// What `carom chart` writes beside the pictures.
+namespace carom::report {
+
+/// Everything that was measured, and how.
+struct Measurements {
+  Environment environment;
+  std::uint64_t seed;
+  std::size_t cases;  // of each family, and at each quantity of a sweep
+  int repetitions;    // of each timing
+  double limit_ulps;
+  std::vector<MethodMeasurement> methods;
+  std::vector<SweepMeasurement> sweeps;
+};
+
+/// A line for each method and family.
+[[nodiscard]] std::string work_precision_csv(const Measurements& measurements);
+
+/// A line for each method and quantity of each sweep.
+[[nodiscard]] std::string stability_csv(const Measurements& measurements);
+
+/// A line for each step of each curve.
+[[nodiscard]] std::string deadline_csv(const Measurements& measurements);
+
+[[nodiscard]] nlohmann::json chart_record(const Measurements& measurements);
+
+/// The methods over all families, and where each leaves the limit, as Markdown.
+[[nodiscard]] std::string tables_markdown(const Measurements& measurements);
+
+}  // namespace carom::report

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/judge/yardstick.hpp>
+#include <carom/report/chart/diagrams.hpp>
+#include <carom/report/drawing/colours.hpp>
+
+namespace carom::report {
+namespace {
+
+constexpr double most_digits = 21;  // an exact outcome has more; it is drawn here
+constexpr double least_digits = 0;
+
+constexpr std::pair<std::string_view, std::string_view> key_of_colours[] = {{"binary32", orange},
+                                                                            {"binary64", blue},
+                                                                            {"more than binary64", green},
+                                                                            {"x: fails", vermillion},
+                                                                            {"grey: Pareto line", grey}};
+
+/// One mark.
+struct Mark {
+  std::size_t number;  // of the method, from 0
+  Spread nanoseconds;
+  Quantiles digits;
+  Precision precision;
+  bool fails;
+};
+
+double drawn(double digits) { return std::clamp(digits, least_digits, most_digits); }
+
+Axis time_axis(std::span<const MethodMeasurement> methods, double first_pixel, double last_pixel) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const MethodMeasurement& method : methods) {
+    for (const FamilyMeasurement& family : method.families) {
+      low = std::min(low, family.nanoseconds.median);
+      high = std::max(high, family.nanoseconds.median);
+    }
+  }
+  return {low / 1.3, high * 1.3, true, first_pixel, last_pixel};
+}
+
+/// Bars, marks and the Pareto line; labels for `is_labelled` marks.
+template <class IsLabelled>
+void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, double mark_size, double letter,
+          const IsLabelled& is_labelled) {
+  const std::vector<std::size_t> line = pareto(
+      marks.size(), [&](std::size_t i) { return marks[i].nanoseconds.median; },
+      [&](std::size_t i) { return drawn(marks[i].digits.median); }, [&](std::size_t i) { return !marks[i].fails; });
+  std::vector<std::vector<double>> on_line;
+  for (const std::size_t i : line) {
+    on_line.push_back({marks[i].nanoseconds.median, drawn(marks[i].digits.median)});
+  }
+  picture.curve(on_line, "using 1:2 with steps lw 2 lc rgb '#bbbbbb'");
+  std::vector<Label> labels;
+  std::vector<Pixel> places;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Mark& mark = marks[i];
+    const double x = mark.nanoseconds.median;
+    const double median = drawn(mark.digits.median);
+    const std::string colour(colour_of(mark.precision));
+    picture.curve({{x, drawn(mark.digits.worst), x, median}},
+                  fmt::format("using 1:2:($3-$1):($4-$2) with vectors nohead lw 1.2 lc rgb '{}'", colour));
+    if (mark.fails) {
+      picture.curve({{x, median}},
+                    fmt::format("using 1:2 with points pt 2 ps {} lw 2.5 lc rgb '{}'", mark_size * 1.3, vermillion));
+    } else {
+      picture.curve({{x, median}}, fmt::format("using 1:2 with points pt 7 ps {} lc rgb '{}'", mark_size, colour));
+    }
+    places.push_back(panel.place_of(x, median));
+    const bool is_on_line = std::find(line.begin(), line.end(), i) != line.end();
+    if (is_labelled(mark, is_on_line)) {
+      labels.push_back({std::to_string(mark.number + 1), places.back(), mark.fails ? std::string(vermillion) : colour});
+    }
+  }
+  place_labels(labels, places, letter, panel);
+  picture.write(labels, letter);
+}
+
+std::string families_text(std::size_t failing, std::size_t all) {
+  return failing == 0 ? std::string() : fmt::format("fails in {} of {} families", failing, all);
+}
+
+/// The list of methods at the right: number, name, time, digits, and where it fails.
+void write_key(Plot& picture, std::span<const MethodMeasurement> methods, Pixel top_left) {
+  const double row = std::min(26.0, (top_left.y - 60) / static_cast<double>(methods.size() + 5));
+  const double size = std::min(1.0, row / 24);
+  double y = top_left.y;
+  const auto line = [&](std::string_view number, std::string_view name, std::string_view time, std::string_view digits,
+                        std::string_view rest, std::string_view colour) {
+    picture.write(number, {top_left.x + 24, y}, colour, "right", size);
+    picture.write(name, {top_left.x + 34, y}, colour, "left", size);
+    picture.write(time, {top_left.x + 360, y}, colour, "right", size);
+    picture.write(digits, {top_left.x + 450, y}, colour, "right", size);
+    picture.write(rest, {top_left.x + 462, y}, colour, "left", size);
+    y -= row;
+  };
+  line("", "method", "ns", "digits", "", "#555555");
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const MethodMeasurement& method = methods[i];
+    const Exactness all = method.over_all_families();
+    std::size_t failing = 0;
+    for (const FamilyMeasurement& family : method.families) {
+      failing += family.exactness.failures > 0 ? 1 : 0;
+    }
+    line(std::to_string(i + 1), method.name, in_three_digits(method.nanoseconds_over_all_families().median),
+         fmt::format("{:.1f}", std::min(all.digits.median, most_digits)),
+         families_text(failing, method.families.size()), failing > 0 ? vermillion : colour_of(method.precision));
+  }
+  y -= row / 2;
+  double x = top_left.x + 34;
+  for (const auto& [text, colour] : std::span(key_of_colours).first<3>()) {
+    picture.write(text, {x, y}, colour, "left", size);
+    x += 110;
+  }
+  y -= row;
+  picture.write(fmt::format("× fails: beyond the limit of {:g} ulps in some case", oracles::default_limit_ulps),
+                {top_left.x + 34, y}, vermillion, "left", size);
+  y -= row;
+  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {top_left.x + 34, y}, "#555555",
+                "left", size);
+}
+
+}  // namespace
+
+std::vector<MethodMeasurement> of_model(std::span<const MethodMeasurement> methods, Model model) {
+  std::vector<MethodMeasurement> result;
+  for (const MethodMeasurement& method : methods) {
+    if (method.model == model) {
+      result.push_back(method);
+    }
+  }
+  return result;
+}
+
+Plot work_precision(std::span<const MethodMeasurement> methods) {
+  const std::string model(name_of(methods.front().model));
+  Plot picture("work-precision-" + model, 1500, 900, 17);
+  const Panel panel{time_axis(methods, 80, 830), {least_digits, most_digits + 0.5, false, 80, 840}};
+  picture.begin(panel, fmt::format("{}: time against accuracy, all families", model), "nanoseconds for each contact",
+                "correct digits of the change of velocities");
+  picture.add(time_tics(panel.x));
+  picture.add("set ytics 3");
+  std::vector<Mark> marks;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    marks.push_back({i, methods[i].nanoseconds_over_all_families(), methods[i].over_all_families().digits,
+                     methods[i].precision, methods[i].fails()});
+  }
+  draw(picture, panel, marks, 0.8, 15, [](const Mark&, bool) { return true; });
+  write_key(picture, methods, {850, 830});
+  picture.end();
+  return picture;
+}
+
+Plot work_precision_of_families(std::span<const MethodMeasurement> methods) {
+  const std::string model(name_of(methods.front().model));
+  const std::size_t count = methods.front().families.size();
+  constexpr std::size_t columns = 3;
+  const std::size_t rows = (count + columns - 1) / columns;
+  constexpr double cell_width = 500;
+  constexpr double cell_height = 370;
+  const double height = cell_height * static_cast<double>(rows) + 110;
+  Plot picture("work-precision-" + model + "-families", columns * cell_width, height, 20);
+  for (std::size_t f = 0; f < count; ++f) {
+    const double left = cell_width * static_cast<double>(f % columns);
+    const std::size_t row = f / columns;
+    const double bottom = height - 100 - cell_height * static_cast<double>(row + 1);
+    const Panel panel{time_axis(methods, left + 75, left + cell_width - 20),
+                      {least_digits, most_digits + 0.5, false, bottom + 100, bottom + cell_height - 40}};
+    picture.begin(panel, methods.front().families[f].family, f + columns >= count ? "ns for each contact" : "",
+                  f % columns == 0 ? "correct digits" : "");
+    picture.add(time_tics(panel.x));
+    picture.add("set ytics 6");
+    std::vector<Mark> marks;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const FamilyMeasurement& family = methods[i].families[f];
+      marks.push_back(
+          {i, family.nanoseconds, family.exactness.digits, methods[i].precision, family.exactness.failures > 0});
+    }
+    if (f == 0) {
+      picture.write(
+          fmt::format("{}: time against accuracy, family by family; numbers as in work-precision-{}.svg", model, model),
+          {20, height - 25}, black);
+      double x = 20;
+      for (const auto& [text, colour] : key_of_colours) {
+        picture.write(text, {x, height - 55}, colour);
+        x += 20 + 11 * static_cast<double>(text.size());
+      }
+    }
+    draw(picture, panel, marks, 0.6, 19, [](const Mark& mark, bool is_on_line) { return mark.fails || is_on_line; });
+    picture.end();
+  }
+  return picture;
+}
+
+}  // namespace carom::report

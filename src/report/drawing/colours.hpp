@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string_view>
+
+#include <carom/collision/precision.hpp>
+#include <carom/report/drawing/plot.hpp>
+
+namespace carom::report {
+
+/// The colour of a method's precision, the same in all pictures.
+[[nodiscard]] constexpr std::string_view colour_of(Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return orange;
+    case Precision::binary64:
+      return blue;
+    case Precision::extended:
+      break;
+  }
+  return green;
+}
+
+}  // namespace carom::report

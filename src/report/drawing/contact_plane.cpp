@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/report/drawing/contact_plane.hpp>
+
+namespace carom::report {
+namespace {
+
+/// Of length one; zero where the vector is.
+Direction unit(const Direction& vector) {
+  const long double largest = vector.cwiseAbs().maxCoeff();
+  return largest > 0 ? Direction((vector / largest).normalized()) : Direction(Direction::Zero());
+}
+
+/// What is left of the direction of a vector once its part along the normal is taken away.
+Direction askew(const Direction& vector, const Direction& normal) {
+  const Direction direction = unit(vector);
+  return direction - direction.dot(normal) * normal;
+}
+
+/// A direction of length one orthogonal to this one.
+Direction any_orthogonal(const Direction& normal) {
+  int smallest = 0;
+  normal.cwiseAbs().minCoeff(&smallest);
+  return askew(Direction::Unit(smallest), normal).normalized();
+}
+
+}  // namespace
+
+Plane contact_plane(const Collision& collision, const Vector3<double>& relative_velocity) {
+  struct Candidate {
+    Direction askew;
+    std::string_view name;
+  };
+  const Direction normal = unit(collision.normal.cast<long double>());
+  Candidate best{askew(relative_velocity.cast<long double>(), normal), "the velocity of the contact point"};
+  for (const auto& [body, name] :
+       {std::pair{&collision.a, "the lever arm of A"}, std::pair{&collision.b, "the lever arm of B"}}) {
+    const Direction arm = collision.point.cast<long double>() - body->position.cast<long double>();
+    const Candidate candidate{askew(arm, normal), name};
+    if (!body->immovable && candidate.askew.norm() > best.askew.norm()) {
+      best = candidate;
+    }
+  }
+  // Below this it is the rounding of the subtraction.
+  constexpr long double visible = 1e-12L;
+  return best.askew.norm() > visible ? Plane{best.askew.normalized(), normal, best.name}
+                                     : Plane{any_orthogonal(normal), normal, "any direction across it"};
+}
+
+Place projected(const Plane& plane, const Direction& vector) {
+  return {vector.dot(plane.across), vector.dot(plane.up)};
+}
+
+Outline outline(const Plane& plane, const Body& body) {
+  const Direction inertia = body.principal_inertia.cast<long double>();
+  const Quaternion<long double> orientation = body.orientation.cast<long double>();
+  // Of a uniform ellipsoid I_x = m (b² + c²) / 5, and so on: a² = 5 (I_y + I_z − I_x) / 2m. The squared outline is the
+  // sum of the squared axes, each seen in the plane.
+  long double xx = 0;
+  long double xy = 0;
+  long double yy = 0;
+  for (int i = 0; i < 3; ++i) {
+    const long double squared = 5 * (inertia.sum() - 2 * inertia[i]) / (2 * static_cast<long double>(body.mass));
+    const Place axis = projected(plane, oracles::turned<long double>(orientation, Direction::Unit(i)));
+    const long double kept = std::max(squared, 0.0L);  // no ellipsoid has the inertia of some valid bodies
+    xx += kept * axis.x * axis.x;
+    xy += kept * axis.x * axis.y;
+    yy += kept * axis.y * axis.y;
+  }
+  const long double mean = (xx + yy) / 2;
+  const long double spread = std::hypot((xx - yy) / 2, xy);
+  return {std::sqrt(mean + spread), std::sqrt(std::max(mean - spread, 0.0L)), std::atan2(2 * xy, xx - yy) / 2};
+}
+
+}  // namespace carom::report

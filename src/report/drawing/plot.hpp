@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom::report {
+
+/// A place in a picture: pixels from its lower left corner.
+struct Pixel {
+  double x;
+  double y;
+};
+
+/// What one axis shows, and between which pixels.
+struct Axis {
+  double low;
+  double high;
+  bool logarithmic;
+  double first_pixel;  // where `low` stands
+  double last_pixel;   // where `high` stands
+
+  /// The pixel of a value; values outside are moved to the end of the axis.
+  [[nodiscard]] double pixel_of(double value) const;
+};
+
+/// One diagram in a picture.
+struct Panel {
+  Axis x;
+  Axis y;
+
+  [[nodiscard]] Pixel place_of(double x_value, double y_value) const {
+    return {x.pixel_of(x_value), y.pixel_of(y_value)};
+  }
+};
+
+/// A short text beside the place that it names.
+struct Label {
+  std::string text;
+  Pixel names;
+  std::string colour;
+  Pixel at{0, 0};  // its middle, once it is placed
+};
+
+/// Moves each label beside its place, so that it covers no other label and no place that one of them names, as far as
+/// there is room nearby. `letter` is the size of a letter in pixels.
+void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
+                  const Panel& within);
+
+/// A picture in the language of gnuplot: SVG, of a fixed size in pixels.
+class Plot {
+ public:
+  Plot(std::string name, double width, double height, double font_size);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double font_size() const { return font_size_; }
+
+  /// Starts a diagram: its axes, their names and its title.
+  void begin(const Panel& panel, std::string_view title, std::string_view x_name, std::string_view y_name);
+  /// A command of the open diagram, before its curves.
+  void add(std::string_view command);
+  /// A text at a place, its left end, middle or right end there. In any diagram, before its curves.
+  void write(std::string_view text, Pixel at, std::string_view colour = "#000000", std::string_view align = "left",
+             double size = 1);
+  /// Placed labels, on white, each with a line to what it names where that is not beside it.
+  void write(const std::vector<Label>& labels, double letter);
+  /// A piece of a curve with its mark, as a list of methods shows it. In any diagram, before its curves.
+  void swatch(Pixel at, std::string_view colour, int dash, int point);
+  /// A curve or marks through points, each with two or four numbers (x, y and for arrows what they add), in the style
+  /// that `with` says. One without points is left out.
+  void curve(const std::vector<std::vector<double>>& points, std::string_view with);
+  /// Draws the open diagram.
+  void end();
+
+  /// The whole script, which writes NAME.svg into the working directory.
+  [[nodiscard]] std::string script() const;
+
+ private:
+  std::string name_;
+  double width_;
+  double height_;
+  double font_size_;
+  std::string text_;
+  std::string blocks_;  // data of the open diagram
+  std::string plot_;    // its plot command so far
+  int blocks_written_ = 0;
+};
+
+/// Colours that people with any colour vision tell apart: M. Okabe, K. Ito, "Color Universal Design" (2008).
+inline constexpr std::string_view orange = "#e69f00";
+inline constexpr std::string_view sky_blue = "#56b4e9";
+inline constexpr std::string_view green = "#009e73";
+inline constexpr std::string_view blue = "#0072b2";
+inline constexpr std::string_view vermillion = "#d55e00";
+inline constexpr std::string_view purple = "#cc79a7";
+inline constexpr std::string_view black = "#000000";
+inline constexpr std::string_view grey = "#999999";
+
+/// Tics of an axis of times at 1, 2 and 5 times the powers of ten, as plain numbers: a gnuplot command.
+[[nodiscard]] std::string time_tics(const Axis& axis);
+
+/// Tics at powers of ten, about eight of them, for the axis 'x' or 'y': a gnuplot command.
+[[nodiscard]] std::string power_tics(const Axis& axis, char letter);
+
+/// A text as gnuplot reads it between double quotes.
+[[nodiscard]] std::string gnuplot_text(std::string_view text);
+
+}  // namespace carom::report

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/report/model/field.hpp>
+
+/// One text that writes a value as JSON and reads it back. A type has either a function `fields(archive, value)`, which
+/// names each of its fields once, or a specialisation of Json with `write` and `read`.
+namespace carom::report {
+
+/// Whether a report is read to be compared, or as a shard, whole.
+enum class Reading { to_compare, whole };
+
+template <class T>
+struct Json;
+
+template <class V, class T>
+concept Is = std::same_as<std::remove_const_t<V>, T>;
+
+class Writer {
+ public:
+  static constexpr bool reads = false;
+
+  /// A field that is always there.
+  template <class T>
+  void operator()(const char* name, const T& value) {
+    record[name] = Json<T>::write(value);
+  }
+
+  /// The same, but only a whole reading asks for it.
+  template <class T>
+  void detail(const char* name, const T& value) {
+    (*this)(name, value);
+  }
+
+  /// A field that is left out if it has its default.
+  template <class T>
+  void unless_default(const char* name, const T& value) {
+    bool is_default = false;
+    if constexpr (requires { value.empty(); }) {
+      is_default = value.empty();
+    } else {
+      is_default = value == T{};
+    }
+    if (!is_default) {
+      (*this)(name, value);
+    }
+  }
+
+  template <class T>
+  void unless_default(const char* name, const std::optional<T>& value) {
+    if (value) {
+      (*this)(name, *value);
+    }
+  }
+
+  /// A field that follows from others: it is written, and never read.
+  template <class T>
+  void derived(const char* name, const T& value) {
+    (*this)(name, value);
+  }
+
+  nlohmann::json record = nlohmann::json::object();
+};
+
+class Reader {
+ public:
+  static constexpr bool reads = true;
+
+  Reader(const Field& from, Reading how) : record(from), reading(how) {}
+
+  template <class T>
+  void operator()(const char* name, T& value) {
+    value = Json<T>::read(record.at(name), reading);
+  }
+
+  template <class T>
+  void detail(const char* name, T& value) {
+    if (reading == Reading::whole) {
+      (*this)(name, value);
+    }
+  }
+
+  template <class T>
+  void unless_default(const char* name, T& value) {
+    if (const std::optional<Field> field = record.find(name)) {
+      value = Json<T>::read(*field, reading);
+    }
+  }
+
+  template <class T>
+  void unless_default(const char* name, std::optional<T>& value) {
+    if (const std::optional<Field> field = record.find(name)) {
+      value = Json<T>::read(*field, reading);
+    }
+  }
+
+  template <class T>
+  void derived(const char* /*name*/, const T& /*value*/) {}
+
+  const Field& record;
+  Reading reading;
+};
+
+/// For a type with `fields`.
+template <class T>
+struct Json {
+  static nlohmann::json write(const T& value) {
+    Writer writer;
+    fields(writer, value);
+    return std::move(writer.record);
+  }
+  static T read(const Field& field, Reading reading) {
+    T value{};
+    Reader reader(field, reading);
+    fields(reader, value);
+    return value;
+  }
+};
+
+template <>
+struct Json<bool> {
+  static nlohmann::json write(bool value) { return value; }
+  static bool read(const Field& field, Reading) { return field.flag(); }
+};
+
+template <>
+struct Json<std::uint64_t> {
+  static nlohmann::json write(std::uint64_t value) { return value; }
+  static std::uint64_t read(const Field& field, Reading) { return field.count(); }
+};
+
+template <>
+struct Json<double> {
+  static nlohmann::json write(double value) { return number_to_json(value); }
+  static double read(const Field& field, Reading) { return field.number(); }
+};
+
+template <>
+struct Json<std::string> {
+  static nlohmann::json write(const std::string& value) { return value; }
+  static std::string read(const Field& field, Reading) { return field.text(); }
+};
+
+/// None is null.
+template <class T>
+struct Json<std::optional<T>> {
+  static nlohmann::json write(const std::optional<T>& value) { return value ? Json<T>::write(*value) : nullptr; }
+  static std::optional<T> read(const Field& field, Reading reading) {
+    return field.value().is_null() ? std::nullopt : std::optional<T>(Json<T>::read(field, reading));
+  }
+};
+
+template <class T>
+struct Json<std::vector<T>> {
+  static nlohmann::json write(const std::vector<T>& values) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const T& value : values) {
+      list.push_back(Json<T>::write(value));
+    }
+    return list;
+  }
+  static std::vector<T> read(const Field& field, Reading reading) {
+    std::vector<T> values;
+    for (const Field& element : field.elements()) {
+      values.push_back(Json<T>::read(element, reading));
+    }
+    return values;
+  }
+};
+
+template <class T>
+struct Json<std::pair<T, T>> {
+  static nlohmann::json write(const std::pair<T, T>& pair) {
+    return nlohmann::json::array({Json<T>::write(pair.first), Json<T>::write(pair.second)});
+  }
+  static std::pair<T, T> read(const Field& field, Reading reading) {
+    const std::vector<T> both = Json<std::vector<T>>::read(field, reading);
+    if (both.size() != 2) {
+      field.fail("a pair");
+    }
+    return {both[0], both[1]};
+  }
+};
+
+template <class T>
+struct Json<std::map<std::string, T>> {
+  static nlohmann::json write(const std::map<std::string, T>& values) {
+    nlohmann::json record = nlohmann::json::object();
+    for (const auto& [name, value] : values) {
+      record[name] = Json<T>::write(value);
+    }
+    return record;
+  }
+  static std::map<std::string, T> read(const Field& field, Reading reading) {
+    std::map<std::string, T> values;
+    for (const auto& [name, value] : field.members()) {
+      values.emplace(name, Json<T>::read(value, reading));
+    }
+    return values;
+  }
+};
+
+}  // namespace carom::report

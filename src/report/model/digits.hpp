@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace carom::report {
+
+/// What stands in place of a number that there is not.
+inline constexpr const char* no_number = "–";
+
+/// The correct digits that half of the cases, 99 in 100 and all of them have at least; none where no case has any.
+struct Digits {
+  std::optional<double> p50;
+  std::optional<double> p99;
+  std::optional<double> worst;
+};
+
+/// "15.2", or no_number.
+[[nodiscard]] std::string in_tenths(const std::optional<double>& number);
+
+/// "15.2 / 14.0 / 12.9", or no_number.
+[[nodiscard]] std::string in_words(const Digits& digits);
+
+}  // namespace carom::report

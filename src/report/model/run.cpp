@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/text.hpp>
+#include <carom/report/model/exit_status.hpp>
+#include <carom/report/model/run.hpp>
+#include <carom/report/model/version.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::GateOptions;
+using properties::SubjectResult;
+
+std::string status_of(const SubjectResult& result) {
+  if (!result.violated_invariants().empty()) {
+    return "violated";
+  }
+  if (!result.error.empty()) {
+    return "error";
+  }
+  return result.is_sound() ? "sound" : "not judged";
+}
+
+Settings settings_of(const GateOptions& options, std::vector<std::string> deviates, bool is_shard) {
+  Settings settings;
+  settings.seed = options.seed;
+  if (options.budget) {
+    settings.budget_seconds = std::chrono::duration<double>(*options.budget).count();
+  } else {
+    settings.cases = options.cases;
+  }
+  settings.yardstick = options.yardstick;
+  settings.fail_fast = options.fail_fast;
+  settings.relations_every = options.relations_every;
+  settings.deviates = std::move(deviates);
+  if (is_shard) {
+    settings.shard = options.shard;
+  }
+  return settings;
+}
+
+Features features_of(const properties::FeatureCoverage& coverage) {
+  Features features;
+  features.feasible_pairs = coverage.feasible_pairs();
+  for (const auto& [x, y] : coverage.missing_pairs()) {
+    features.missing_pairs.emplace_back(x->name, y->name);
+  }
+  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
+    features.cases[std::string(properties::all_features()[i].name)] = coverage.count(i);
+  }
+  return features;
+}
+
+JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, bool counts) {
+  JudgedSubject subject;
+  subject.counts = counts;
+  subject.status = status_of(result);
+  subject.worst = result.worst_backward_error(options);
+  subject.digits = {result.digits_at_least(0.5), result.digits_at_least(0.99), result.digits_at_least(1)};
+  for (const properties::Witness& witness : result.witnesses) {
+    subject.violations.push_back({witness.invariant, result.count(witness.invariant).violated, witness.family,
+                                  witness.index, witness_path({}, result.subject, witness.invariant).string()});
+  }
+  subject.not_claimed = not_claimed_by(result.subject);
+  subject.result = std::move(result);
+  return subject;
+}
+
+}  // namespace
+
+Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
+           Environment environment, std::vector<std::string> deviates, bool is_shard) {
+  const std::vector<properties::diagnosis::Diagnosis> diagnoses = properties::diagnosis::diagnose_all(report);
+  const GateOptions& options = report.options;
+  Run run;
+  run.carom = version;
+  run.environment = std::move(environment);
+  run.settings = settings_of(options, std::move(deviates), is_shard);
+  run.interrupted = report.interrupted;
+  for (std::size_t f = 0; f < options.families.size(); ++f) {
+    const properties::Family& family = *options.families[f];
+    run.families.push_back(
+        {std::string(family.name), std::string(family.summary), report.coverage[f],
+         f < report.sampled.size() ? std::move(report.sampled[f]) : std::vector<properties::SampledCase>()});
+  }
+  for (const properties::Family* family : options.beyond_domain) {
+    run.beyond_domain.push_back(
+        {std::string(family->name), std::string(family->summary), std::string(family->beyond.name)});
+  }
+  run.features = features_of(report.features);
+  for (std::size_t s = 0; s < report.results.size(); ++s) {
+    run.subjects.push_back(judged_subject(std::move(report.results[s]), options, counts[s]));
+    if (!diagnoses[s].telling.empty()) {
+      run.subjects.back().diagnosis = diagnoses[s];
+    }
+  }
+  run.absent = std::move(absent);
+  return run;
+}
+
+int Run::exit_status() const {
+  bool judged = false;
+  bool violated = false;
+  bool ended_early = false;
+  bool failed = interrupted;
+  for (const JudgedSubject& subject : subjects) {
+    if (!subject.counts) {
+      continue;
+    }
+    judged = true;
+    // What was judged, and then could not be judged to the end, is at fault itself.
+    const bool is_at_fault = subject.status == "violated" || (subject.status == "error" && subject.result.cases() > 0);
+    violated = violated || is_at_fault;
+    ended_early = ended_early || !subject.result.error.empty();
+    failed = failed || (subject.status != "sound" && !is_at_fault);
+  }
+  if (failed || !judged) {
+    return exit_usage;
+  }
+  const bool is_new = baseline ? ended_early || baseline->count_new(true) > 0 : violated;
+  return is_new ? exit_violated : exit_all_hold;
+}
+
+std::vector<std::string> not_claimed_by(const Subject& subject) {
+  std::vector<std::string> names;
+  for (const properties::Invariant* invariant : properties::not_claimed_without_matrix(subject)) {
+    names.emplace_back(invariant->name);
+  }
+  return names;
+}
+
+Overall overall_of(const Run& run) {
+  Overall overall;
+  overall.interrupted = run.interrupted;
+  for (const JudgedSubject& subject : run.subjects) {
+    if (subject.counts) {
+      ++overall.subjects;
+      overall.sound += subject.status == "sound" ? 1 : 0;
+      overall.violated += subject.violations.size();
+      overall.violating_subjects += subject.status == "violated" ? 1 : 0;
+    }
+  }
+  return overall;
+}
+
+std::string in_words(const Overall& overall) {
+  if (overall.violated > 0) {
+    return fmt::format("{} violated", overall.violated);
+  }
+  const bool all_sound = overall.subjects > 0 && overall.sound == overall.subjects && !overall.interrupted;
+  return all_sound ? "sound" : "not judged";
+}
+
+std::string file_name_of(std::string name) {
+  for (char& letter : name) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
+    letter = is_plain ? letter : '_';
+  }
+  return name;
+}
+
+std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
+                                   const std::string& invariant) {
+  return directory / "witnesses" / (file_name_of(subject.name) + '.' + invariant + ".json");
+}
+
+std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+                           const oracles::Yardstick& yardstick) {
+  std::string command = fmt::format("carom replay {} --subject {}", quoted(witness_file.string()),
+                                    quoted(subject.specification.empty() ? subject.name : subject.specification));
+  if (yardstick.limit_ulps != oracles::default_limit_ulps) {
+    command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
+  }
+  if (yardstick.digits) {
+    command += fmt::format(" --digits {}", *yardstick.digits);
+  }
+  if (!yardstick.filtered) {
+    command += " --exact";
+  }
+  return command;
+}
+
+std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject) {
+  std::vector<const properties::Witness*> ordered;
+  for (const properties::Witness& witness : subject.result.witnesses) {
+    ordered.push_back(&witness);
+  }
+  std::stable_partition(ordered.begin(), ordered.end(), [&](const properties::Witness* witness) {
+    return subject.diagnosis && witness->invariant == subject.diagnosis->telling;
+  });
+  return ordered;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,608 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <carom/report/model/answer_json.hpp>
+#include <carom/report/model/comparison_record.hpp>
+#include <carom/report/model/findings.hpp>
+#include <carom/report/model/run_json.hpp>
+#include <carom/report/model/version.hpp>
+
+namespace carom::report {
+
+using nlohmann::json;
+using properties::FamilyResult;
+using properties::ViolatedCase;
+using DigitsHistogram = properties::Histogram<properties::DigitsScale>;
+
+template <>
+struct Json<unsigned> {
+  static json write(unsigned value) { return value; }
+  static unsigned read(const Field& field, Reading /*reading*/) {
+    constexpr std::uint64_t most = 1U << 20U;
+    if (field.count() > most) {
+      field.fail("a number of threads");
+    }
+    return static_cast<unsigned>(field.count());
+  }
+};
+
+/// Of an enumeration, the name of one of `all`.
+template <class E, std::size_t count>
+E named(const Field& field, const std::array<E, count>& all, const char* what) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](E one) { return name_of(one) == field.text(); });
+  if (found == all.end()) {
+    field.fail(what);
+  }
+  return *found;
+}
+
+template <>
+struct Json<Model> {
+  static json write(Model model) { return name_of(model); }
+  static Model read(const Field& field, Reading /*reading*/) { return named(field, all_models, "the name of a law"); }
+};
+
+template <>
+struct Json<Precision> {
+  static json write(Precision precision) { return name_of(precision); }
+  static Precision read(const Field& field, Reading /*reading*/) {
+    return named(field, std::array{Precision::binary32, Precision::binary64, Precision::extended},
+                 "the name of a precision");
+  }
+};
+
+template <>
+struct Json<Collision> {
+  static json write(const Collision& collision) { return collision_to_json(collision); }
+  static Collision read(const Field& field, Reading /*reading*/) {
+    return collision_from_json(field.value(), field.place());
+  }
+};
+
+template <>
+struct Json<properties::AdjustmentCounts> {
+  static json write(const properties::AdjustmentCounts& counts) {
+    json record = json::object();
+    for (const properties::Adjustment adjustment : properties::all_adjustments) {
+      record[std::string(name_of(adjustment))] = counts[adjustment];
+    }
+    return record;
+  }
+  static properties::AdjustmentCounts read(const Field& field, Reading /*reading*/) {
+    properties::AdjustmentCounts counts{};
+    for (const properties::Adjustment adjustment : properties::all_adjustments) {
+      counts[adjustment] = field.at(std::string(name_of(adjustment))).count();
+    }
+    return counts;
+  }
+};
+
+/// By their bins.
+template <>
+struct Json<DigitsHistogram> {
+  static json write(const DigitsHistogram& digits) {
+    json bins = json::array();
+    for (std::size_t bin = 0; bin < digits.counts().size(); ++bin) {
+      if (digits.counts()[bin] > 0) {
+        bins.push_back({bin, digits.counts()[bin]});
+      }
+    }
+    return {{"smallest", number_to_json(digits.smallest())},
+            {"largest", number_to_json(digits.largest())},
+            {"bins", std::move(bins)}};
+  }
+  static DigitsHistogram read(const Field& record, Reading /*reading*/) {
+    std::vector<std::uint64_t> counts;
+    for (const Field& pair : record.at("bins").elements()) {
+      const std::vector<Field> numbers = pair.elements();
+      if (numbers.size() != 2 || numbers[0].count() >= properties::DigitsScale::bins) {
+        pair.fail("a bin and how many are in it");
+      }
+      counts.resize(std::max<std::size_t>(counts.size(), numbers[0].count() + 1));
+      counts[numbers[0].count()] = numbers[1].count();
+    }
+    const double smallest = record.at("smallest").number();
+    const double largest = record.at("largest").number();
+    if (!counts.empty() && !(smallest <= largest)) {
+      record.fail("a smallest number that is at most the largest");
+    }
+    return DigitsHistogram::restored(std::move(counts), smallest, largest);
+  }
+};
+
+/// Throws if a whole report names an invariant that there is not.
+template <class A>
+void require_known_invariant(const A& archive, const char* field, const std::string& name) {
+  if constexpr (A::reads) {
+    if (archive.reading == Reading::whole && properties::invariant_named(name) == nullptr) {
+      archive.record.at(field).fail("the name of an invariant");
+    }
+  }
+}
+
+template <class A>
+void fields(A& archive, Is<Environment> auto& environment) {
+  archive("date", environment.date);
+  archive.detail("compiler", environment.compiler);
+  archive.detail("compiler_flags", environment.compiler_flags);
+  archive.detail("build_type", environment.build_type);
+  archive.detail("operating_system", environment.operating_system);
+  archive.detail("kernel", environment.kernel);
+  archive.detail("processor", environment.processor);
+  archive.detail("processor_threads", environment.processor_threads);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::Coverage> auto& coverage) {
+  archive("cases", coverage.cases);
+  archive("colliding", coverage.colliding);
+  archive("resting", coverage.resting);
+  archive("separating", coverage.separating);
+  archive("inert", coverage.inert);
+  archive("invalid", coverage.invalid);
+  archive("one_immovable", coverage.one_immovable);
+  archive("spheres", coverage.spheres);
+  archive("head_on", coverage.head_on);
+  archive("inelastic", coverage.inelastic);
+  archive("elastic", coverage.elastic);
+  archive("adjusted", coverage.adjusted);
+}
+
+template <class A>
+void fields(A& archive, Is<RunFamily> auto& family) {
+  archive("name", family.name);
+  archive.detail("summary", family.summary);
+  archive.detail("coverage", family.coverage);
+}
+
+template <class A>
+void fields(A& archive, Is<FamilyBeyondDomain> auto& family) {
+  archive("name", family.name);
+  archive.detail("summary", family.summary);
+  archive.detail("quantity", family.quantity);
+}
+
+template <class A>
+void fields(A& archive, Is<Features> auto& features) {
+  archive("feasible_pairs", features.feasible_pairs);
+  archive("missing_pairs", features.missing_pairs);
+  archive("cases", features.cases);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::diagnosis::Diagnosis> auto& diagnosis) {
+  archive("telling", diagnosis.telling);
+  archive("violated", diagnosis.violated);
+  archive("telling_in", diagnosis.telling_in);
+  archive("what", diagnosis.what);
+  archive("where", diagnosis.where);
+  archive("look_at", diagnosis.look_at);
+}
+
+template <class A>
+void fields(A& archive, Is<Digits> auto& digits) {
+  archive("p50", digits.p50);
+  archive("p99", digits.p99);
+  archive("worst", digits.worst);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::SubjectResult::WorstFamily> auto& worst) {
+  archive("ulps", worst.backward_error);
+  archive("family", worst.family);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::Count> auto& count) {
+  archive("holds", count.holds);
+  archive("violated", count.violated);
+  archive.detail("skipped", count.skipped);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::Boundary> auto& boundary) {
+  archive("quantity", boundary.quantity);
+  archive("case", boundary.index);
+  archive("invariant", boundary.invariant);
+  require_known_invariant(archive, "invariant", boundary.invariant);
+}
+
+template <class A>
+void fields(A& archive, Is<Violation> auto& violation) {
+  archive("invariant", violation.invariant);
+  require_known_invariant(archive, "invariant", violation.invariant);
+  archive.detail("count", violation.count);
+  archive.detail("family", violation.family);
+  archive.detail("case", violation.index);
+  archive.detail("witness", violation.witness);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::Witness> auto& witness) {
+  archive("invariant", witness.invariant);
+  archive("family", witness.family);
+  archive("case", witness.index);
+  archive("convex_uniform", witness.shrunk.convex_uniform);
+  archive("collision", witness.shrunk.collision);
+  archive("drawn", witness.original.collision);
+  archive("outcome", witness.answer);
+  archive("verdict", witness.verdict);
+  archive("drawn_outcome", witness.answer_as_found);
+  archive("drawn_verdict", witness.verdict_as_found);
+  archive("reproduced", witness.is_reproduced);
+}
+
+/// What a subject says of itself.
+template <class A>
+void subject_fields(A& archive, Is<Subject> auto& subject) {
+  archive("name", subject.name);
+  archive.detail("summary", subject.summary);
+  archive("model", subject.model);
+  archive("precision", subject.precision);
+  archive.detail("expected_to_pass", subject.expected_to_pass);
+  archive("deviates", subject.deviates);
+  archive.detail("shows_collision_matrix", subject.shows_collision_matrix);
+  archive.unless_default("specification", subject.specification);
+  archive.unless_default("version", subject.version);
+}
+
+/// Throws if the name stands in the list a second time.
+inline void require_new(std::set<std::string>& names, const Field& name) {
+  if (!names.insert(name.line()).second) {
+    throw FormatError(name.place(), fmt::format("'{}' stands here twice", name.line()));
+  }
+}
+
+/// Of a subject on a family of the run.
+template <class A>
+void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+  if constexpr (A::reads) {
+    const Field name = archive.record.at("family");
+    if (name.text() != family) {
+      name.fail(fmt::format("\"{}\", a family of the run in its place", family));
+    }
+  } else {
+    archive("family", family);
+  }
+  archive("cases", result.cases);
+  archive.detail("skipped", result.skipped);
+  archive.detail("not_judged", result.unjudged);
+  archive("violated", result.violated);
+}
+
+template <class A>
+void posed_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+  family_fields(archive, family, result);
+  archive.detail("worst_backward_error_ulps", result.worst_backward_error);
+  archive("invariants", result.counts);
+  if constexpr (A::reads) {
+    for (const auto& [name, place] : archive.record.at("invariants").members()) {
+      if (archive.reading == Reading::whole && properties::invariant_named(name) == nullptr) {
+        place.fail("the name of an invariant");
+      }
+    }
+  } else {
+    for (const auto& [name, worst] : result.worst) {
+      archive.record["invariants"][name]["worst_case"] = worst.index;
+    }
+  }
+}
+
+template <class A>
+void beyond_domain_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+  family_fields(archive, family, result);
+  archive("boundary", result.boundary);
+}
+
+/// A list of a subject's results, one for each of `families`; of those beyond the domain there may be fewer.
+template <class Families, class Results, class OfOne>
+void results_field(Writer& archive, const char* name, const Families& families, const Results& results,
+                   const OfOne& of_one) {
+  json list = json::array();
+  for (std::size_t f = 0; f < results.size(); ++f) {
+    Writer writer;
+    of_one(writer, families[f].name, results[f]);
+    list.push_back(std::move(writer.record));
+  }
+  archive.record[name] = std::move(list);
+}
+
+template <class Families, class Results, class OfOne>
+void results_field(Reader& archive, const char* name, const Families& families, Results& results, const OfOne& of_one) {
+  const std::vector<Field> list = archive.record.at(name).elements();
+  if (list.size() > families.size()) {
+    archive.record.at(name).fail(fmt::format("{} families", families.size()));
+  }
+  for (const Field& element : list) {
+    const std::size_t f = results.size();
+    Reader reader(element, archive.reading);
+    of_one(reader, families[f].name, results.emplace_back());
+  }
+}
+
+template <class A>
+void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) {
+  auto& result = subject.result;
+  archive("worst_backward_error", subject.worst);
+  archive("digits", subject.digits);
+  archive("nanoseconds_per_solve", result.nanoseconds_per_solve);
+  results_field(archive, "families", run.families, result.families,
+                [](auto& each, const auto& family, auto& of_family) { posed_fields(each, family, of_family); });
+  archive.derived("cases", result.cases());
+  archive.derived("skipped", result.skipped());
+  archive.derived("not_judged", result.unjudged());
+  bool has_beyond_domain = !result.beyond_domain.empty();
+  if constexpr (A::reads) {
+    has_beyond_domain = archive.reading == Reading::whole && archive.record.find("beyond_domain").has_value();
+    if (archive.reading == Reading::whole && result.families.size() != run.families.size()) {
+      archive.record.at("families").fail(fmt::format("{} families", run.families.size()));
+    }
+  }
+  if (has_beyond_domain) {
+    results_field(
+        archive, "beyond_domain", run.beyond_domain, result.beyond_domain,
+        [](auto& each, const auto& family, auto& of_family) { beyond_domain_fields(each, family, of_family); });
+  }
+  archive.unless_default("error_beyond_domain", result.error_beyond_domain);
+  archive("violations", subject.violations);
+  archive.unless_default("diagnosis", subject.diagnosis);
+}
+
+/// What every subject has, also one that is absent.
+template <class A>
+void standing_fields(A& archive, Is<Subject> auto& subject, auto&& not_claimed, auto&& counts, auto&& status,
+                     auto&& error) {
+  subject_fields(archive, subject);
+  archive.unless_default("not_claimed", not_claimed);
+  archive("counts", counts);
+  archive("status", status);
+  archive("error", error);
+}
+
+void subjects_field(Writer& archive, const Run& run) {
+  json list = json::array();
+  for (const JudgedSubject& subject : run.subjects) {
+    Writer writer;
+    standing_fields(writer, subject.result.subject, subject.not_claimed, subject.counts, subject.status,
+                    subject.why_not_judged());
+    judged_fields(writer, run, subject);
+    list.push_back(std::move(writer.record));
+  }
+  for (const Subject& subject : run.absent) {
+    Writer writer;
+    standing_fields(writer, subject, std::optional(not_claimed_by(subject)), false, std::string("absent"),
+                    subject.absent);
+    list.push_back(std::move(writer.record));
+  }
+  archive.record["subjects"] = std::move(list);
+}
+
+void subjects_field(Reader& archive, Run& run) {
+  std::set<std::string> names;
+  for (const Field& record : archive.record.at("subjects").elements()) {
+    require_new(names, record.at("name"));
+    Reader reader(record, archive.reading);
+    JudgedSubject subject;
+    std::string error;
+    standing_fields(reader, subject.result.subject, subject.not_claimed, subject.counts, subject.status, error);
+    if (subject.status == "absent") {
+      run.absent.push_back(std::move(subject.result.subject));
+      run.absent.back().absent = error;
+      continue;
+    }
+    // Also one that violates something may have ended early.
+    (subject.status == "not judged" ? subject.result.not_judged : subject.result.error) = error;
+    judged_fields(reader, run, subject);
+    run.subjects.push_back(std::move(subject));
+  }
+}
+
+/// Of a shard what a merge adds up and no other field has: of each subject its correct digits by their bins, and of
+/// each family in which it violates something, what was found there (findings.hpp).
+json shard_record(const Run& run) {
+  json record{{"number", run.settings.shard->number},
+              {"of", run.settings.shard->of},
+              {"digits", json::array()},
+              {"findings", json::array()}};
+  for (const JudgedSubject& subject : run.subjects) {
+    record["digits"].push_back(Json<DigitsHistogram>::write(subject.result.digits));
+    json findings = json::object();
+    for (std::size_t f = 0; f < subject.result.families.size(); ++f) {
+      if (!subject.result.families[f].worst.empty()) {
+        findings[run.families[f].name] = findings_record(subject.result.families[f]);
+      }
+    }
+    record["findings"].push_back(std::move(findings));
+  }
+  return record;
+}
+
+properties::Shard shard_number_from(const Field& record) {
+  const properties::Shard shard{record.at("number").count(), record.at("of").count()};
+  if (shard.number < 1 || shard.number > shard.of) {
+    record.at("number").fail("a number from 1 to that of the shards");
+  }
+  return shard;
+}
+
+template <class A>
+void fields(A& archive, Is<Run> auto& run) {
+  archive("carom", run.carom);
+  archive("environment", run.environment);
+  archive("seed", run.settings.seed);
+  archive("cases_of_each_family", run.settings.cases);
+  archive.unless_default("budget_seconds", run.settings.budget_seconds);
+  archive("yardstick", run.settings.yardstick);
+  archive.unless_default("fail_fast", run.settings.fail_fast);
+  archive.unless_default("relations_every", run.settings.relations_every);
+  archive.unless_default("deviates", run.settings.deviates);
+  archive.derived("exit_status", static_cast<std::uint64_t>(run.exit_status()));
+  archive("interrupted", run.interrupted);
+  archive("families", run.families);
+  archive.unless_default("beyond_domain", run.beyond_domain);
+  archive.detail("features", run.features);
+  if constexpr (A::reads) {
+    std::set<std::string> names;
+    for (const Field& family : archive.record.at("families").elements()) {
+      require_new(names, family.at("name"));
+    }
+    if (const std::optional<Field> shard = archive.record.find("shard")) {
+      run.settings.shard = shard_number_from(*shard);
+    }
+  } else {
+    if (run.settings.shard) {
+      archive.record["shard"] = shard_record(run);
+    }
+    if (run.baseline) {
+      archive.record["baseline"] = baseline_record(*run.baseline);
+    }
+  }
+  subjects_field(archive, run);
+}
+
+const properties::Family* known_family(const Field& name) {
+  const properties::Family* family = properties::family_named(name.text());
+  if (family == nullptr) {
+    name.fail("the name of a family");
+  }
+  return family;
+}
+
+properties::GateOptions options_from(const Field& record, const Settings& settings) {
+  properties::GateOptions options;
+  options.seed = settings.seed;
+  options.cases = record.at("cases_of_each_family").count();
+  options.yardstick = settings.yardstick;
+  options.relations_every = settings.relations_every;
+  options.shard = *settings.shard;
+  for (const Field& family : record.at("families").elements()) {
+    options.families.push_back(known_family(family.at("name")));
+  }
+  if (const std::optional<Field> beyond = record.find("beyond_domain")) {
+    for (const Field& family : beyond->elements()) {
+      options.beyond_domain.push_back(known_family(family.at("name")));
+      if (!options.beyond_domain.back()->is_beyond_domain()) {
+        family.at("name").fail("the name of a family beyond the claimed domain");
+      }
+    }
+  }
+  return options;
+}
+
+properties::FeatureCoverage coverage_of(const Features& features, const Field& record) {
+  std::map<std::string, const properties::Feature*> by_name;
+  std::vector<std::uint64_t> counts;
+  for (const properties::Feature& feature : properties::all_features()) {
+    const std::string name(feature.name);
+    by_name.emplace(name, &feature);
+    counts.push_back(record.at("cases").at(name).count());
+  }
+  std::vector<properties::FeatureCoverage::Pair> missing;
+  for (const auto& [x, y] : features.missing_pairs) {
+    if (!by_name.contains(x) || !by_name.contains(y)) {
+      record.at("missing_pairs").fail("pairs of the names of features");
+    }
+    missing.push_back({by_name.at(x), by_name.at(y)});
+  }
+  return properties::FeatureCoverage::reported(std::move(counts), missing);
+}
+
+/// What a shard has of the subject beside its counts.
+void read_shard_of_subject(const Field& shard, std::size_t s, const properties::GateOptions& options,
+                           properties::SubjectResult& result) {
+  const auto of_subject = [&](const char* name) {
+    const std::vector<Field> list = shard.at(name).elements();
+    if (list.size() <= s) {
+      shard.at(name).fail("an element for each subject that was judged");
+    }
+    return list[s];
+  };
+  result.digits = Json<DigitsHistogram>::read(of_subject("digits"), Reading::whole);
+  const Field findings = of_subject("findings");
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const properties::Family& family = *options.families[f];
+    FamilyResult& of_family = result.families[f];
+    of_family.sampled = properties::sampled_of(family);
+    const auto& counts = of_family.counts;
+    if (std::any_of(counts.begin(), counts.end(), [](const auto& of_name) { return of_name.second.violated > 0; })) {
+      read_findings(
+          findings.at(std::string(family.name)), options.cases * static_cast<std::uint64_t>(family.weight),
+          [&](std::uint64_t number) { return properties::drawn_case(family, options.seed, number); }, of_family);
+    }
+  }
+}
+
+json environment_record(const Environment& environment) { return Json<Environment>::write(environment); }
+
+json report_record(const Run& run) { return Json<Run>::write(run); }
+
+Run run_from(const json& record) { return Json<Run>::read(Field(record), Reading::to_compare); }
+
+ReadShard shard_from(const json& json_record, const std::string& file) {
+  const Field record(json_record);
+  if (record.at("carom").text() != version) {
+    record.at("carom").fail(fmt::format("\"{}\", the version of this program", version));
+  }
+  if (record.at("interrupted").flag()) {
+    record.at("interrupted").fail("a run that was not interrupted");
+  }
+  if (!record.find("shard")) {
+    throw FormatError("/shard", "is missing: the report is of no shard");
+  }
+  ReadShard shard{file, Json<Run>::read(record, Reading::whole), {}};
+  properties::GateReport& report = shard.report;
+  report.options = options_from(record, shard.run.settings);
+  for (const RunFamily& family : shard.run.families) {
+    report.coverage.push_back(family.coverage);
+  }
+  report.features = coverage_of(shard.run.features, record.at("features"));
+  for (const JudgedSubject& subject : shard.run.subjects) {
+    report.results.push_back(subject.result);
+    read_shard_of_subject(record.at("shard"), report.results.size() - 1, report.options, report.results.back());
+  }
+  return shard;
+}
+
+json witness_record(const properties::Witness& witness, const Subject& subject, const Settings& settings,
+                    const std::filesystem::path& witness_file) {
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  json record = Json<properties::Witness>::write(witness);
+  Writer of_subject;
+  subject_fields(of_subject, subject);
+  of_subject("not_claimed", not_claimed_by(subject));
+  record["subject"] = std::move(of_subject.record);
+  record["statement"] = invariant.statement;
+  record["formula"] = invariant.formula;
+  record["seed"] = settings.seed;
+  record["yardstick"] = Json<oracles::Yardstick>::write(settings.yardstick);
+  record["replay"] = replay_command(witness_file, subject, settings.yardstick);
+  const properties::JudgedCase judged_case(witness.shrunk);
+  if (judged_case.is_valid()) {
+    for (const Model model : models_with_truth) {
+      if (subject.model == model || subject.model == Model::any) {
+        record["truth"][std::string(name_of(model))] = truth_record(judged_case.exact(), model);
+      }
+    }
+    if (subject.model == Model::coulomb) {
+      record["answers"]["coulomb"] = answers_record(oracles::coulomb_answers(judged_case.exact()));
+    }
+  }
+  return record;
+}
+
+properties::Witness witness_from(const json& record, const std::string& invariant) {
+  properties::Witness witness = Json<properties::Witness>::read(Field(record), Reading::whole);
+  if (witness.invariant != invariant) {
+    throw FormatError("/invariant", fmt::format("expected \"{}\"", invariant));
+  }
+  witness.original.convex_uniform = witness.shrunk.convex_uniform;
+  return witness;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <carom/collision/json/text.hpp>
+#include <carom/report/model/duration.hpp>
+#include <carom/report/model/words.hpp>
+
+namespace carom::report {
+
+namespace {
+
+std::string budget_in_words(double seconds) {
+  return in_words(std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds)));
+}
+
+}  // namespace
+
+std::string shown(const std::string& text) {
+  constexpr std::size_t longest = 4000;
+  return printable_line(text, longest);
+}
+
+std::string in_tenths(const std::optional<double>& number) {
+  return number ? fmt::format("{:.1f}", *number) : no_number;
+}
+
+std::string in_words(const Digits& digits) {
+  return digits.p50 ? fmt::format("{} / {} / {}", in_tenths(digits.p50), in_tenths(digits.p99), in_tenths(digits.worst))
+                    : no_number;
+}
+
+std::string limit_in_words(const oracles::Yardstick& yardstick) {
+  return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
+}
+
+std::string extent_of(const Run& run) {
+  const Settings& settings = run.settings;
+  const std::string extent =
+      settings.budget_seconds
+          ? fmt::format("{} on {} families in turn", budget_in_words(*settings.budget_seconds), run.families.size())
+          : fmt::format("{} cases of each of {} families", settings.cases.value_or(0), run.families.size());
+  const std::string shard = settings.shard && settings.shard->of > 1
+                                ? fmt::format(", shard {} of {}", settings.shard->number, settings.shard->of)
+                                : "";
+  return extent + shard + (settings.fail_fast ? ", each subject to its first violation" : "");
+}
+
+std::string cases_judged(const Run& run, const JudgedSubject& subject) {
+  const auto& families = subject.result.families;
+  const auto fewest = std::min_element(families.begin(), families.end(),
+                                       [](const auto& x, const auto& y) { return x.cases < y.cases; });
+  return fmt::format("judged on {} cases in {}, the fewest of them {} of {}", subject.result.cases(),
+                     budget_in_words(run.settings.budget_seconds.value_or(0)), fewest->cases,
+                     run.families[static_cast<std::size_t>(fewest - families.begin())].name);
+}
+
+std::string adjusted_sentences(const Run& run) {
+  using properties::Adjustment;
+  properties::Coverage all;
+  for (const RunFamily& family : run.families) {
+    all += family.coverage;
+  }
+  return fmt::format(
+      "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies "
+      "on the body. They moved {} cases to the origin, so that parallel vectors are parallel. They reversed {} cases "
+      "that separated. They drew {} cases again that left the domain.",
+      all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
+      all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
+}
+
+std::string verdict_in_words(const JudgedSubject& subject) {
+  return subject.status == "violated" ? fmt::format("{} violated", subject.violations.size()) : subject.status;
+}
+
+std::string worst_in_words(const JudgedSubject& subject) {
+  return determines_outcome(subject.result.subject.model) ? fmt::format("{:.3g}", subject.worst.backward_error)
+                                                          : no_number;
+}
+
+std::string violated_of_judged(const properties::Count& count) {
+  return fmt::format("{} of {}", count.violated, judged(count));
+}
+
+std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string missing_pairs(const Features& features, const char* before, std::size_t most_named) {
+  std::string text;
+  const auto& missing = features.missing_pairs;
+  for (std::size_t i = 0; i < std::min(missing.size(), most_named); ++i) {
+    text += fmt::format("{} {} with {}", i == 0 ? before : ",", missing[i].first, missing[i].second);
+  }
+  return text + (missing.size() > most_named ? ", …" : "");
+}
+
+std::string summary_of(const Run& run) {
+  const Overall overall = overall_of(run);
+  const std::size_t counted = overall.subjects;
+  const std::size_t sound = overall.sound;
+  const std::size_t violated = overall.violating_subjects;
+  const std::size_t others = counted - sound - violated;
+  std::string text;
+  if (counted == 0) {
+    text = "No subject that counts was judged";
+  } else if (sound == counted) {
+    text = counted == 1 ? "The one subject that counts is sound"
+                        : fmt::format("All {} subjects that count are sound", counted);
+  } else if (counted == 1) {
+    text = violated == 1 ? "The one subject that counts violates something"
+                         : "The one subject that counts could not be judged to the end";
+  } else {
+    text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
+                       sound == 1 ? "is" : "are", violated, violated == 1 ? "violates" : "violate");
+    text += others == 0 ? "" : fmt::format(", and {} could not be judged to the end", others);
+  }
+  const std::size_t kept = run.subjects.size() - counted;
+  text += kept == 0 ? ""
+                    : fmt::format("; {} more {} kept because {}", kept, kept == 1 ? "is" : "are",
+                                  kept == 1 ? "it fails" : "they fail");
+  text += run.absent.empty() ? "."
+                             : fmt::format("; {} {} absent.", run.absent.size(), run.absent.size() == 1 ? "is" : "are");
+  return run.interrupted ? "Interrupted. Until then: " + text : text;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/text.hpp>
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::Witness;
+
+constexpr std::size_t longest_title = 200;
+constexpr std::size_t longest_message = 4000;
+
+/// What ends a command or one of its fields is written as % and two digits; `ends` has what else does than a line end.
+std::string escaped(std::string_view text, std::string_view ends) {
+  std::string result;
+  for (const char letter : text) {
+    if (letter == '%' || letter == '\r' || letter == '\n' || ends.find(letter) != std::string_view::npos) {
+      result += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+    } else {
+      result += letter;
+    }
+  }
+  return result;
+}
+
+std::string command(std::string_view name, const std::string& title, const std::string& message) {
+  using carom::printable;
+  return fmt::format("::{} title={}::{}\n", name, escaped(printable_line(title, longest_title), ":,"),
+                     escaped(printable(message, longest_message), ""));
+}
+
+std::string violation(const Run& run, const JudgedSubject& subject, const Witness& witness,
+                      const std::string& out_directory) {
+  const std::string& name = subject.result.subject.name;
+  std::string message = fmt::format(
+      "{} cases, most often in {}. {}\n{}", violated_of_judged(subject.result.count(witness.invariant)), witness.family,
+      properties::invariant_named(witness.invariant)->statement, properties::in_words(witness.verdict));
+  if (!out_directory.empty()) {
+    message += '\n' + replay_line(run, subject, witness, out_directory);
+  }
+  const bool known = run.baseline && is_known(*run.baseline, name, witness.invariant);
+  return command(known ? "notice" : "error",
+                 fmt::format("{} violates {}{}", name, witness.invariant, known ? ", known from the baseline" : ""),
+                 message);
+}
+
+}  // namespace
+
+std::string github_annotations(const Run& run, const std::string& out_directory) {
+  std::string text;
+  for (const JudgedSubject& subject : run.subjects) {
+    if (!subject.counts) {
+      continue;
+    }
+    const std::string& name = subject.result.subject.name;
+    if (subject.diagnosis) {
+      text += command("notice", "what is wrong with " + name,
+                      fmt::format("{}\n{}\nLook at: {}", subject.diagnosis->what, subject.diagnosis->where,
+                                  subject.diagnosis->look_at));
+    }
+    for (const Witness* witness : witnesses_by_telling(subject)) {
+      text += violation(run, subject, *witness, out_directory);
+    }
+    if (!subject.why_not_judged().empty()) {
+      text += command("error", fmt::format("{} could not be judged", name), subject.why_not_judged());
+    }
+  }
+  const Overall overall = overall_of(run);
+  return text +
+         command("notice", "carom: " + in_words(overall),
+                 fmt::format("{} of {} subjects that count are sound; {}, seed {}{}", overall.sound, overall.subjects,
+                             extent_of(run), run.settings.seed, overall.interrupted ? "; interrupted" : "") +
+                     (run.baseline ? "; against the baseline " + baseline_verdict(*run.baseline) : ""));
+}
+
+}  // namespace carom::report

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <array>
+
+#include <fmt/format.h>
+
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+struct Counted {
+  const char* name;
+  std::uint64_t properties::Coverage::*count;
+};
+
+using properties::Coverage;
+constexpr std::array counted{Counted{"cases", &Coverage::cases},
+                             Counted{"colliding", &Coverage::colliding},
+                             Counted{"resting", &Coverage::resting},
+                             Counted{"separating", &Coverage::separating},
+                             Counted{"inert", &Coverage::inert},
+                             Counted{"invalid", &Coverage::invalid},
+                             Counted{"one wall", &Coverage::one_immovable},
+                             Counted{"spheres", &Coverage::spheres},
+                             Counted{"head-on", &Coverage::head_on},
+                             Counted{"ε = 0", &Coverage::inelastic},
+                             Counted{"ε = 1", &Coverage::elastic}};
+
+Cell number_cell(std::uint64_t number) { return Cell(std::to_string(number), number == 0 ? "number zero" : "number"); }
+
+}  // namespace
+
+Table coverage_table(const Run& run) {
+  Table table{"Cases of each family, by what happens in them", {{"family"}}, {}};
+  for (const Counted& one : counted) {
+    table.columns.push_back({one.name, true});
+  }
+  for (const RunFamily& family : run.families) {
+    Cell name(family.name);
+    name.small = family.summary;
+    Row row{{std::move(name)}};
+    for (const Counted& one : counted) {
+      row.cells.push_back(number_cell(family.coverage.*one.count));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string features_in_words(const Run& run, std::size_t most_named) {
+  const Features& features = run.features;
+  return fmt::format("{} of {} pairs of features in colliding cases{}",
+                     features.feasible_pairs - features.missing_pairs.size(), features.feasible_pairs,
+                     missing_pairs(features, "; missing", most_named));
+}
+
+Table features_table(const Run& run) {
+  Table table{"Colliding cases of all families by their features", {{"feature"}, {"what holds"}, {"cases", true}}, {}};
+  for (const properties::Feature& feature : properties::all_features()) {
+    const auto cases = run.features.cases.find(std::string(feature.name));
+    table.rows.push_back({{std::string(feature.name), Cell(std::string(feature.statement), "word"),
+                           number_cell(cases == run.features.cases.end() ? 0 : cases->second)}});
+  }
+  return table;
+}
+
+}  // namespace carom::report

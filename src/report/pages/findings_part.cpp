@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::SubjectResult;
+using properties::Witness;
+using properties::diagnosis::Diagnosis;
+
+/// The families in which anything was violated, how often, and how far the outcomes are off; those first in which most
+/// is.
+std::string families_in_words(const Run& run, const SubjectResult& result) {
+  struct Share {
+    std::size_t family;
+    std::uint64_t percent;
+  };
+  std::vector<Share> shares;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const properties::FamilyResult& family = result.families[f];
+    if (family.violated > 0) {
+      shares.push_back({f, (100 * family.violated + family.cases - 1) / family.cases});
+    }
+  }
+  std::stable_sort(shares.begin(), shares.end(), [](const Share& x, const Share& y) { return x.percent > y.percent; });
+  constexpr std::size_t most_named = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shares.size(), most_named); ++i) {
+    const auto& [f, percent] = shares[i];
+    text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", run.families[f].name, percent);
+    if (determines_outcome(result.subject.model)) {
+      text += fmt::format(" ({:.2g})", result.families[f].worst_backward_error);
+    }
+  }
+  return shares.size() > most_named ? fmt::format("{}, and {} families more", text, shares.size() - most_named) : text;
+}
+
+Facts facts_of(const Diagnosis& diagnosis) {
+  return {{{"what is wrong", diagnosis.what}, {"where", diagnosis.where}, {"look at", diagnosis.look_at}}};
+}
+
+/// How often its family shows it.
+std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const auto count = result.families[f].counts.find(witness.invariant);
+    if (run.families[f].name == witness.family && count != result.families[f].counts.end()) {
+      return fmt::format("{} ({} of {} cases)", witness.family, count->second.violated, result.families[f].cases);
+    }
+  }
+  return witness.family;
+}
+
+void add_diagnosis(Document& document, const Run& run, std::size_t s) {
+  const JudgedSubject& subject = run.subjects[s];
+  const Diagnosis& diagnosis = *subject.diagnosis;
+  Facts facts = facts_of(diagnosis);
+  Cell telling("witness of " + diagnosis.telling);
+  telling.link = '#' + witness_anchor(s, diagnosis.telling);
+  facts.pairs.emplace_back("tells most", std::move(telling));
+  facts.pairs.emplace_back("which says", std::string(properties::invariant_named(diagnosis.telling)->statement));
+  std::vector<std::string> others;
+  const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
+  for (const Witness* witness : witnesses) {
+    if (witness->invariant != diagnosis.telling) {
+      others.push_back(witness->invariant);
+    }
+  }
+  facts.pairs.emplace_back("also violated", listed(others));
+  const Witness& witness = *witnesses.front();
+  document.emplace_back(Section{subject.result.subject.name,
+                                {std::move(facts), Code{properties::violation_in_words(
+                                                       witness.shrunk.collision, witness.answer, witness.verdict)}},
+                                "",
+                                "article",
+                                "diagnosis"});
+}
+
+}  // namespace
+
+std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
+                        const std::filesystem::path& out_directory) {
+  const Subject& of = subject.result.subject;
+  return replay_command(witness_path(out_directory, of, witness.invariant), of, run.settings.yardstick);
+}
+
+Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
+  const SubjectResult& result = subject.result;
+  Document content;
+  Facts facts = subject.diagnosis ? facts_of(*subject.diagnosis) : Facts{};
+  facts.pairs.emplace_back("in", families_in_words(run, result));
+  content.emplace_back(std::move(facts));
+  Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
+  const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
+  for (const Witness* witness : witnesses) {
+    table.rows.push_back({{witness->invariant, violated_of_judged(result.count(witness->invariant)) + " cases",
+                           in_its_family(run, result, *witness)}});
+  }
+  content.emplace_back(std::move(table));
+  const Witness& first = *witnesses.front();
+  content.emplace_back(Paragraph{fmt::format("It violates {}, of family {}:", first.invariant, first.family)});
+  std::string words = fmt::format("{}\n{}", properties::invariant_named(first.invariant)->statement,
+                                  properties::violation_in_words(first.shrunk.collision, first.answer, first.verdict));
+  if (!out_directory.empty()) {
+    words += replay_line(run, subject, first, out_directory) + '\n';
+  }
+  content.emplace_back(Code{std::move(words)});
+  if (!out_directory.empty() && witnesses.size() > 1) {
+    std::string lines;
+    for (const Witness* witness : std::span(witnesses).subspan(1)) {
+      lines += replay_line(run, subject, *witness, out_directory) + '\n';
+    }
+    content.emplace_back(Paragraph{"To replay the others:"});
+    content.emplace_back(Code{std::move(lines)});
+  }
+  return {result.subject.name, std::move(content), "", "section", "", true};
+}
+
+Document diagnoses_part(const Run& run) {
+  Document document;
+  Document kept;
+  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+    if (run.subjects[s].diagnosis) {
+      add_diagnosis(run.subjects[s].counts ? document : kept, run, s);
+    }
+  }
+  if (!kept.empty()) {
+    document.emplace_back(Details{"What is wrong with the subjects that are kept because they fail", std::move(kept)});
+  }
+  return document;
+}
+
+}  // namespace carom::report

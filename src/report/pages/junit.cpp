@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <sstream>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/document/markup.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::in_words;
+
+std::string failure_text(const properties::Witness& witness) {
+  return std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +
+         in_words(witness.shrunk.collision, "  ") + in_words(witness.verdict);
+}
+
+pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::string_view name) {
+  // The gate takes no time by invariant; what reads the file wants a number.
+  return add(suite, "testcase", {{"classname", subject}, {"name", name}, {"time", "0"}});
+}
+
+/// What a violation comes to.
+enum class Standing { failure, expected, known };
+
+Standing standing_of(const Run& run, std::size_t subject, const std::string& invariant) {
+  if (!run.subjects[subject].counts) {
+    return Standing::expected;
+  }
+  const bool known = run.baseline && is_known(*run.baseline, run.subjects[subject].result.subject.name, invariant);
+  return known ? Standing::known : Standing::failure;
+}
+
+const char* said_of(Standing standing) {
+  switch (standing) {
+    case Standing::expected:
+      return "; expected to fail";
+    case Standing::known:
+      return "; known from the baseline";
+    case Standing::failure:
+      break;
+  }
+  return "";
+}
+
+void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,
+              Standing standing) {
+  const pugi::xml_node test = add_test(suite, result.subject.name, invariant);
+  const properties::Count count = result.count(invariant);
+  if (count.violated == 0) {
+    if (count.holds == 0) {
+      add(test, "skipped", {{"message", "no case in its domain"}});
+    }
+    return;
+  }
+  for (const properties::Witness& witness : result.witnesses) {
+    if (witness.invariant == invariant) {
+      const std::string message = fmt::format("{} cases violate it{}", violated_of_judged(count), said_of(standing));
+      if (standing == Standing::failure) {
+        add(test, "failure", {{"message", message}, {"type", "violated"}}, failure_text(witness));
+      } else {
+        add(test, "skipped", {{"message", message}}, failure_text(witness));
+      }
+      add(test, "system-out", {}, "witness: " + witness_path({}, result.subject, witness.invariant).string());
+    }
+  }
+}
+
+struct Totals {
+  int tests = 0;
+  int failures = 0;
+  int errors = 0;
+  int skipped = 0;
+  double seconds = 0;  // that the subject took to answer
+
+  Totals& operator+=(const Totals& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    skipped += other.skipped;
+    seconds += other.seconds;
+    return *this;
+  }
+};
+
+void set_totals(pugi::xml_node node, const Totals& totals) {
+  node.append_attribute("tests") = totals.tests;
+  node.append_attribute("failures") = totals.failures;
+  node.append_attribute("errors") = totals.errors;
+  node.append_attribute("skipped") = totals.skipped;
+  node.append_attribute("time") = fmt::format("{:.6f}", totals.seconds).c_str();
+}
+
+Totals totals_of(pugi::xml_node suite, double seconds) {
+  Totals totals;
+  totals.seconds = seconds;
+  for (const pugi::xml_node test : suite.children("testcase")) {
+    ++totals.tests;
+    totals.failures += test.child("failure") ? 1 : 0;
+    totals.errors += test.child("error") ? 1 : 0;
+    totals.skipped += test.child("skipped") ? 1 : 0;
+  }
+  return totals;
+}
+
+double seconds_of(const properties::SubjectResult& result) {
+  constexpr double nanosecond = 1e-9;
+  return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
+}
+
+Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
+  const properties::SubjectResult& result = run.subjects[subject].result;
+  const bool counts = run.subjects[subject].counts;
+  const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
+  // They have to stand before the tests.
+  if (!result.beyond_domain.empty()) {
+    const pugi::xml_node list = add(suite, "properties");
+    for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {
+      add(list, "property",
+          {{"name", "beyond the claimed domain, " + run.beyond_domain[f].name},
+           {"value", boundary_in_words(result.beyond_domain[f])}});
+    }
+  }
+  for (const properties::Invariant* invariant :
+       properties::claim_of(result.subject, run.settings.yardstick).invariants) {
+    const std::string name(invariant->name);
+    add_case(suite, result, name, standing_of(run, subject, name));
+  }
+  const pugi::xml_node session = add_test(suite, result.subject.name, "session");
+  if (!result.error.empty() && counts) {
+    add(session, "error", {{"message", "could not be judged to the end"}, {"type", "session"}}, result.error);
+  } else if (!result.error.empty()) {
+    add(session, "skipped", {{"message", "could not be judged to the end"}}, result.error);
+  }
+  return totals_of(suite, seconds_of(result));
+}
+
+Totals add_absent(pugi::xml_node root, const Subject& subject) {
+  const pugi::xml_node suite = add(root, "testsuite", {{"name", subject.name}});
+  add(add_test(suite, subject.name, "session"), "skipped", {{"message", "absent: " + subject.absent}});
+  return totals_of(suite, 0);
+}
+
+}  // namespace
+
+std::string junit_xml(const Run& run) {
+  pugi::xml_document document;
+  pugi::xml_node root = document.append_child("testsuites");
+  root.append_attribute("name") = "carom";
+  Totals all;
+  const auto close = [&](const Totals& totals) {
+    set_totals(root.last_child(), totals);
+    root.last_child().append_attribute("timestamp") = run.environment.date.c_str();
+    all += totals;
+  };
+  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+    close(add_judged(root, run, s));
+  }
+  for (const Subject& subject : run.absent) {
+    close(add_absent(root, subject));
+  }
+  set_totals(root, all);
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+}  // namespace carom::report

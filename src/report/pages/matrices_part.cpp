@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include <carom/report/document/markup.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::FamilyResult;
+using properties::SubjectResult;
+
+/// A matrix with a row for each subject, first those that count, then the others below a heading of their own.
+template <class OfSubject>
+Table matrix(const Run& run, const char* caption, const char* look, const std::vector<std::string>& names,
+             const OfSubject& cell_of) {
+  Table table{caption, {{"subject"}}, {}, look};
+  for (const std::string& name : names) {
+    table.columns.push_back({name, true, true});
+  }
+  for (const bool counts : {true, false}) {
+    bool is_first = true;
+    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+      if (run.subjects[s].counts != counts) {
+        continue;
+      }
+      if (is_first && !counts) {
+        table.rows.push_back({{"Kept because they fail, not counted"}, {}, true});
+      }
+      is_first = false;
+      Row row{{run.subjects[s].result.subject.name}};
+      for (std::size_t column = 0; column < names.size(); ++column) {
+        row.cells.push_back(cell_of(s, column));
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+/// A sign for those who see it, words for those who hear it, and a number.
+Cell signed_cell(const char* look, const char* sign, const char* spoken, std::string number = {}) {
+  Cell cell(std::move(number), look);
+  cell.sign = sign;
+  cell.spoken = spoken;
+  return cell;
+}
+
+Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& invariant) {
+  const SubjectResult& result = run.subjects[s].result;
+  const properties::Claim claim = properties::claim_of(result.subject, run.settings.yardstick);
+  if (std::find(claim.invariants.begin(), claim.invariants.end(), &invariant) == claim.invariants.end()) {
+    return signed_cell("unclaimed", "·", "not claimed");
+  }
+  const std::string name(invariant.name);
+  const properties::Count count = result.count(name);
+  if (count.violated > 0) {
+    Cell cell = signed_cell("violated", "✗", "violated in", std::to_string(count.violated));
+    cell.link = '#' + witness_anchor(s, name);
+    return cell;
+  }
+  return count.holds > 0 ? signed_cell("holds", "✓", "holds in", std::to_string(count.holds))
+                         : signed_cell("nothing", "○", "no case");
+}
+
+/// The shades of the second matrix: up to `limit` times each bound.
+struct Shade {
+  const char* look;
+  double bound;
+};
+constexpr std::array<Shade, 8> shades{{{"shade-0", 1.0 / 32},
+                                       {"shade-1", 0.25},
+                                       {"shade-2", 1},
+                                       {"shade-3", 1e3},
+                                       {"shade-4", 1e6},
+                                       {"shade-5", 1e9},
+                                       {"shade-6", 1e12},
+                                       {"shade-7", std::numeric_limits<double>::infinity()}}};
+
+/// 2.4e14 in place of 2.4e+14: the table is wide enough.
+std::string in_few_letters(double number) {
+  std::string text = fmt::format("{:.2g}", number);
+  std::erase(text, '+');
+  return text;
+}
+
+std::string shade_of(double backward_error, double limit) {
+  const auto found = std::find_if(shades.begin(), shades.end(),
+                                  [&](const Shade& shade) { return backward_error <= limit * shade.bound; });
+  return found == shades.end() ? shades.back().look : found->look;
+}
+
+void draw_shades(pugi::xml_node section, double limit) {
+  const pugi::xml_node legend = add(section, "ul", {{"class", "legend"}});
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    const pugi::xml_node item = add(legend, "li");
+    add(item, "span", {{"class", std::string("swatch ") + shades[i].look}, {"aria-hidden", "true"}});
+    add_text(item, i + 1 < shades.size() ? fmt::format(" ≤ {:.3g}", limit * shades[i].bound)
+                                         : fmt::format(" > {:.3g} ulps", limit * shades[i - 1].bound));
+  }
+}
+
+Cell family_cell(const SubjectResult& result, const FamilyResult& family, double limit) {
+  if (family.cases == family.skipped || !determines_outcome(result.subject.model)) {
+    return signed_cell("unclaimed", no_number, "nothing to compare");
+  }
+  const double error = family.worst_backward_error;
+  return Cell(in_few_letters(error), shade_of(error, limit) + (error <= limit ? "" : " above"));
+}
+
+/// What was posed, and is judged.
+std::uint64_t judged_of(const FamilyResult& family) {
+  return family.cases - family.skipped -
+         std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
+}
+
+}  // namespace
+
+Document invariants_part(const Run& run) {
+  const auto all = properties::all_invariants();
+  std::vector<std::string> names;
+  for (const properties::Invariant& invariant : all) {
+    names.emplace_back(invariant.name);
+  }
+  return {Paragraph{"✓ holds in so many cases; ✗ violated in so many cases, and linked to a witness; · not claimed by "
+                    "the subject; ○ claimed, and no case in its domain."},
+          matrix(run, "Invariants: in how many cases each holds or is violated", "matrix", names,
+                 [&](std::size_t s, std::size_t i) { return invariant_cell(run, s, all[i]); })};
+}
+
+Document families_part(const Run& run) {
+  const double limit = run.settings.yardstick.limit_ulps;
+  std::vector<std::string> names;
+  for (const RunFamily& family : run.families) {
+    names.push_back(family.name);
+  }
+  return {
+      Paragraph{fmt::format(
+          "The worst backward error in ulps of the subject's precision. In bold: above the limit of {} ulps.", limit)},
+      Picture{[limit](pugi::xml_node section) { draw_shades(section, limit); }},
+      matrix(run, "Families: the worst backward error in each [ulps]", "matrix shaded", names,
+             [&](std::size_t s, std::size_t f) {
+               const SubjectResult& result = run.subjects[s].result;
+               return family_cell(result, result.families[f], limit);
+             })};
+}
+
+Document deviations_part(const Run& run) {
+  Table table{"What is not claimed", {{"subject"}, {"invariant"}, {"why"}}, {}};
+  const auto add_row = [&](const Subject& subject, const std::string& invariant, const char* why) {
+    table.rows.push_back({{name_cell(subject.name), Cell(invariant, "word"), Cell(why, "word")}});
+  };
+  const std::vector<std::string>& of_command_line = run.settings.deviates;
+  for (const JudgedSubject& judged_subject : run.subjects) {
+    const Subject& subject = judged_subject.result.subject;
+    for (const std::string& deviation : subject.deviates) {
+      const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
+      add_row(subject, deviation, is_own ? "by its own word" : "by --deviates");
+    }
+    for (const std::string& invariant : not_claimed_by(subject)) {
+      add_row(subject, invariant, shows_no_matrix);
+    }
+  }
+  if (table.rows.empty()) {
+    return {};
+  }
+  return {
+      Section{"Not claimed",
+              {Paragraph{"What a subject does not claim was not judged, and holds nowhere by that; behind @ the one "
+                         "family where it is not claimed."},
+               std::move(table)},
+              "",
+              "div"}};
+}
+
+std::string boundary_in_words(const FamilyResult& family) {
+  if (judged_of(family) == 0) {
+    return no_number;
+  }
+  return family.boundary
+             ? fmt::format("from {:.2g} on: {} of {}", family.boundary->quantity, family.violated, judged_of(family))
+             : fmt::format("nowhere, of {}", judged_of(family));
+}
+
+Document beyond_domain_part(const Run& run, Subjects which) {
+  Table table{"Where each subject stops beyond the claimed domain", {{"subject"}}, {}};
+  for (const FamilyBeyondDomain& family : run.beyond_domain) {
+    table.columns.push_back({fmt::format("{} ({})", family.name, family.quantity)});
+  }
+  bool was_posed = false;
+  for (const JudgedSubject& subject : run.subjects) {
+    was_posed = was_posed || !subject.result.beyond_domain.empty();
+    if (!subject.counts && which == Subjects::counting) {
+      continue;
+    }
+    Row row{{name_cell(subject.result.subject.name)}};
+    for (const FamilyResult& family : subject.result.beyond_domain) {
+      row.cells.emplace_back(boundary_in_words(family), "word");
+    }
+    row.cells.resize(run.beyond_domain.size() + 1, Cell(no_number));
+    table.rows.push_back(std::move(row));
+  }
+  if (!was_posed) {
+    return {};
+  }
+  return {
+      Section{"Beyond the claimed domain",
+              {Paragraph{"The least of a quantity at which something is violated, and in how many of the cases that "
+                         "were judged. No verdict and no exit status depends on it."},
+               std::move(table)},
+              "",
+              "div"}};
+}
+
+}  // namespace carom::report

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <carom/report/document/document.hpp>
+#include <carom/report/model/run.hpp>
+
+/// The parts that pages are made of.
+namespace carom::report {
+
+enum class Subjects { counting, all };
+
+/// A row a subject, those that count first: verdict, worst backward error, digits, time.
+[[nodiscard]] Table subjects_table(const Run& run, Subjects which);
+
+/// The errors of subjects that could not be judged to the end, each with the anchor that subjects_table links to.
+[[nodiscard]] Document errors_part(const Run& run);
+
+/// A row a family: how many of its cases collide, rest, separate, ….
+[[nodiscard]] Table coverage_table(const Run& run);
+
+/// "52959 of 81843 pairs of features came up …", with the first so many that did not.
+[[nodiscard]] std::string features_in_words(const Run& run, std::size_t most_named);
+
+/// In how many colliding cases each feature was.
+[[nodiscard]] Table features_table(const Run& run);
+
+/// In how many cases each subject keeps or violates each invariant.
+[[nodiscard]] Document invariants_part(const Run& run);
+
+/// Each claim that a subject does not make, with the reason; empty if all claim all.
+[[nodiscard]] Document deviations_part(const Run& run);
+
+/// The worst backward error of each subject in each family.
+[[nodiscard]] Document families_part(const Run& run);
+
+/// The boundary of each subject beyond the claimed domain, which is no verdict; empty if no such family was posed.
+[[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
+
+/// The same of one subject on one of these families: "from 3.2e+07 on: 412 of 1000".
+[[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
+
+/// The diagnosis of a subject that violates something, its violations, and the witness that tells most.
+[[nodiscard]] Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory);
+
+/// The diagnosis of each subject, in short.
+[[nodiscard]] Document diagnoses_part(const Run& run);
+
+/// In which families, and with which features, subjects that count violate what.
+[[nodiscard]] Document violations_part(const Run& run);
+
+/// Every witness in full, with its picture.
+[[nodiscard]] Document witnesses_part(const Run& run, const std::filesystem::path& out_directory);
+
+/// The anchor of a witness. `subject`: its place in the run.
+[[nodiscard]] std::string witness_anchor(std::size_t subject, const std::string& invariant);
+
+/// The differences between two runs, without the sum.
+[[nodiscard]] Document comparison_part(const Comparison& comparison);
+
+/// For the end of a run: all changes since the baseline, and one line that says the sum.
+[[nodiscard]] Document baseline_part(const Comparison& comparison);
+
+/// The command that replays the witness.
+[[nodiscard]] std::string replay_line(const Run& run, const JudgedSubject& subject, const properties::Witness& witness,
+                                      const std::filesystem::path& out_directory);
+
+}  // namespace carom::report

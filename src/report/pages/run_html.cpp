@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <fmt/format.h>
+
+#include <carom/report/model/exit_status.hpp>
+#include <carom/report/model/version.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+std::string meaning_of(const Run& run) {
+  switch (run.exit_status()) {
+    case exit_all_hold:
+      return run.baseline ? "0: nothing is new" : "0: all hold";
+    case exit_violated:
+      return run.baseline ? "1: something is new" : "1: something is violated";
+    default:
+      return "2: not everything could be judged";
+  }
+}
+
+Document summary_part(const Run& run) {
+  const Settings& settings = run.settings;
+  Document document =
+      with({Paragraph{summary_of(run), fmt::format("result exit-{}", run.exit_status())}}, diagnoses_part(run));
+  document.emplace_back(
+      Facts{{{"exit status", meaning_of(run)},
+             {"interrupted", run.interrupted ? "yes: what follows was judged until then" : "no"},
+             {"baseline", run.baseline ? baseline_verdict(*run.baseline) : ""},
+             {"seed", std::to_string(settings.seed)},
+             {"cases", extent_of(run)},
+             {"limit", limit_in_words(settings.yardstick)},
+             {"relations", settings.relations_every > 0
+                               ? fmt::format("each judged on every {}th case", settings.relations_every)
+                               : "each judged on every case, of programs on every fourth"},
+             {"judge", settings.yardstick.filtered ? "exact arithmetic, and bounds where they decide"
+                                                   : "exact arithmetic alone (--exact)"}}});
+  return document;
+}
+
+Document features_part(const Run& run) {
+  constexpr std::size_t most_named = 20;
+  return {Paragraph{features_in_words(run, most_named) + '.'},
+          Details{"In how many colliding cases each feature was", {features_table(run)}}};
+}
+
+Document environment_part(const Run& run) {
+  const Environment& e = run.environment;
+  Facts facts{{{"Carom", run.carom},
+               {"date", e.date},
+               {"seed", std::to_string(run.settings.seed)},
+               {"compiler", e.compiler},
+               {"build type", e.build_type},
+               {"operating system", e.operating_system},
+               {"kernel", e.kernel},
+               {"processor", e.processor},
+               {"processor threads", std::to_string(e.processor_threads)}}};
+  for (const auto& [library, flags] : e.compiler_flags) {
+    facts.pairs.emplace_back("flags of " + library, flags);
+  }
+  for (const JudgedSubject& subject : run.subjects) {
+    facts.pairs.emplace_back("version of " + subject.result.subject.name, subject.result.subject.version);
+  }
+  return {std::move(facts)};
+}
+
+}  // namespace
+
+std::string run_html(const Run& run, const std::filesystem::path& out_directory) {
+  Page page{
+      "Carom: " + summary_of(run),
+      "Carom: collision impulses against exact arithmetic",
+      {},
+      {},
+      "How to read this page: docs/guide/reading-a-report.md. The same as data: report.json and witnesses/ beside "
+      "it."};
+  const auto add_part = [&](const char* anchor, const char* heading, Document content) {
+    page.contents.emplace_back(anchor, heading);
+    page.main.emplace_back(Section{heading, std::move(content), anchor});
+  };
+  add_part("summary", "Summary", summary_part(run));
+  if (run.baseline) {
+    add_part("baseline", "Against the baseline",
+             with({Paragraph{summary_of(*run.baseline), "result", true}}, comparison_part(*run.baseline)));
+  }
+  add_part("subjects", "Subjects", with({subjects_table(run, Subjects::all)}, errors_part(run)));
+  add_part("invariants", "Invariants", with(invariants_part(run), deviations_part(run)));
+  add_part("families", "Families", with(families_part(run), beyond_domain_part(run, Subjects::all)));
+  add_part("violations", "What is violated where", violations_part(run));
+  add_part("generated", "What was generated", {coverage_table(run), Paragraph{adjusted_sentences(run)}});
+  add_part("features", "Features", features_part(run));
+  add_part("witnesses", "Witnesses", witnesses_part(run, out_directory));
+  add_part("environment", "Environment", environment_part(run));
+  return html_page(page);
+}
+
+}  // namespace carom::report

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <fmt/format.h>
+
+#include <carom/report/model/version.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+
+std::string run_text(const Run& run, const std::string& out_directory) {
+  constexpr std::size_t most_named = 5;
+  Document document{
+      Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run), run.settings.seed,
+                            limit_in_words(run.settings.yardstick),
+                            run.settings.yardstick.filtered ? "" : ", judged in exact arithmetic alone")}};
+  if (run.interrupted) {
+    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: what follows is what was judged until then"}}});
+  }
+  document.emplace_back(Section{"", {coverage_table(run)}});
+  document.emplace_back(
+      Section{"", {Paragraph{features_in_words(run, most_named)}, Paragraph{adjusted_sentences(run)}}});
+  document.emplace_back(Section{"", {subjects_table(run, Subjects::all)}});
+  document = with(std::move(document), beyond_domain_part(run, Subjects::counting));
+  for (const JudgedSubject& subject : run.subjects) {
+    if (subject.counts && !subject.result.witnesses.empty()) {
+      document.emplace_back(findings_part(run, subject, out_directory));
+    }
+  }
+  document.emplace_back(
+      Section{"", run.baseline ? baseline_part(*run.baseline) : Document{Paragraph{summary_of(run)}}});
+  return in_text(document);
+}
+
+}  // namespace carom::report

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+std::string error_anchor(std::size_t subject) { return fmt::format("error-{}", subject); }
+
+/// What the subject does not claim, and who said so.
+void add_deviations(std::vector<std::string>& notes, const Subject& subject,
+                    const std::vector<std::string>& of_command_line) {
+  std::vector<std::string> own;
+  std::vector<std::string> others;
+  for (const std::string& deviation : subject.deviates) {
+    const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
+    (is_own ? own : others).push_back(deviation);
+  }
+  if (!own.empty()) {
+    notes.push_back("not claimed, by its own word: " + listed(own));
+  }
+  if (!others.empty()) {
+    notes.push_back("not claimed, by --deviates: " + listed(others));
+  }
+  if (const std::vector<std::string> of_matrix = not_claimed_by(subject); !of_matrix.empty()) {
+    notes.push_back(fmt::format("not claimed, {}: {}", shows_no_matrix, listed(of_matrix)));
+  }
+}
+
+/// What stands below a subject's line in a text.
+std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) {
+  const properties::SubjectResult& result = subject.result;
+  std::vector<std::string> notes;
+  if (result.skipped() > 0) {
+    notes.push_back(fmt::format("{} cases skipped", result.skipped()));
+  }
+  const properties::UnjudgedCounts unjudged = result.unjudged();
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    if (unjudged[reason] > 0) {
+      notes.push_back(fmt::format("{} cases not judged: {}", unjudged[reason], in_words(reason)));
+    }
+  }
+  if (!result.error.empty()) {
+    notes.push_back(properties::indented("error: " + result.error, "      "));
+  } else if (!result.not_judged.empty()) {
+    notes.push_back("not judged: " + result.not_judged);
+  }
+  if (run.settings.budget_seconds && subject.status == "sound") {
+    notes.push_back(cases_judged(run, subject));
+  }
+  add_deviations(notes, result.subject, run.settings.deviates);
+  return notes;
+}
+
+Row subject_row(const Run& run, std::size_t s) {
+  const JudgedSubject& subject = run.subjects[s];
+  const properties::SubjectResult& result = subject.result;
+  Cell verdict(verdict_in_words(subject), "verdict " + subject.status);
+  verdict.sign = subject.status == "sound" ? "✓" : subject.status == "violated" ? "✗" : "!";
+  if (!result.error.empty()) {
+    verdict.link = '#' + error_anchor(s);
+  }
+  return {{name_cell(result.subject.name), std::move(verdict), Cell(worst_in_words(subject), "number"),
+           Cell(subject.worst.family.empty() ? no_number : subject.worst.family, "word"),
+           Cell(in_words(subject.digits), "number"),
+           Cell(result.cases() > 0 ? fmt::format("{:.0f}", result.nanoseconds_per_solve) : no_number, "number"),
+           Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.model)), "word"),
+           Cell(std::string(name_of(result.subject.precision)), "word")},
+          subject.counts ? notes_on(subject, run) : std::vector<std::string>{}};
+}
+
+/// "family (violated cases)", those first in which most are.
+std::string violated_families(const Run& run, const properties::SubjectResult& result) {
+  std::vector<std::pair<std::uint64_t, std::string>> violated;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    if (result.families[f].violated > 0) {
+      violated.emplace_back(result.families[f].violated, run.families[f].name);
+    }
+  }
+  std::stable_sort(violated.begin(), violated.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+  constexpr std::size_t most_named = 8;
+  if (!violated.empty() && (violated.size() == result.families.size() || violated.size() > most_named)) {
+    return fmt::format("{} of {}, most in {} ({})", violated.size(), result.families.size(), violated[0].second,
+                       violated[0].first);
+  }
+  std::vector<std::string> words;
+  for (const auto& [count, name] : violated) {
+    words.push_back(fmt::format("{} ({})", name, count));
+  }
+  return words.empty() ? no_number : listed(words);
+}
+
+}  // namespace
+
+Table subjects_table(const Run& run, Subjects which) {
+  Table table{"Subjects and their verdicts",
+              {{"subject"},
+               {"verdict", true},
+               {"worst backward error [ulps]", true},
+               {"in family"},
+               {"digits p50 / p99 / worst", true},
+               {"ns/solve", true},
+               {"cases", true},
+               {"model"},
+               {"precision"}},
+              {},
+              "subjects"};
+  for (const bool counts : {true, false}) {
+    if (!counts && which == Subjects::counting) {
+      return table;
+    }
+    bool is_first = true;
+    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+      if (run.subjects[s].counts == counts) {
+        if (is_first && !counts) {
+          table.rows.push_back({{"Kept because they fail, not counted"}, {}, true});
+        }
+        is_first = false;
+        table.rows.push_back(subject_row(run, s));
+      }
+    }
+  }
+  for (const Subject& subject : run.absent) {
+    table.rows.push_back({{name_cell(subject.name), Cell("absent: " + subject.absent, "absent")}});
+  }
+  return table;
+}
+
+Document errors_part(const Run& run) {
+  Document document;
+  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+    const properties::SubjectResult& result = run.subjects[s].result;
+    if (!result.error.empty()) {
+      document.emplace_back(Section{"Why " + result.subject.name + " could not be judged to the end",
+                                    {Code{result.error}},
+                                    error_anchor(s),
+                                    "section",
+                                    "error"});
+    }
+  }
+  return document;
+}
+
+std::string subjects_markdown(const Run& run) {
+  Table table{"",
+              {{"subject"},
+               {"precision, model"},
+               {"verdict"},
+               {"worst backward error [ulps]"},
+               {"digits p50 / p99 / worst"},
+               {"invariants violated"},
+               {run.settings.cases ? fmt::format("in families (cases of {})", *run.settings.cases) : "in families"},
+               {"ns/solve"}},
+              {}};
+  for (const JudgedSubject& one : run.subjects) {
+    const properties::SubjectResult& result = one.result;
+    const Subject& subject = result.subject;
+    std::vector<std::string> invariants;
+    for (const Violation& violation : one.violations) {
+      invariants.push_back(violation.invariant);
+    }
+    const std::string violated = invariants.empty() ? no_number : listed(invariants);
+    table.rows.push_back({{name_cell(subject.name + ' ' + subject.version),
+                           fmt::format("{}, {}", name_of(subject.precision), name_of(subject.model)), one.status,
+                           worst_in_words(one), in_words(one.digits), violated, violated_families(run, result),
+                           fmt::format("{:.0f}", result.nanoseconds_per_solve)}});
+  }
+  for (const Subject& subject : run.absent) {
+    table.rows.push_back({{name_cell(subject.name), "absent: " + subject.absent}});
+  }
+  return in_markdown({table});
+}
+
+}  // namespace carom::report

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <array>
+
+#include <fmt/format.h>
+
+#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/document/markup.hpp>
+#include <carom/report/drawing/contact_drawing.hpp>
+#include <carom/report/drawing/formula.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/parts.hpp>
+
+namespace carom::report {
+namespace {
+
+using oracles::Rational;
+using properties::in_words;
+using properties::Witness;
+
+std::string vector_text(const Quaternion<double>& q) {
+  return fmt::format("({}, {}, {}, {})", in_words(q[0]), in_words(q[1]), in_words(q[2]), in_words(q[3]));
+}
+
+/// A row of values below the names of the columns.
+Table numbers_table(std::string caption, const std::vector<std::string>& columns) {
+  Table table{std::move(caption), {}, {}, "numbers"};
+  for (const std::string& column : columns) {
+    table.columns.push_back({column});
+  }
+  return table;
+}
+
+void add_collision(Document& document, const Collision& c) {
+  Table bodies = numbers_table("Both bodies before the impulse", {"", "A", "B"});
+  const auto row = [&](const char* name, bool of_movable, const auto& text) {
+    const auto cell = [&](const Body& body) {
+      return of_movable && body.immovable ? std::string(no_number) : text(body);
+    };
+    bodies.rows.push_back({{name, cell(c.a), cell(c.b)}});
+  };
+  row("mass", false, [](const Body& b) { return b.immovable ? std::string("immovable") : in_words(b.mass); });
+  row("principal inertia", true, [](const Body& b) { return in_words(b.principal_inertia); });
+  row("orientation", true, [](const Body& b) { return vector_text(b.orientation); });
+  row("position", false, [](const Body& b) { return in_words(b.position); });
+  row("velocity", false, [](const Body& b) { return in_words(b.velocity); });
+  row("angular velocity", false, [](const Body& b) { return in_words(b.angular_velocity); });
+  document.emplace_back(std::move(bodies));
+
+  Table contact = numbers_table("The contact", {"", "value"});
+  contact.rows = {{{"point P", in_words(c.point)}},
+                  {{"normal N", in_words(c.normal)}},
+                  {{"restitution ε", in_words(c.restitution)}}};
+  if (c.friction != 0 || c.tangential_restitution != 0) {
+    contact.rows.push_back({{"friction μ", in_words(c.friction)}});
+    contact.rows.push_back({{"tangential restitution", in_words(c.tangential_restitution)}});
+  }
+  document.emplace_back(std::move(contact));
+}
+
+template <class T>
+PerVector<std::string> velocities_in_words(const Outcome<T>& outcome) {
+  PerVector<std::string> words;
+  const auto of_bodies = vectors(outcome);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    words[k] = in_words<T>(*of_bodies[k]);
+  }
+  return words;
+}
+
+/// A column of velocities that an outcome can be compared with.
+struct Velocities {
+  std::string title;
+  PerVector<std::string> velocities;
+};
+
+/// What is exact for a subject of this model: the truth, all answers of a law that may have several, or where no law is
+/// claimed the truth of each.
+std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Model claimed) {
+  std::vector<Velocities> columns;
+  if (claimed == Model::coulomb) {
+    for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(exact_case)) {
+      columns.push_back({fmt::format("answer, {}", name_of(answer.kind)), velocities_in_words(answer.truth.outcome)});
+    }
+    return columns;
+  }
+  for (const Model model : models_with_truth) {
+    if (claimed == model || claimed == Model::any) {
+      exact_case.with_truth(model, exact_case.approach(), [&](const auto& truth) {
+        columns.push_back({claimed == model ? "exact" : fmt::format("exact, {}", name_of(model)),
+                           velocities_in_words(truth.outcome)});
+      });
+    }
+  }
+  return columns;
+}
+
+void add_outcome(Document& document, const Witness& witness, const properties::JudgedCase& judged_case, Model claimed) {
+  if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
+    document.emplace_back(Paragraph{"The subject refused it:"});
+    document.emplace_back(Code{refused->why});
+  }
+  if (const auto* failed = std::get_if<Failed>(&witness.answer); failed != nullptr && !failed->said.empty()) {
+    document.emplace_back(Paragraph{"What it was asked, and what it wrote on standard error:"});
+    document.emplace_back(Code{failed->said});
+  }
+  std::vector<Velocities> columns;
+  if (const auto* computed = std::get_if<ReportedOutcome>(&witness.answer)) {
+    Velocities of_subject{"computed", {}};
+    for (const OutcomeVector k : all_outcome_vectors) {
+      of_subject.velocities[k] = in_words(*vectors(*computed)[k]);
+    }
+    columns.push_back(std::move(of_subject));
+  }
+  if (judged_case.is_valid()) {
+    for (Velocities& exact : exact_columns(judged_case.exact(), claimed)) {
+      columns.push_back(std::move(exact));
+    }
+  }
+  if (columns.empty()) {
+    return;
+  }
+  Table table = numbers_table("Both bodies after the impulse", {""});
+  for (const Velocities& column : columns) {
+    table.columns.push_back({column.title});
+  }
+  constexpr PerVector<const char*> names{"velocity of A", "angular velocity of A", "velocity of B",
+                                         "angular velocity of B"};
+  for (const OutcomeVector k : all_outcome_vectors) {
+    Row row{{names[k]}};
+    for (const Velocities& column : columns) {
+      row.cells.emplace_back(column.velocities[k]);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  document.emplace_back(std::move(table));
+}
+
+void add_sides(Document& document, const properties::Verdict& verdict) {
+  if (verdict.left.empty()) {
+    document.emplace_back(Paragraph{verdict.detail, "sides"});
+    return;
+  }
+  Table table = numbers_table("What was compared: " + verdict.detail, {"", "value"});
+  table.rows = {{{"left side", in_words(verdict.left)}},
+                {{"right side", in_words(verdict.right)}},
+                {{"apart by", fmt::format("{:.3g}", verdict.residual)}},
+                {{"allowed", fmt::format("{:.3g}", verdict.allowed)}}};
+  document.emplace_back(std::move(table));
+}
+
+template <class T>
+Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
+  const auto exact = map_numbers<T>(collision, [](double x) { return T(x); });
+  const Vector3<T> relative = oracles::relative_velocity<T>(exact, outcome);
+  Motion motion{map_outcome<double>(outcome, [](const T& x) { return oracles::nearest_double(x); }), {}};
+  for (int i = 0; i < 3; ++i) {
+    motion.relative_velocity[i] = oracles::nearest_double(relative[i]);
+  }
+  return motion;
+}
+
+void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
+                 Model claimed, const std::string& anchor, const std::string& title) {
+  if (!judged_case.is_valid()) {
+    add(section, "p", {}, "The collision is invalid: there is nothing to draw.");
+    return;
+  }
+  const oracles::ExactCase& exact_case = judged_case.exact();
+  const Collision& collision = witness.shrunk.collision;
+  ContactPicture picture{collision, motion_of(collision, unchanged(exact_case.exact())), std::nullopt, std::nullopt};
+  const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
+  if (computed != nullptr && oracles::is_finite(*computed)) {
+    picture.computed = motion_of(collision, oracles::lift(*computed));
+  }
+  if (claimed == Model::coulomb) {
+    const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
+    const bool is_finite = computed != nullptr && oracles::is_finite(*computed);
+    const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
+    picture.exact = motion_of(collision, answers[nearest].truth.outcome);
+  } else if (determines_outcome(claimed)) {
+    exact_case.with_truth(claimed, exact_case.approach(),
+                          [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
+  }
+  add_contact_figure(section, picture, anchor, title);
+}
+
+/// The case that the family drew, which the witness was shrunk from.
+Details drawn_case(const Witness& witness, const std::string& replay) {
+  Details details{
+      fmt::format("As drawn: case {} of the family {}, before it was shrunk", witness.index, witness.family), {}};
+  add_collision(details.content, witness.original.collision);
+  add_sides(details.content, witness.verdict_as_found);
+  details.content.emplace_back(Code{replay + " --drawn"});
+  return details;
+}
+
+Section witness_section(const Run& run, std::size_t s, const Witness& witness,
+                        const std::filesystem::path& out_directory) {
+  const JudgedSubject& subject = run.subjects[s];
+  const properties::SubjectResult& result = subject.result;
+  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
+  const std::string anchor = witness_anchor(s, witness.invariant);
+  const std::string title = result.subject.name + " violates " + witness.invariant;
+  const std::string replay = replay_line(run, subject, witness, out_directory);
+  Document numbers;
+  add_collision(numbers, witness.shrunk.collision);
+  // The page is written before the run is gone.
+  const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk);
+  add_outcome(numbers, witness, *judged_case, result.subject.model);
+  add_sides(numbers, witness.verdict);
+  Picture picture{[&witness, judged_case, model = result.subject.model, anchor, title](pugi::xml_node node) {
+    add_drawing(node, witness, *judged_case, model, anchor, title);
+  }};
+  Document content{
+      Paragraph{fmt::format("{} Violated in {} cases; this one comes from the family {}.", invariant.statement,
+                            violated_of_judged(result.count(witness.invariant)), witness.family)},
+      Picture{[formula = invariant.formula](pugi::xml_node node) {
+        add_formula(add(node, "div", {{"class", "formula"}, {"tabindex", "0"}}), formula);
+      }},
+      Box{"columns", {Box{"witness-numbers", std::move(numbers)}, Box{"pictures", {std::move(picture)}}}},
+      Paragraph{"To replay it:"},
+      Code{replay},
+      drawn_case(witness, replay)};
+  return {title, std::move(content), anchor, "article"};
+}
+
+}  // namespace
+
+std::string witness_anchor(std::size_t subject, const std::string& invariant) {
+  return fmt::format("witness-{}-{}", subject, invariant);
+}
+
+Document witnesses_part(const Run& run, const std::filesystem::path& out_directory) {
+  Document document;
+  for (const bool counts : {true, false}) {
+    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+      const JudgedSubject& subject = run.subjects[s];
+      if (subject.counts != counts || subject.result.witnesses.empty()) {
+        continue;
+      }
+      Section section{subject.result.subject.name + (counts ? "" : " (kept because it fails)"), {}};
+      for (const Witness* witness : witnesses_by_telling(subject)) {
+        section.content.emplace_back(witness_section(run, s, *witness, out_directory));
+      }
+      document.emplace_back(std::move(section));
+    }
+  }
+  if (document.empty()) {
+    document.emplace_back(Paragraph{"Nothing was violated: there is no witness."});
+  }
+  return document;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "commands/options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace carom::tool {
+namespace {
+
+// Below, no arithmetic passes; above, everything does.
+constexpr double smallest_limit = 1e-3;
+constexpr double largest_limit = 1e15;
+constexpr double shortest_timeout = 1e-3;  // [s]
+constexpr double longest_timeout = 86400;  // [s]
+
+}  // namespace
+
+std::string is_count(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  return error == std::errc() && end == text.data() + text.size() ? std::string()
+                                                                  : "expected an integer from 0 to 2^64 - 1";
+}
+
+oracles::Yardstick YardstickArguments::yardstick() const {
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = limit_ulps;
+  yardstick.digits = digits;
+  yardstick.filtered = !exact;
+  return yardstick;
+}
+
+void add_accuracy(CLI::App& command, double& limit, std::optional<int>& digits, const std::string& of_limit,
+                  const std::string& of_digits) {
+  limit = oracles::default_limit_ulps;
+  CLI::Option* limit_ulps = command.add_option("--limit-ulps", limit, of_limit);
+  limit_ulps
+      ->check([](const std::string& text) {
+        // CLI::Range lets NaN pass.
+        const double ulps = std::strtod(text.c_str(), nullptr);
+        return ulps >= smallest_limit && ulps <= largest_limit
+                   ? std::string()
+                   : fmt::format("expected a number from {} to {}", smallest_limit, largest_limit);
+      })
+      ->capture_default_str();
+  command.add_option("--digits", digits, of_digits)->check(CLI::Range(1, 18))->excludes(limit_ulps);
+}
+
+void add_yardstick(CLI::App& command, YardstickArguments& arguments) {
+  add_accuracy(command, arguments.limit_ulps, arguments.digits, "Largest backward error that passes, in ulps",
+               "Pass what is right to so many digits, in place of ulps");
+  command.add_flag(
+      "--exact", arguments.exact,
+      "Judge in exact arithmetic alone, without the filter that decides most verdicts sooner: the verdicts "
+      "are the same");
+}
+
+void add_timeout(CLI::App& command, double& timeout) {
+  command.add_option("--timeout", timeout, "Seconds that an exec: subject may take for each reply")
+      ->check([](const std::string& text) {
+        const double seconds = std::strtod(text.c_str(), nullptr);
+        return seconds >= shortest_timeout && seconds <= longest_timeout
+                   ? std::string()
+                   : fmt::format("expected a number from {} to {}", shortest_timeout, longest_timeout);
+      })
+      ->capture_default_str();
+}
+
+void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats) {
+  command.add_option("--format", format, "Form of the output")
+      ->check(CLI::IsMember(std::move(formats)))
+      ->capture_default_str();
+}
+
+void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what) {
+  command.add_option("--seed", seed, what)->check(is_count)->capture_default_str();
+}
+
+void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what) {
+  constexpr unsigned most = 1024;
+  command.add_option("--jobs", jobs, what + " (default: one for each core)")->check(CLI::Range(1U, most));
+}
+
+unsigned threads(unsigned jobs) { return jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()); }
+
+}  // namespace carom::tool

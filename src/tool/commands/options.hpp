@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <carom/oracles/judge/yardstick.hpp>
+
+/// Options that several commands have.
+namespace carom::tool {
+
+/// How outcomes are judged.
+struct YardstickArguments {
+  double limit_ulps = 32;
+  std::optional<int> digits;
+  bool exact = false;  // in ℚ alone
+
+  [[nodiscard]] oracles::Yardstick yardstick() const;
+};
+
+void add_accuracy(CLI::App& command, double& limit_ulps, std::optional<int>& digits, const std::string& of_limit,
+                  const std::string& of_digits);
+void add_yardstick(CLI::App& command, YardstickArguments& arguments);
+
+/// Seconds that a program may take for each reply.
+void add_timeout(CLI::App& command, double& seconds);
+void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats);
+void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what);
+void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what);
+
+/// As many as it says, or one for each core.
+[[nodiscard]] unsigned threads(unsigned jobs);
+
+/// The complaint if the text is no integer of 64 bits; empty if it is one. CLI11 itself wraps larger ones, and minus
+/// signs.
+[[nodiscard]] std::string is_count(const std::string& text);
+
+}  // namespace carom::tool

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "io/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <carom/subjects/protocol/child.hpp>
+
+#include "io/output_file.hpp"
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+
+void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
+  const std::filesystem::path scripts = directory / "gnuplot";
+  make_directories(scripts);
+  for (const report::Plot& picture : pictures) {
+    write_file(scripts / (picture.name() + ".gp"), picture.script());
+  }
+  // In gnuplot's single quotes a quote is written twice.
+  std::string change_directory = "cd '";
+  for (const char letter : directory.string()) {
+    change_directory += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  change_directory += '\'';
+  subjects::protocol::ChildLimits limits;
+  limits.timeout = std::chrono::minutes(1);
+  for (const report::Plot& picture : pictures) {
+    try {
+      subjects::protocol::ChildProcess gnuplot({"gnuplot", "-e", change_directory, "gnuplot/" + picture.name() + ".gp"},
+                                               limits, {});
+      try {
+        gnuplot.finish("");
+      } catch (const subjects::protocol::ChildError& error) {
+        throw UsageError(fmt::format("gnuplot {}: {}", error.what(), gnuplot.standard_error()));
+      }
+    } catch (const subjects::protocol::ChildError& error) {
+      throw UsageError(fmt::format("{}: the data and the scripts are written, but {}.svg was not drawn", error.what(),
+                                   picture.name()));
+    }
+  }
+}
+
+std::exception_ptr try_to_draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
+  try {
+    draw(pictures, directory);
+    return nullptr;
+  } catch (const UsageError&) {
+    return std::current_exception();
+  }
+}
+
+}  // namespace carom::tool

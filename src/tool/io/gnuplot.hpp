@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <span>
+
+#include <carom/report/drawing/plot.hpp>
+
+namespace carom::tool {
+
+/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and lets gnuplot draw DIRECTORY/NAME.svg. Throws
+/// UsageError where gnuplot is not installed or fails.
+void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory);
+
+/// The same, but for that a UsageError is returned, for whoever has yet to put the data in place; nullptr for none.
+[[nodiscard]] std::exception_ptr try_to_draw(std::span<const report::Plot> pictures,
+                                             const std::filesystem::path& directory);
+
+}  // namespace carom::tool

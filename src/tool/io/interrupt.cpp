@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "io/interrupt.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <thread>
+
+#include <unistd.h>
+
+#include "io/memory_reserve.hpp"
+
+namespace carom::tool {
+namespace {
+
+/// A signal to the program and one to its group, as `timeout` and terminals send them, are one wish.
+constexpr std::chrono::seconds one_wish{1};
+
+/// Takes what comes of them within that time.
+void drop_repeats(const sigset_t& signals) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + one_wish;
+  for (auto now = Clock::now(); now < until; now = Clock::now()) {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(until - now).count();
+    constexpr long second = 1'000'000'000;
+    const timespec patience{left / second, left % second};
+    sigtimedwait(&signals, nullptr, &patience);
+  }
+}
+
+}  // namespace
+
+std::stop_token stop_on_interrupt() {
+  static std::stop_source source;
+  static bool is_waiting = false;
+  if (is_waiting) {
+    return source.get_token();
+  }
+  is_waiting = true;
+  keep_memory_for_the_report(source);
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
+  // Blocked in every thread that is started from here on, and waited for in one: no code runs in a signal handler.
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    int signal = 0;
+    if (sigwait(&signals, &signal) == 0) {
+      source.request_stop();
+    }
+    drop_repeats(signals);
+    // This thread takes the next one, and the program ends as programs do.
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    for (;;) {
+      pause();
+    }
+  }).detach();
+  return source.get_token();
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "io/output_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+
+void fail_to_write(const std::filesystem::path& path, int error) {
+  throw UsageError(
+      fmt::format("--out: {} cannot be written: {}", path.string(), std::generic_category().message(error)));
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    fail_to_write(path, errno);
+  }
+}
+
+void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file << text;
+  file.close();
+  if (!file) {
+    throw UsageError(fmt::format("{}: {} cannot be written", option, path.string()));
+  }
+}
+
+void make_directories(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    std::error_code gone;
+    (void)std::filesystem::current_path(gone);
+    if (gone && directory.is_relative()) {
+      throw UsageError(fmt::format("--out: {} cannot be made: the working directory is gone", directory.string()));
+    }
+    throw UsageError(fmt::format("--out: {} cannot be made: {}", directory.string(), error.message()));
+  }
+}
+
+}  // namespace carom::tool

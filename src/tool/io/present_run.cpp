@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "io/present_run.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <carom/report/pages/pages.hpp>
+
+#include "io/old_witnesses.hpp"
+#include "io/output_file.hpp"
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_json(const nlohmann::json& record, int indent) {
+  return record.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// All of them or none, and at every moment a report with the witnesses that it lists.
+void write_reports(const report::Run& run, const std::string& out, StagedOutput& staged) {
+  const fs::path& stage = staged.stage();
+  make_directories(stage / "witnesses");
+  for (const report::JudgedSubject& subject : run.subjects) {
+    const properties::SubjectResult& result = subject.result;
+    for (const properties::Witness& witness : result.witnesses) {
+      const fs::path place = report::witness_path(out, result.subject, witness.invariant);
+      write_file(report::witness_path(stage, result.subject, witness.invariant),
+                 in_json(report::witness_record(witness, result.subject, run.settings, place), 2));
+    }
+  }
+  write_file(stage / "junit.xml", report::junit_xml(run));
+  write_file(stage / "report.html", report::run_html(run, out));
+  write_file(stage / "report.json", in_json(report::report_record(run), 2));
+  const std::vector<fs::path> old = old_witnesses(out);
+  staged.put_in_place("report.json");
+  remove_old_witnesses(out, old);
+  remove_abandoned_stages(out);
+}
+
+void flush_output() {
+  if (std::fflush(stdout) != 0) {
+    throw UsageError("standard output cannot be written");
+  }
+}
+
+void print_run(const report::Run& run, const Presentation& presentation) {
+  fmt::print("{}", presentation.format == "json" ? in_json(report::report_record(run), 2)
+                                                 : report::run_text(run, presentation.out));
+  flush_output();  // before anything is said on standard error
+  if (presentation.has_annotations) {
+    presentation.annotate();
+    fmt::print("{}", report::github_annotations(run, presentation.out));
+    flush_output();
+  }
+}
+
+}  // namespace
+
+int present_run(report::Run run, const std::optional<ReadRun>& baseline, const Presentation& presentation,
+                std::optional<StagedOutput>& staged) {
+  if (baseline) {
+    run.baseline = report::compare_runs(baseline->run, baseline->file, run, "this run");
+  }
+  // First what lasts; and where that cannot be written, what was found is printed all the same.
+  std::exception_ptr unwritten;
+  try {
+    if (staged) {
+      write_reports(run, presentation.out, *staged);
+    }
+    if (!presentation.summary.empty()) {
+      append_to_file("--summary", presentation.summary, report::run_markdown(run, presentation.out));
+    }
+  } catch (...) {
+    unwritten = std::current_exception();
+  }
+  staged.reset();
+  try {
+    print_run(run, presentation);
+  } catch (const std::exception&) {
+    if (!unwritten) {
+      throw;
+    }
+  }
+  if (unwritten) {
+    std::rethrow_exception(unwritten);
+  }
+  return run.exit_status();
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "io/report_file.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include <carom/report/model/words.hpp>
+
+#include "io/json_file.hpp"
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `read` makes of the file. Errors of its format are told with its name, after `is_no`.
+template <class Read>
+auto read_from(const std::string& file, const char* is_no, const Read& read) {
+  const std::string content = content_of_file(file);
+  nlohmann::json record;
+  try {
+    record = parse_json(content);
+  } catch (const FormatError& error) {
+    throw UsageError(fmt::format("{}: {}", report::shown(file), report::shown(error.what())));
+  }
+  try {
+    return read(record);
+  } catch (const FormatError& error) {
+    throw UsageError(fmt::format("{}: {}{}", report::shown(file), is_no, report::shown(error.what())));
+  }
+}
+
+}  // namespace
+
+ReadRun read_report(const std::string& file_or_directory) {
+  std::error_code ignored;
+  const std::string file = fs::is_directory(file_or_directory, ignored)
+                               ? (fs::path(file_or_directory) / "report.json").string()
+                               : file_or_directory;
+  return {file, read_from(file, "is not a report.json of carom gate: ", report::run_from)};
+}
+
+report::ReadShard read_shard(const std::string& directory) {
+  const std::string file = (fs::path(directory) / "report.json").string();
+  report::ReadShard shard =
+      read_from(file, "", [&](const nlohmann::json& record) { return report::shard_from(record, file); });
+  for (std::size_t s = 0; s < shard.run.subjects.size(); ++s) {
+    properties::SubjectResult& result = shard.report.results[s];
+    for (const report::Violation& violation : shard.run.subjects[s].violations) {
+      // No path that a file names is followed.
+      const fs::path path = report::witness_path(directory, result.subject, violation.invariant);
+      result.witnesses.push_back(read_from(path.string(), "", [&](const nlohmann::json& record) {
+        return report::witness_from(record, violation.invariant);
+      }));
+    }
+  }
+  return shard;
+}
+
+}  // namespace carom::tool

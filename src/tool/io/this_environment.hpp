@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/report/model/run.hpp>
+
+namespace carom::tool {
+
+/// Of this program, on this machine, now.
+[[nodiscard]] report::Environment this_environment();
+
+}  // namespace carom::tool

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/gate.hpp>
+#include <carom/report/model/exit_status.hpp>
+#include <carom/report/model/merged_run.hpp>
+#include <carom/report/model/run_json.hpp>
+
+/// One mapping writes a run as report.json and reads it back.
+namespace carom::report {
+namespace {
+
+using nlohmann::json;
+
+/// It leaves all velocities as they are.
+Subject idle_subject() {
+  Subject subject;
+  subject.name = "idle";
+  subject.summary = "leaves everything as it is";
+  subject.model = Model::frictionless;
+  subject.open = [] {
+    return Session([](std::span<const Collision> collisions) {
+      std::vector<Answer> answers;
+      for (const Collision& c : collisions) {
+        answers.emplace_back(
+            ReportedOutcome({c.a.velocity.cast<long double>(), c.a.angular_velocity.cast<long double>()},
+                            {c.b.velocity.cast<long double>(), c.b.angular_velocity.cast<long double>()}));
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+properties::GateReport judged_report(properties::Shard shard = {}) {
+  properties::GateOptions options;
+  options.cases = 30;
+  options.shard = shard;
+  for (const char* name : {"generic", "separating"}) {
+    options.families.push_back(properties::family_named(name));
+  }
+  return properties::run_gate({idle_subject()}, options);
+}
+
+report::Run run_with(const properties::GateReport& report, bool is_shard) {
+  Environment environment;
+  environment.date = "2026-11-25T00:00:00Z";
+  environment.processor_threads = 2;
+  environment.compiler_flags["carom_report"] = "-O1";
+  return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
+}
+
+/// The shard as it is read from the files that it writes.
+ReadShard read_back(const properties::GateReport& report) {
+  const report::Run run = run_with(report, true);
+  ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
+  for (const properties::Witness& witness : run.subjects[0].result.witnesses) {
+    const json record =
+        json::parse(witness_record(witness, run.subjects[0].result.subject, run.settings, "file").dump());
+    shard.report.results[0].witnesses.push_back(witness_from(record, witness.invariant));
+  }
+  return shard;
+}
+
+TEST(RunJson, IsTheSameOfAShardThatIsTheWhole) {
+  const properties::GateReport report = judged_report();
+  ASSERT_FALSE(report.results[0].witnesses.empty()) << "what does nothing violates something";
+  EXPECT_EQ(report_record(merged_run({read_back(report)})), report_record(run_with(report, false)));
+}
+
+TEST(RunJson, IsTheSameOfAllShardsTogether) {
+  const json whole = report_record(run_with(judged_report(), false));
+  json merged = report_record(merged_run({read_back(judged_report({2, 2})), read_back(judged_report({1, 2}))}));
+  for (const char* name : {"families", "features"}) {
+    EXPECT_EQ(merged.at(name), whole.at(name)) << name;
+  }
+  for (const char* name : {"status", "families", "digits", "cases"}) {
+    EXPECT_EQ(merged.at("subjects").at(0).at(name), whole.at("subjects").at(0).at(name)) << name;
+  }
+}
+
+TEST(RunJson, KeepsWhatAComparisonNeeds) {
+  const report::Run run = run_with(judged_report(), false);
+  const report::Run read = run_from(json::parse(report_record(run).dump()));
+  const Comparison comparison = compare_runs(run, "run", read, "read");
+  EXPECT_TRUE(comparison.differences.empty());
+  EXPECT_EQ(comparison.count_new(false), 0U);
+  EXPECT_EQ(comparison.count(Change::fixed), 0U);
+  EXPECT_GT(comparison.count(Change::known), 0U);
+  ASSERT_EQ(comparison.subjects.size(), 1U);
+  EXPECT_EQ(comparison.subjects[0].before->cases, comparison.subjects[0].now->cases);
+  EXPECT_EQ(comparison.subjects[0].before->worst_backward_error, comparison.subjects[0].now->worst_backward_error);
+  EXPECT_EQ(read.exit_status(), run.exit_status());
+}
+
+/// With a baseline that knows every violation, only the error is left to fail the run.
+TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
+  properties::GateReport report = judged_report();
+  const report::Run baseline = run_with(report, false);
+  report.results[0].error = "it ended in the middle";
+  report::Run merged = merged_run({read_back(report)});
+  EXPECT_EQ(merged.subjects[0].status, "violated");
+  EXPECT_EQ(merged.subjects[0].result.error, "it ended in the middle");
+  merged.baseline = compare_runs(baseline, "baseline", merged, "merged");
+  EXPECT_EQ(merged.baseline->count_new(true), 0U);
+  EXPECT_EQ(merged.exit_status(), exit_violated);
+}
+
+TEST(RunJson, NamesThePlaceOfWhatIsWrong) {
+  json record = report_record(run_with(judged_report(), false));
+  record["subjects"][0]["families"][1]["violated"] = -1;
+  try {
+    (void)run_from(record);
+    FAIL() << "it was read";
+  } catch (const FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find("/subjects/0/families/1/violated"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace carom::report
