@@ -131,7 +131,9 @@ TEST(LayoutChecker, FindsALongFunction) {
     EXPECT_EQ(long_functions("x.cpp", text, lines), Offences{}) << head;
   }
   EXPECT_EQ(long_functions("x.cpp", "struct X {\n  void f() {\n    one();\n    two();\n  }\n};\n", 3).size(), 1U);
-  EXPECT_EQ(long_functions("x.cpp", "namespace x {\nstruct Y {\n  int a;\n  int b;\n  int c;\n};\n}\n", 3), Offences{});
+  EXPECT_EQ(
+      long_functions("x.cpp", "namespace x {\nstruct Y {\n  int a;\n  int b;\n  int c;\n};\n}  // namespace x\n", 3),
+      Offences{});
 }
 
 TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {

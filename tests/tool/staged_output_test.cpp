@@ -85,7 +85,7 @@ TEST(StagedOutput, OldReportsStandWhereNewOnesCannotBeWritten) {
     const RunResult run =
         in_shell(std::string("{ ulimit -f ") + blocks + R"(; "$@"; } 2>&1 | cat)", finding_gate(out.path()));
     EXPECT_NE(run.output.find("cannot be written: File too large"), std::string::npos) << run.output << run.errors;
-    EXPECT_NE(run.output.find("reflection-in-basis-double violates"), std::string::npos) << "what was found is printed";
+    EXPECT_NE(run.output.find("It violates "), std::string::npos) << "what was found is printed";
     EXPECT_EQ(content_of(out.path() / "report.json"), old);
     EXPECT_EQ(content_of(out.path() / "report.html"), old_page);
     expect_all_listed_witnesses_stand(out.path());

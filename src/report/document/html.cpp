@@ -22,7 +22,7 @@ void add_cell_content(pugi::xml_node node, const Cell& cell) {
   if (!cell.sign.empty()) {
     add(inside, "span", {{"aria-hidden", "true"}, {"class", "sign"}}, cell.sign);
     if (!cell.spoken.empty()) {
-      add(inside, "span", {{"class", "spoken"}}, cell.spoken + ' ');
+      add(inside, "span", {{"class", "spoken"}}, cell.spoken + (cell.text.empty() ? "" : " "));
     }
   }
   add_text(inside, cell.text);

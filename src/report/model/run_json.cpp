@@ -116,6 +116,15 @@ struct Json<DigitsHistogram> {
   }
 };
 
+/// Throws if there is no such family.
+inline const properties::Family* known_family(const Field& name) {
+  const properties::Family* family = properties::family_named(name.text());
+  if (family == nullptr) {
+    name.fail("the name of a family");
+  }
+  return family;
+}
+
 /// Throws if a whole report names an invariant that there is not.
 template <class A>
 void require_known_invariant(const A& archive, const char* field, const std::string& name) {
@@ -157,6 +166,11 @@ void fields(A& archive, Is<properties::Coverage> auto& coverage) {
 template <class A>
 void fields(A& archive, Is<RunFamily> auto& family) {
   archive("name", family.name);
+  if constexpr (A::reads) {
+    if (archive.reading == Reading::whole) {
+      (void)known_family(archive.record.at("name"));
+    }
+  }
   archive.detail("summary", family.summary);
   archive.detail("coverage", family.coverage);
 }
@@ -464,14 +478,6 @@ void fields(A& archive, Is<Run> auto& run) {
     }
   }
   subjects_field(archive, run);
-}
-
-const properties::Family* known_family(const Field& name) {
-  const properties::Family* family = properties::family_named(name.text());
-  if (family == nullptr) {
-    name.fail("the name of a family");
-  }
-  return family;
 }
 
 properties::GateOptions options_from(const Field& record, const Settings& settings) {

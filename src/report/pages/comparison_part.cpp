@@ -33,7 +33,7 @@ void add_rows(Table& table, const ComparedSubject& subject, Change change) {
     }
     last = violation.invariant;
     table.rows.push_back(
-        {{name_of(subject), Cell(std::string(in_words(change)), is_new(change) ? "word violated" : "word"),
+        {{name_cell(name_of(subject)), Cell(std::string(in_words(change)), is_new(change) ? "word violated" : "word"),
           Cell(violation.invariant, "word"), Cell(where, "text")}});
   }
 }

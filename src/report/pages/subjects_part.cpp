@@ -75,6 +75,11 @@ Row subject_row(const Run& run, std::size_t s) {
           subject.counts ? notes_on(subject, run) : std::vector<std::string>{}};
 }
 
+std::string in_two_digits(const JudgedSubject& subject) {
+  return determines_outcome(subject.result.subject.model) ? fmt::format("{:.2g}", subject.worst.backward_error)
+                                                          : no_number;
+}
+
 /// "family (violated cases)", those first in which most are.
 std::string violated_families(const Run& run, const properties::SubjectResult& result) {
   std::vector<std::pair<std::uint64_t, std::string>> violated;
@@ -166,13 +171,13 @@ std::string subjects_markdown(const Run& run) {
       invariants.push_back(violation.invariant);
     }
     const std::string violated = invariants.empty() ? no_number : listed(invariants);
-    table.rows.push_back({{name_cell(subject.name + ' ' + subject.version),
+    table.rows.push_back({{subject.name + ' ' + subject.version,
                            fmt::format("{}, {}", name_of(subject.precision), name_of(subject.model)), one.status,
-                           worst_in_words(one), in_words(one.digits), violated, violated_families(run, result),
+                           in_two_digits(one), in_words(one.digits), violated, violated_families(run, result),
                            fmt::format("{:.0f}", result.nanoseconds_per_solve)}});
   }
   for (const Subject& subject : run.absent) {
-    table.rows.push_back({{name_cell(subject.name), "absent: " + subject.absent}});
+    table.rows.push_back({{subject.name, "absent: " + subject.absent}});
   }
   return in_markdown({table});
 }
