@@ -81,8 +81,8 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what) {
 }
 
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what) {
-  constexpr unsigned most = 1024;
-  command.add_option("--jobs", jobs, what + " (default: one for each core)")->check(CLI::Range(1U, most));
+  constexpr int most = 1024;
+  command.add_option("--jobs", jobs, what + " (default: one for each core)")->check(CLI::Range(1, most));
 }
 
 unsigned threads(unsigned jobs) { return jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()); }
