@@ -30,7 +30,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -t packages < <(sed '/^#/d; s/^[a-z]* //' src/package/needs.txt | tr ' ' '\n' | sort -u)
+mapfile -t packages < <(sed '/^#/d; /^proofs /d; s/^[a-z]* //' src/package/needs.txt | tr ' ' '\n' | sort -u)
 packages+=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
@@ -77,7 +77,9 @@ install_test_programs() {
 
 # What checks the proofs, and builds the oracle that is extracted of them.
 install_proof_checker() {
-  install_packages coq libcoq-flocq ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev python3
+  local of_proofs
+  read -ra of_proofs < <(sed -n 's/^proofs //p' src/package/needs.txt)
+  install_packages "${of_proofs[@]}"
 }
 
 # The page of replays is bundled from packages of npm; without them all else is built.

@@ -2,7 +2,8 @@
 # The parts of Carom that can be had alone. Each is built and installed with the parts that it needs, and needs no other
 # packages than they do.
 
-set(CAROM_COMPONENTS all CACHE STRING "What is built and installed: all, or a list of impulse, judge, kit, program, scenes")
+set(CAROM_COMPONENTS all CACHE STRING
+    "What is built and installed: a list of impulse, judge, kit, scenes, program and proofs, or all but the proofs")
 
 # Of each part: the parts below it, the packages of CMake that its build looks for, and those that its users need.
 set(carom_parts impulse judge kit scenes program)
@@ -18,13 +19,14 @@ set(carom_scenes_packages Boost fcl)
 set(carom_program_needs judge scenes)
 set(carom_program_packages Boost CLI11 Threads PkgConfig benchmark pugixml)
 set(carom_program_packages_of_users Boost Threads)
+# The proofs are no C++, and need no package of CMake.
 
 # What is built, lower parts first.
 set(CAROM_BUILT)
 function(carom_build_component part)
-  if(NOT part IN_LIST carom_parts)
+  if(NOT part IN_LIST carom_parts AND NOT part STREQUAL "proofs")
     list(JOIN carom_parts ", " names)
-    message(FATAL_ERROR "CAROM_COMPONENTS is all, or a list of ${names}, not \"${CAROM_COMPONENTS}\"")
+    message(FATAL_ERROR "CAROM_COMPONENTS is all, or a list of ${names} and proofs, not \"${CAROM_COMPONENTS}\"")
   endif()
   foreach(needed IN LISTS carom_${part}_needs)
     carom_build_component(${needed})

@@ -16,9 +16,10 @@ USES = {
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
     "kit": ("", ["env CAROM_CASES=10 /tmp/consumer/sound_test"]),
     "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene"]),
+    "proofs": (None, ["carom-proved </dev/null"]),
     "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5"]),
 }
-BELOW = {"impulse": [], "judge": ["impulse"], "kit": ["judge"], "scenes": ["judge"], "program": ["judge", "scenes"]}
+BELOW = {"impulse": [], "judge": ["impulse"], "kit": ["judge"], "scenes": ["judge"], "proofs": [], "program": ["judge", "scenes"]}
 
 
 def needs(source, component):
@@ -42,9 +43,11 @@ def try_component(work, source, component):
         f"apt-get update && apt-get install -y --no-install-recommends g++ cmake ninja-build {' '.join(sorted(needs(source, component)))}",
         f"cmake -S /source -B /tmp/build -G Ninja -DCAROM_COMPONENTS={component} -DCAROM_UNITY=ON && cmake --build /tmp/build",
         "cmake --install /tmp/build --prefix /usr",
-        f"cmake -S {consumer} -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug {arguments} && cmake --build /tmp/consumer",
-        *programs,
     ]
+    if arguments is not None:
+        commands.append(f"cmake -S {consumer} -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug {arguments} "
+                        "&& cmake --build /tmp/consumer")
+    commands += programs
     log_file = work / f"{component}.log"
     try:
         for command in commands:
