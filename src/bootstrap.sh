@@ -3,8 +3,9 @@
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom; this where no COMMAND is given
-#   package   build, then the Debian packages carom and libcarom-dev in build/package
-#   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   package   build, then the Debian packages in build/package: carom, and libcarom-PART-dev for each component
+#   package-test  package, then all of them into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   component-test  [COMPONENT…]: configures, builds, installs and uses each component in a bare Debian 12 with its own packages alone, as root
 #   ci-test   [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian 12, as root. NAME is one
 #             of action, github, gitlab, script and container; all of them take an hour on two cores
 #   gate      build, then `build/carom gate ARG…`
@@ -29,8 +30,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libmpfi-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  libpugixml-dev libfcl-dev libbenchmark-dev gnuplot-nox libgtest-dev librapidcheck-dev)
+mapfile -t packages < <(sed '/^#/d; /^proofs /d; s/^[a-z]* //' src/package/needs.txt | tr ' ' '\n' | sort -u)
+packages+=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
@@ -76,7 +77,9 @@ install_test_programs() {
 
 # What checks the proofs, and builds the oracle that is extracted of them.
 install_proof_checker() {
-  install_packages coq libcoq-flocq ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev python3
+  local of_proofs
+  read -ra of_proofs < <(sed -n 's/^proofs //p' src/package/needs.txt)
+  install_packages "${of_proofs[@]}"
 }
 
 # The page of replays is bundled from packages of npm; without them all else is built.
@@ -166,6 +169,10 @@ package-test)
   install_packages dpkg-dev file debootstrap python3
   build carom_package
   exec python3 tests/package/package_test.py build/package build/tests/package/installed .
+  ;;
+component-test)
+  install_packages debootstrap python3
+  exec python3 tests/package/components_test.py build/tests/package/components . "$@"
   ;;
 ci-test)
   install_packages debootstrap git python3 python3-yaml

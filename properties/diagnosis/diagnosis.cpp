@@ -11,7 +11,6 @@
 #include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/where.hpp>
-#include <carom/properties/gate/in_parallel.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -297,7 +296,7 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
 
 std::vector<Diagnosis> diagnose_all(const GateReport& report) {
   std::vector<Diagnosis> diagnoses(report.results.size());
-  in_parallel(report.options.jobs, diagnoses.size(), [&](std::size_t s) {
+  report.options.workers.run(diagnoses.size(), [&](std::size_t s) {
     if (!report.results[s].violated_invariants().empty()) {
       diagnoses[s] = diagnose(report.results[s], report);
     }

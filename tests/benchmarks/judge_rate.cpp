@@ -15,6 +15,7 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "io/threads.hpp"
 #include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
@@ -151,7 +152,7 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
                 std::uint64_t relations_every) {
   properties::GateOptions options;
   options.cases = 100;
-  options.jobs = jobs;
+  options.workers = tool::threads(jobs);
   options.relations_every = relations_every;
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

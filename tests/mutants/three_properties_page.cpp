@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "io/threads.hpp"
 #include "three_properties_page.hpp"
 
 #include <iterator>
@@ -93,7 +94,7 @@ std::string planted_section(const Property& property, const PlantedRun& run) {
   properties::GateOptions options;
   options.seed = run.seed;
   options.cases = run.cases;
-  options.jobs = run.jobs;
+  options.workers = tool::threads(run.jobs);
   options.shrinks = false;
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

@@ -23,6 +23,7 @@
 #include "commands/subject_argument.hpp"
 #include "commands/workflow_commands.hpp"
 #include "compare/read_report.hpp"
+#include "io/threads.hpp"
 #include "report/environment.hpp"
 #include "report/records.hpp"
 
@@ -167,7 +168,7 @@ int gate(const GateArguments& arguments) {
   options.yardstick.limit_ulps = arguments.limit_ulps;
   options.yardstick.digits = arguments.digits;
   options.yardstick.filtered = !arguments.exact;
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.workers = threads(arguments.jobs);
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;

@@ -10,6 +10,7 @@
 #include "commands/commands.hpp"
 #include "commands/interrupt.hpp"
 #include "commands/progress.hpp"
+#include "io/threads.hpp"
 #include "plan/clock.hpp"
 #include "plan/contacts_of_file.hpp"
 #include "plan/plan_text.hpp"
@@ -27,7 +28,7 @@ int plan_contacts(const PlanArguments& arguments) {
   }
   properties::plan::PlanOptions options;
   options.demand = {law, arguments.limit_ulps, arguments.digits, arguments.exact_law};
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.workers = threads(arguments.jobs);
   options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
   options.progress = progress_line("contacts");
   options.stop = stop;

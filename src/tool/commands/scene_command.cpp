@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/protocol/text.hpp>
 
@@ -25,6 +24,7 @@
 #include "commands/output_file.hpp"
 #include "commands/progress.hpp"
 #include "commands/staged_output.hpp"
+#include "io/threads.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
@@ -179,9 +179,8 @@ class LawRun {
 /// Each on a thread of its own, so many at once; of what they throw, the first law's is thrown on.
 void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
              Progress& progress) {
-  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::exception_ptr> errors(runs.size());
-  properties::in_parallel(std::min(jobs, static_cast<unsigned>(runs.size())), runs.size(), [&](std::size_t k) {
+  threads(arguments.jobs).run(runs.size(), [&](std::size_t k) {
     try {
       runs[k]->run(arguments, stop, k, progress);
     } catch (...) {

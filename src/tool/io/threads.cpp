@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -6,11 +7,12 @@
 #include <thread>
 #include <vector>
 
-#include <carom/properties/gate/in_parallel.hpp>
+#include "io/threads.hpp"
 
-namespace carom::properties {
+namespace carom::tool {
+namespace {
 
-void in_parallel(unsigned jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
+void run_on_threads(unsigned jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr first;
@@ -27,7 +29,7 @@ void in_parallel(unsigned jobs, std::size_t count, const std::function<void(std:
   };
   std::vector<std::jthread> threads;
   try {
-    for (unsigned i = 1; i < jobs; ++i) {
+    for (std::size_t i = 1; i < std::min<std::size_t>(jobs, count); ++i) {
       threads.emplace_back(run);
     }
   } catch (const std::system_error&) {
@@ -40,4 +42,13 @@ void in_parallel(unsigned jobs, std::size_t count, const std::function<void(std:
   }
 }
 
-}  // namespace carom::properties
+}  // namespace
+
+properties::Workers threads(unsigned jobs) {
+  const unsigned count = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
+  return {count, [count](std::size_t items, const std::function<void(std::size_t)>& work) {
+            run_on_threads(count, items, work);
+          }};
+}
+
+}  // namespace carom::tool

@@ -6,22 +6,22 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/gate/in_parallel.hpp>
+#include "io/threads.hpp"
 
-namespace carom::properties {
+namespace carom::tool {
 namespace {
 
-TEST(InParallel, DoesEachOnce) {
+TEST(Threads, DoesEachOnce) {
   for (const unsigned jobs : {0U, 1U, 3U, 40U}) {
     std::vector<std::atomic<int>> done(20);
-    in_parallel(jobs, done.size(), [&](std::size_t i) { ++done[i]; });
+    threads(jobs).run(done.size(), [&](std::size_t i) { ++done[i]; });
     for (const std::atomic<int>& one : done) {
       EXPECT_EQ(one, 1) << jobs;
     }
   }
 }
 
-TEST(InParallel, ThrowsOnWhatAThreadThrowsAndBeginsNoMore) {
+TEST(Threads, ThrowsOnWhatAThreadThrowsAndBeginsNoMore) {
   for (const unsigned jobs : {1U, 3U}) {
     std::atomic<std::size_t> begun = 0;
     const auto work = [&](std::size_t i) {
@@ -30,10 +30,10 @@ TEST(InParallel, ThrowsOnWhatAThreadThrowsAndBeginsNoMore) {
         throw std::runtime_error("the fifth");
       }
     };
-    EXPECT_THROW(in_parallel(jobs, 1'000'000, work), std::runtime_error);
+    EXPECT_THROW(threads(jobs).run(1'000'000, work), std::runtime_error);
     EXPECT_LT(begun, 1'000'000U);
   }
 }
 
 }  // namespace
-}  // namespace carom::properties
+}  // namespace carom::tool
