@@ -40,18 +40,12 @@ const std::vector<const Feature*>& ratios_and_relations() {
 }
 
 const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& features) {
-  return *features[stream.bits() % features.size()];
+  return *features[stream.below(features.size())];
 }
 
-/// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis.
 void reverse_if_separating(Stream& stream, Collision& c) {
-  if (dot(c.normal, relative_velocity(c)) <= 0) {
-    return;
-  }
-  stream.note(Adjustment::reversed);
-  for (Body* body : {&c.a, &c.b}) {
-    body->velocity = negated(body->velocity);
-    body->angular_velocity = negated(body->angular_velocity);
+  if (properties::reverse_if_separating(c)) {
+    stream.note(Adjustment::reversed);
   }
 }
 
@@ -87,7 +81,8 @@ void draw_magnitudes(Stream& stream, Collision& c) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
     if (!first->quantity.empty() && stream.chance(one_in(first->quantity))) {
-      std::uint64_t chosen = stream.bits() % count;
+      const int nearest_to_one = std::clamp(-first->decade, 0, static_cast<int>(count) - 1);
+      std::uint64_t chosen = stream.below(count, static_cast<std::uint64_t>(nearest_to_one));
       if (first->quantity.ends_with("size")) {
         size = chosen;
       } else if (first->quantity.ends_with("lever_arm")) {
@@ -177,7 +172,7 @@ Collision composed(Stream& stream) {
   for (int i = 0; i < count; ++i) {
     drawn_of(stream, values_and_relations()).make(stream, c);
   }
-  const SeldomPair& seldom = seldom_together()[stream.bits() % seldom_together().size()];
+  const SeldomPair& seldom = seldom_together()[stream.below(seldom_together().size())];
   const bool is_seldom = stream.chance(8);
   const Feature& first = drawn_of(stream, is_seldom ? seldom.first : values_and_relations());
   const Feature& second = is_seldom          ? drawn_of(stream, seldom.second)

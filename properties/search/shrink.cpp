@@ -11,8 +11,12 @@
 namespace carom::properties {
 namespace {
 
-/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign.
+/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign. Of what is not
+/// finite 1.
 long complexity(double number) {
+  if (!std::isfinite(number)) {
+    return 1;
+  }
   if (number == 0) {
     return std::signbit(number) ? 1 : 0;
   }

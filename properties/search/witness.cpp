@@ -85,24 +85,28 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   return witness;
 }
 
+bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
+  // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
+  // is allowed.
+  const double worst = seriousness(found, found_on);
+  const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
+  // Nor, however little is allowed, one in which other digits are wrong than in the one found: of a thousandth all see
+  // that it is no rounding.
+  constexpr double plain = 0x1p-10;
+  const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
+  return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
+         kind_of(verdict) == kind_of(found);
+}
+
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
   if (!JudgedCase(one).is_valid() || invariant.name == "well_conditioned") {
     return one;
   }
-  // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
-  // is allowed.
-  const double worst = seriousness(found, one.collision);
-  const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // Nor, however little is allowed, one in which other digits are wrong than in the one found: of a thousandth all see
-  // that it is no rounding.
-  constexpr double plain = 0x1p-10;
-  const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   const auto still_fails = [&](const Collision& collision) {
     const Verdict verdict = verdict_on({collision, one.convex_uniform});
-    return verdict.status == Status::violated && seriousness(verdict, collision) >= kept &&
-           verdict.relative_residual() >= kept_of_size && kind_of(verdict) == kind_of(found);
+    return verdict.status == Status::violated && is_as_bad(verdict, collision, found, one.collision);
   };
   return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
 }

@@ -18,6 +18,10 @@ namespace carom::properties {
 /// what the subject's session throws.
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness);
 
+/// Whether a violation is about as bad as the one that was found, of the same invariant.
+[[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,
+                             const Collision& found_on);
+
 /// The simplest case that can be found that violates the invariant about as badly as `found`, the verdict on `one`.
 [[nodiscard]] Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                                       const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls);

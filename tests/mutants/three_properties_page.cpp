@@ -84,10 +84,7 @@ std::string facts_section(const Property& property) {
     text += fmt::format("| [`{0}`](../reference/invariants.md#{0}) | {1} | {2} |\n", name, invariant->statement,
                         theorems_in_words(name));
   }
-  return text + fmt::format(
-                    "\n**Random test.** `Each/ThreeProperties.HoldOfEveryBuiltInSolver/{}`, in "
-                    "`tests/mutants/three_properties_test.cpp`.\n",
-                    property.name);
+  return text + "\n**Random test.** `EverySolver`, in `tests/properties/conformance/three_properties_test.cpp`.\n";
 }
 
 std::string planted_section(const Property& property, const PlantedRun& run) {

@@ -14,7 +14,7 @@ from bare_debian import SKIPPED, BareDebian, Unavailable
 USES = {
     "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
-    "kit": ("", ["env CAROM_CASES=10 /tmp/consumer/sound_test"]),
+    "kit": ("", ["env 'RC_PARAMS=seed=1 max_success=10' /tmp/consumer/sound_test"]),
     "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene"]),
     "proofs": (None, ["carom-proved </dev/null"]),
     "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5"]),

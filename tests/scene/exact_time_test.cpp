@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/properties/families/stream.hpp>
 #include <carom/scene/exact/exact_time.hpp>
 
 #include "paths.hpp"

@@ -33,11 +33,6 @@ inline constexpr Precision claimed_precision = precision_of<S>;
 template <>
 inline constexpr Precision claimed_precision<impulse::DoubleDouble> = Precision::extended;
 
-template <class S>
-[[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
-  return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
-}
-
 /// The outcome by `solve`, with the collision matrix that it solved with, where it formed one.
 template <class S, class Solve, class Input>
 [[nodiscard]] ReportedOutcome reported_by(const Solve& solve, const Input& input) {

@@ -19,8 +19,7 @@ using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
 [[nodiscard]] Question invariant_holds(const Invariant& invariant);
 
 struct Examination {
-  int cases = 0;        // of each family
-  bool shrinks = true;  // whether RapidCheck is to shrink what it finds
+  std::uint64_t cases = 0;  // of each family
   /// Whether `structured` is among the families: its sizes underflow in binary32 on the way, where a question about
   /// bits has nothing to ask.
   bool structured = true;
