@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/elimination.hpp>
 
 namespace carom::oracles {
@@ -168,6 +169,7 @@ std::array<Rational, unknowns> eliminate(System system) {
 }  // namespace
 
 Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Model model) {
+  CAROM_EXPECTS(has_movable_body(collision));
   System system{};
   write_body(system, 0, collision.a, collision.point, 1);
   write_body(system, 6, collision.b, collision.point, -1);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
@@ -38,9 +39,15 @@ Rational::Rational(std::in_place_t, const Make& make) {
 
 Rational::Rational() : Rational(std::in_place, [] { return CGAL::Gmpq(); }) {}
 Rational::Rational(int numerator, int denominator)
-    : Rational(std::in_place,
-               [&] { return denominator == 1 ? CGAL::Gmpq(numerator) : CGAL::Gmpq(numerator, denominator); }) {}
-Rational::Rational(double number) : Rational(std::in_place, [&] { return CGAL::Gmpq(number); }) {}
+    : Rational(std::in_place, [&] {
+        CAROM_EXPECTS(denominator != 0, numerator);
+        return denominator == 1 ? CGAL::Gmpq(numerator) : CGAL::Gmpq(numerator, denominator);
+      }) {}
+Rational::Rational(double number)
+    : Rational(std::in_place, [&] {
+        CAROM_EXPECTS(std::isfinite(number), number);
+        return CGAL::Gmpq(number);
+      }) {}
 Rational::Rational(const std::string& digits) : Rational(std::in_place, [&] { return CGAL::Gmpq(digits); }) {}
 Rational::Rational(const Rational& other) noexcept
     : Rational(std::in_place, [&]() -> const CGAL::Gmpq& { return Number::of(other); }) {}
@@ -70,6 +77,7 @@ Rational operator*(const Rational& left, const Rational& right) {
   return Rational::Number::made([&] { return Rational::Number::of(left) * Rational::Number::of(right); });
 }
 Rational operator/(const Rational& left, const Rational& right) {
+  CAROM_EXPECTS(right != 0, left);
   return Rational::Number::made([&] { return Rational::Number::of(left) / Rational::Number::of(right); });
 }
 
@@ -96,6 +104,7 @@ double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of
 int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number).mpq()); }
 
 RootBelow root_below(const Rational& number) {
+  CAROM_EXPECTS(number >= 0, number);
   // √(n/d) = √(n d 4^k) / (d 2^k): the integer root of a number of 320 bits or more loses less than 2⁻¹⁶⁰ of itself.
   constexpr std::size_t least_bits = 322;
   const CGAL::Gmpq& x = Rational::Number::of(number);
@@ -130,6 +139,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 }
 
 Rational lift(long double number) {
+  CAROM_EXPECTS(std::isfinite(number), number);
   // Doubles take the mantissa off in pieces, whatever format long double has here.
   int exponent = 0;
   Rational result;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
@@ -25,8 +26,7 @@ double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    const double arms =
-        2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
+    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
     sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
   }
   return size(c.normal) * sum;
@@ -116,6 +116,7 @@ const Truth<Enclosure>& BoundedCase::colliding_truth(Model model, Branch branch)
 }
 
 const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model, Branch branch) const {
+  CAROM_EXPECTS(is_moderate());
   std::optional<Sensitivity>& known = of_model_[model].sensitivity_below;
   if (!known) {
     known = norms_before();
@@ -143,6 +144,7 @@ std::optional<bool> BoundedCase::reaches_cone() const {
 }
 
 bool BoundedCase::has_clear_divisor() const {
+  CAROM_EXPECTS(is_moderate());
   if (!has_clear_divisor_) {
     const BasicCollision<Approximation>& c = approximate();
     const Vector3<Approximation> d =
@@ -169,6 +171,7 @@ const Enclosure& BoundedCase::enclosed_inverse_mass() const {
 }
 
 double BoundedCase::collision_matrix_sensitivity_below() const {
+  CAROM_EXPECTS(is_moderate());
   if (!collision_matrix_sensitivity_below_) {
     double squares = 0;
     for (int i = 0; i < 3; ++i) {

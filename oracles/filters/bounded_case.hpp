@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -18,7 +20,9 @@ namespace carom::oracles {
 class BoundedCase {
  public:
   /// Precondition: the collision is valid.
-  explicit BoundedCase(const Collision& collision) : collision_(collision) {}
+  explicit BoundedCase(const Collision& collision) : collision_(collision) {
+    CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  }
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;

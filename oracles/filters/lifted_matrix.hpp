@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -45,6 +46,7 @@ class LiftedMatrix {
   /// Precondition for approximations: it was reported.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
+    CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));
     if constexpr (std::is_same_v<T, Rational>) {
       return exact();
     } else {

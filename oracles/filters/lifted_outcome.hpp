@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/solved_outcome.hpp>
 #include <carom/oracles/filters/lifted_matrix.hpp>
 #include <carom/oracles/filters/moderate.hpp>
@@ -46,6 +47,7 @@ class LiftedOutcome {
 
   /// Precondition: reported.
   [[nodiscard]] Outcome<Approximation> approximate() const {
+    CAROM_EXPECTS(reported_.has_value());
     return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
   }
 
@@ -72,6 +74,7 @@ class LiftedOutcome {
 
   /// Whether `rounded` is the reported outcome itself. Precondition: reported.
   [[nodiscard]] bool is_exactly_rounded() const {
+    CAROM_EXPECTS(reported_.has_value());
     bool is_exact = true;
     for (const OutcomeVector k : all_outcome_vectors) {
       is_exact = is_exact && *vectors(*reported_)[k] == vectors(rounded())[k]->template cast<long double>();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -134,6 +135,7 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
 }
 
 Branch ExactCase::branch(Model model) const {
+  CAROM_EXPECTS(has_movable_body(collision()));
   if (model != Model::rough || collision().friction == 0) {
     return Branch::only;
   }
@@ -178,6 +180,7 @@ Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
 }  // namespace
 
 const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
+  CAROM_EXPECTS(as != Approach::colliding || branch(model) != Branch::on_cone, model);
   std::optional<Truth<Rational>>& known = as == Approach::colliding ? of_model_[model].truth : unchanged_;
   if (!known) {
     if (as == Approach::colliding && model == Model::rough) {
@@ -319,6 +322,7 @@ bool ExactCase::is_moderate(Model model) const {
 }
 
 const Sensitivity& ExactCase::sensitivity_below(Model model) const {
+  CAROM_EXPECTS(is_moderate(model), model);
   return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(model, branch(model))
                                            : bounds_.norms_before();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/polynomial.hpp>
 #include <carom/oracles/models/coulomb.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -67,6 +68,7 @@ bool is_positive_at(const Polynomial& polynomial, const PositiveRoots& roots, In
 }  // namespace
 
 std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
+  CAROM_EXPECTS(has_movable_body(c) && normal_velocity_before(c) < 0, normal_velocity_before(c));
   if (c.friction == 0) {
     Truth<Rational> truth = colliding_truth(c, Model::frictionless, Branch::only);
     return {{AnswerKind::frictionless, std::move(truth)}};

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
@@ -42,7 +43,10 @@ class Budget {
   [[nodiscard]] std::uint64_t milliseconds_spent() const { return milliseconds(Clock::now() - start_); }
 
   /// Precondition: there is a budget.
-  [[nodiscard]] std::uint64_t milliseconds_in_all() const { return milliseconds(*of_); }
+  [[nodiscard]] std::uint64_t milliseconds_in_all() const {
+    CAROM_EXPECTS(of_.has_value());
+    return milliseconds(*of_);
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -349,9 +353,11 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
 }  // namespace
 
 GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options) {
+  CAROM_EXPECTS(!options.budget || options.shard.of == 1, options.shard.of);
   std::vector<Claim> claims;
   claims.reserve(subjects.size());
   for (const Subject& subject : subjects) {
+    CAROM_EXPECTS(subject.absent.empty(), subject.name, subject.absent);
     claims.push_back(claim_of(subject, options.yardstick));
   }
   Run run{subjects, claims, options};

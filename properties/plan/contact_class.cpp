@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/plan/contact_class.hpp>
@@ -52,6 +53,7 @@ const char* kind_of(const BasicCollision<Rational>& c) {
 }  // namespace
 
 std::string contact_class_of(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
     return "both immovable";
   }

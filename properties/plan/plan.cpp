@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/plan.hpp>
@@ -255,6 +256,7 @@ Classified classified(std::span<const ClassedCollision> contacts, Plan& plan) {
 std::size_t LawCount::exactly() const { return std::accumulate(by_reason.begin(), by_reason.end(), std::size_t{0}); }
 
 double Part::saving_of(const JudgedCandidate& candidate) const {
+  CAROM_EXPECTS(baseline_nanoseconds && candidate.nanoseconds);
   return *baseline_nanoseconds / *candidate.nanoseconds;
 }
 

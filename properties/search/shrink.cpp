@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/search/shrink.hpp>
 
@@ -103,6 +104,7 @@ long complexity(const Collision& collision) {
 }
 
 std::vector<Collision> simpler(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   Candidates candidates(collision);
   candidates.add([](Collision& c) { c.b = immovable_at(c.b.position); });
   candidates.add([](Collision& c) { c.a = immovable_at(c.a.position); });

@@ -12,6 +12,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/exact/exact_time.hpp>
 
 namespace carom::scene {
@@ -130,6 +131,7 @@ struct ExactTime::Instant {
 };
 
 ExactTime ExactTime::at(double time) {
+  CAROM_EXPECTS(std::isfinite(time), time);
   return ExactTime(std::make_shared<const Instant>(Instant{as_root(Rational(time))}));
 }
 

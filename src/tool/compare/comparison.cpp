@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <carom/collision/expects.hpp>
+
 namespace carom::tool::compare {
 namespace {
 
@@ -107,6 +109,7 @@ std::size_t count_in(const ComparedSubject& subject, Change change) {
 
 /// One subject of both reports; nullptr where one has it not. Precondition: not both.
 ComparedSubject compare_subjects(const ReadSubject* before, const ReadSubject* now) {
+  CAROM_EXPECTS(before != nullptr || now != nullptr);
   ComparedSubject subject;
   subject.name = (now != nullptr ? now : before)->name;
   subject.counts = now != nullptr && now->counts;

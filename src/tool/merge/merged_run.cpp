@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <carom/collision/expects.hpp>
+
 #include "commands/commands.hpp"
 #include "compare/read_report.hpp"
 
@@ -101,6 +103,8 @@ void require_all_once(const std::vector<ReadShard>& shards) {
 
 /// Preconditions: the same subject, on the same families.
 void add(SubjectResult& sum, const SubjectResult& part) {
+  CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
+                part.subject.name);
   const auto cases = static_cast<double>(sum.cases());
   const auto more = static_cast<double>(part.cases());
   if (cases + more > 0) {
