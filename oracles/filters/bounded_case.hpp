@@ -7,7 +7,6 @@
 
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 

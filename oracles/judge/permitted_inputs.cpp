@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <carom/oracles/judge/permitted_inputs.hpp>
+#include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
 namespace {
