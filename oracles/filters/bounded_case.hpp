@@ -9,7 +9,6 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 

@@ -5,6 +5,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
+#include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
 namespace {
