@@ -49,7 +49,7 @@ class OnePass : public testing::TestWithParam<Claimed> {
  protected:
   /// `examinee_of` makes the examinee that is examined of the one that a test names.
   template <class ExamineeOf>
-  static void examine_selected(const std::vector<Claimed>& all, int cases, const ExamineeOf& examinee_of) {
+  static void examine_selected(const std::vector<Claimed>& all, std::uint64_t cases, const ExamineeOf& examinee_of) {
     examination = {.cases = cases};
     claimants.clear();
     places.clear();
