@@ -5,6 +5,8 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "support/cases.hpp"
+
 namespace carom::properties {
 namespace {
 
@@ -71,13 +73,12 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
   if (of_probe.status == Status::violated) {
     return "on the head-on probe: " + text_of(of_probe);
   }
-  constexpr std::uint64_t seed = 20240229;
   for (const Family& family : examination.families) {
     if (family.name == "structured" && !examination.structured) {
       continue;
     }
     for (std::uint64_t i = 0; i < examination.cases; ++i) {
-      const Case one = drawn_case(family, seed, i);
+      const Case one = unit::case_of(family.name, i);
       const Verdict verdict = put(one);
       if (verdict.status == Status::violated) {
         return "in the family " + std::string(family.name) + ": " + text_of(verdict) + in_words(one.collision, "");
