@@ -232,7 +232,9 @@ Feature decade_of(const Quantity& quantity, int k) {
             const double value = measure(c);
             return value >= low && value < high;
           },
-          [set = quantity.set, low](Stream& stream, Collision& c) { set(stream, c, low * (stream.plainly() ? 2 : stream.between(1.25, 9))); }};
+          [set = quantity.set, low](Stream& stream, Collision& c) {
+            set(stream, c, low * (stream.plainly() ? 2 : stream.between(1.25, 9)));
+          }};
 }
 
 }  // namespace

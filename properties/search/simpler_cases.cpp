@@ -53,10 +53,9 @@ std::vector<std::uint64_t> other_answers(const Choice& choice) {
 std::vector<Edit> edits_of(const std::vector<Choice>& choices) {
   const std::size_t count = choices.size();
   std::vector<Edit> edits;
-  // The first choice may be that of the family. A simpler one then reads the others from several places on: one of these
-  // collisions may do.
-  constexpr std::size_t places = 48;
-  for (std::size_t length = 1; length <= std::min(places, count); ++length) {
+  // The first choice may be that of the family. A simpler one then reads the others from several places on: one of
+  // these collisions may do.
+  for (std::size_t length = 1; length <= count; ++length) {
     edits.push_back({Edit::Kind::answer, 0, length, choices[0].question.simplest});
   }
   for (const std::uint64_t bits : fewer_bits) {

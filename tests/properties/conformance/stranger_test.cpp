@@ -26,21 +26,22 @@ Collision shrunk(rc::Shrinkable<Collision> failing) {
   return failing.value();
 }
 
-/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`.
+/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`. An orientation
+/// (w, 0, 0, 0) is none.
 int numbers_to_write(const Collision& collision) {
   int count = 0;
   for_each_number(
       [&](const FieldPath& path, const double& number) {
-        const bool is_unit = number == 1 && (path.field == "mass" || path.field == "principal_inertia" ||
-                                             (path.field == "orientation" && path.component == 0));
+        const bool is_unit = (number == 1 && (path.field == "mass" || path.field == "principal_inertia")) ||
+                             (path.field == "orientation" && path.component == 0);
         count += number == 0 || is_unit ? 0 : 1;
       },
       collision);
   return count;
 }
 
-/// The solver is wrong if a spin turns one body into the other. That takes one component of each of N, r and w, and every
-/// other number may be 0 or a unit.
+/// The solver is wrong if a spin turns one body into the other. That takes one component of each of N, r and w, and
+/// every other number may be 0 or a unit.
 constexpr int most_numbers = 3;
 
 TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {

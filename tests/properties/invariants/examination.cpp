@@ -8,10 +8,10 @@
 
 #include <carom/properties/trial/in_words.hpp>
 
+#include "support/cases.hpp"
+
 namespace carom::properties {
 namespace {
-
-constexpr std::uint64_t seed = 20240229;
 
 /// Two unit spheres of mass 1, one at rest, hit along the line of centres.
 Case head_on_probe() {
@@ -123,7 +123,7 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
   }
   for (const Family* family : families_of(examination)) {
     for (std::uint64_t i = 0; i < examination.cases; ++i) {
-      const Case one = drawn_case(*family, seed, i);
+      const Case one = unit::case_of(family->name, i);
       const Verdict verdict = put(one);
       if (verdict.status == Status::violated) {
         return "in the family " + std::string(family->name) + ": " + text_of(verdict) + in_words(one.collision, "");
@@ -144,7 +144,7 @@ std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination
   put_to_all(head_on_probe(), false);
   for (const Family* family : families_of(examination)) {
     for (std::uint64_t i = 0; i < examination.cases; ++i) {
-      put_to_all(drawn_case(*family, seed, i), true);
+      put_to_all(unit::case_of(family->name, i), true);
     }
   }
   return seen;

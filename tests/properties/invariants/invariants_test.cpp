@@ -134,8 +134,8 @@ INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(on
 /// A subject that returns its input keeps these, so that nothing is tested.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
-    const auto found = find_violation(idle(built_in_examinees().front()), invariant_holds(*invariant_named(name)),
-                                      {.cases = 5});
+    const auto found =
+        find_violation(idle(built_in_examinees().front()), invariant_holds(*invariant_named(name)), {.cases = 5});
     ASSERT_TRUE(found) << name;
     EXPECT_NE(found->find("nothing was tested"), std::string::npos) << *found;
   }
