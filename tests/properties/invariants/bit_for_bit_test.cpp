@@ -162,15 +162,24 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_FALSE(found) << *found;
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
+
+  /// QR takes the sign of an entry of the matrix for that of a reflection. A mirror changes it, but not that of 0.
+  static void holds_but_by_qr(const Question& question) {
+    if (GetParam().name.find("_qr_") == std::string::npos) {
+      holds(question);
+    } else {
+      EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
+    }
+  }
 };
 
 /// A and B enter as x_A − x_B, which changes its sign, and x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
 /// Every product of an invariant expression changes its sign twice or not at all, every other entry its own sign.
-TEST_P(BitForBit, MirrorInX) { holds(bit_for_bit(moved_by(mirror_in_x))); }
-TEST_P(BitForBit, MirrorInY) { holds(bit_for_bit(moved_by(mirror_in_y))); }
-TEST_P(BitForBit, MirrorInZ) { holds(bit_for_bit(moved_by(mirror_in_z))); }
+TEST_P(BitForBit, MirrorInX) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_x))); }
+TEST_P(BitForBit, MirrorInY) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_y))); }
+TEST_P(BitForBit, MirrorInZ) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_z))); }
 
 /// Powers of two change exponents alone, short of over- and underflow, and the square root of an even power is one.
 TEST_P(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { holds(bit_for_bit(units_changed_by(4, -3, 1))); }
