@@ -88,7 +88,8 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
-  if (!JudgedCase(one).is_valid() || invariant.name == "well_conditioned") {
+  const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
+  if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;
   }
   // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
