@@ -34,7 +34,7 @@ struct Property {
   std::string_view title;      // in words
   std::string_view statement;  // one sentence
   /// The invariants that judge it, by their names in the catalogue. Their theorems are the property's
-  /// (invariants/theorems.hpp).
+  /// (`Proof`, invariants/proof.hpp).
   std::vector<std::string_view> invariants;
 };
 

@@ -29,8 +29,7 @@ const std::vector<const Feature*>& ratios_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
     for (const Feature& feature : all_features()) {
-      if (feature.kind == FeatureKind::relation || feature.quantity.ends_with("ratio") ||
-          feature.quantity == "approach") {
+      if (feature.kind == FeatureKind::relation || feature.is_seldom_with_others) {
         features.push_back(&feature);
       }
     }
@@ -52,17 +51,6 @@ void reverse_if_separating(Stream& stream, Collision& c) {
 /// Of the domain: lengths [m], speeds and spins, and a little room.
 constexpr double largest_number = 1e11;
 
-/// How often a quantity is set that follows from others: once in so many cases; 1 where it is free.
-int one_in(const std::string& quantity) {
-  if (quantity.ends_with("moment_ratio")) {
-    return 4;
-  }
-  if (quantity.ends_with("ratio")) {
-    return 6;
-  }
-  return quantity == "approach" || quantity == "restitution" || quantity == "loss" ? 2 : 1;
-}
-
 /// Puts the contact on the surface of the body, at times: 1 to 2 radii of gyration from its centre.
 void draw_surface(Stream& stream, Collision& c, Body& body) {
   const Vector3<double> r = features::lever_arm(c, body);
@@ -80,12 +68,12 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
-    if (!first->quantity.empty() && stream.chance(one_in(first->quantity))) {
+    if (!first->quantity.empty() && stream.chance(first->set_once_in)) {
       const int nearest_to_one = std::clamp(-first->decade, 0, static_cast<int>(count) - 1);
       std::uint64_t chosen = stream.below(count, static_cast<std::uint64_t>(nearest_to_one));
-      if (first->quantity.ends_with("size")) {
+      if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
-      } else if (first->quantity.ends_with("lever_arm")) {
+      } else if (first->drawn_by == DrawnBy::lever_arm) {
         // As long as the body, or much shorter.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
@@ -213,8 +201,7 @@ void sprinkle(Stream& stream, Collision& collision) {
   const int count = stream.integer(1, 4);
   for (int i = 0; i < count; ++i) {
     const Feature& feature = drawn_of(stream, values_and_relations());
-    // Whether a body can move is for the family to say.
-    if (!feature.name.ends_with(".immovable")) {
+    if (!feature.makes_immovable) {
       feature.make(stream, collision);
     }
   }

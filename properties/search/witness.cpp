@@ -101,7 +101,8 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
   // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
-  if (!JudgedCase(one).is_valid() || invariant.name == "well_conditioned") {
+  const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
+  if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;
   }
   const auto still_fails = [&](const Collision& collision) {

@@ -181,7 +181,8 @@ std::vector<std::string> licence_offences(const std::string& path, const std::st
 }
 
 std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {
-  const std::set<std::string> house{"CMakeLists.txt", "README.md", "docs", "oracles", "properties", "src", "tests"};
+  const std::set<std::string> house{"CMakeLists.txt", "CMakePresets.json", "README.md", "docs",
+                                    "oracles",        "properties",        "src",       "tests"};
   std::vector<std::string> offences;
   for (const std::string& name : house) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {

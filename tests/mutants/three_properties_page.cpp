@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/invariants/theorems.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
 #include "one_property_broken.hpp"
 
@@ -31,7 +31,7 @@ std::string listed(const Names& names) {
 
 std::string theorems_in_words(std::string_view invariant) {
   std::vector<std::string> all;
-  for (const properties::Theorem& theorem : properties::theorems_of(invariant)) {
+  for (const properties::Theorem& theorem : properties::invariant_named(invariant)->proof.theorems) {
     all.push_back(fmt::format("[`{}`](../../properties/proofs/{})", theorem.name, theorem.file));
   }
   return fmt::format("{}", fmt::join(all, ", "));
