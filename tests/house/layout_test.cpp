@@ -52,6 +52,10 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"oracles/models/superposition.hpp", "carom/properties/gate/gate.hpp"},
            {"oracles/models/superposition.hpp", "fmt/format.h"},
            {"oracles/exact/rational.hpp", "CGAL/Gmpq.h"},
+           {"oracles/exact/rational.cpp", "CGAL/Gmpq.h"},
+           {"oracles/models/coulomb.cpp", "carom/oracles/exact/gmpq.hpp"},
+           {"oracles/exact/roots.hpp", "CGAL/Algebraic_kernel_d_1.h"},
+           {"oracles/exact/radical.cpp", "CGAL/Algebraic_kernel_d_1.h"},
            {"oracles/models/superposition.hpp", "CGAL/Gmpq.h"},
            {"oracles/laws/equations.hpp", "carom/oracles/exact/rational.hpp"},
            {"oracles/laws/certify.hpp", "carom/oracles/models/models.hpp"},
@@ -103,7 +107,8 @@ TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <carom/collision/outcome.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/numbers/pack.hpp", "#include <experimental/simd>"), "");
   EXPECT_EQ(offence_of("src/subjects/engines/ode.cpp", "#include <ode/ode.h>"), "");
-  EXPECT_EQ(offence_of("oracles/exact/rational.cpp", "#include <CGAL/Gmpq.h>"), "");
+  EXPECT_EQ(offence_of("oracles/exact/gmpq.hpp", "#include <CGAL/Gmpq.h>"), "");
+  EXPECT_EQ(offence_of("oracles/exact/roots.cpp", "#include <CGAL/Algebraic_kernel_d_1.h>"), "");
   EXPECT_EQ(offence_of("properties/gate/gate.cpp", "#include <carom/oracles/judge/accuracy.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/subject.hpp", "#include <carom/impulse/contact.hpp>"), "");
   EXPECT_EQ(offence_of("properties/conformance/suite.hpp", "#include <gtest/gtest.h>"), "");
