@@ -15,7 +15,7 @@
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
 #include <carom/properties/gate/task.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
@@ -298,7 +298,9 @@ class Worker {
   std::vector<Sampled> sampled_;
 };
 
-std::vector<Worker> workers_of(Run& run) { return std::vector<Worker>(std::max(1U, run.options.workers.count), Worker(run)); }
+std::vector<Worker> workers_of(Run& run) {
+  return std::vector<Worker>(std::max(1U, run.options.workers.count), Worker(run));
+}
 
 /// What all workers found of one subject.
 Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {

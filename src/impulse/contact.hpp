@@ -9,8 +9,8 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/principal_inertia.hpp>
-#include <carom/impulse/products.hpp>
 
 namespace carom::impulse {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 
 #include <carom/collision/expects.hpp>
-#include <carom/impulse/products.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/select.hpp>
 
 /// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is a policy of `reflection`.

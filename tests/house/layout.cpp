@@ -34,7 +34,7 @@ const std::vector<Rule>& rules() {
       {"src/collision/json/", "", true, {"carom/collision/", "Eigen/", "nlohmann/"}},
       {"src/collision/", "", true, {"carom/collision/", "Eigen/"}},
       {"src/impulse/", "", true, {"carom/collision/", "carom/impulse/", "Eigen/", "experimental/simd"}},
-      {"src/scene/exact/", "exact_time.cpp", true, {"carom/collision/", "carom/scene/", "CGAL/"}},
+      {"src/scene/", "exact_time.cpp", true, {"carom/collision/", "carom/scene/", "CGAL/"}},
       {"src/scene/json/", "", true, {"carom/collision/", "carom/scene/", "Eigen/", "nlohmann/"}},
       {"src/scene/polyhedra/",
        "",

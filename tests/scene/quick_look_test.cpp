@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/families/stream.hpp>
-#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/exact_time.hpp>
 #include <carom/scene/quick_look.hpp>
 
 #include "paths.hpp"

@@ -4,9 +4,9 @@
 #include <system_error>
 #include <vector>
 
+#include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/adapters.hpp>
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/engines.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
 namespace carom::subjects {

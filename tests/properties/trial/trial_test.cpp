@@ -9,7 +9,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/cases.hpp"

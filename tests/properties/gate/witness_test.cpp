@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 
 #include "support/cases.hpp"
 

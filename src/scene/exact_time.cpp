@@ -13,7 +13,7 @@
 #include <CGAL/Gmpz.h>
 
 #include <carom/collision/expects.hpp>
-#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/exact_time.hpp>
 
 namespace carom::scene {
 namespace {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <string_view>
 
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/search/shrink.hpp>
-#include <carom/properties/search/witness.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/restarts.hpp>
 
