@@ -5,7 +5,7 @@
 
 #include <carom/properties/conformance/examination.hpp>
 #include <carom/properties/conformance/falsified.hpp>
-#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/rapidcheck.hpp>
 
 namespace carom::conformance {
 

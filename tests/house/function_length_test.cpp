@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,8 +19,6 @@ constexpr std::size_t most_lines = 80;
 
 /// Functions with more lines, which wait to be split: the file, and the declaration up to its parameters.
 const std::set<std::string> known_long_functions{
-    "properties/features/approach.cpp: std::vector<Feature> of_approach",
-    "properties/features/both_bodies.cpp: std::vector<Feature> of_both_bodies",
     "properties/features/normal.cpp: std::vector<Feature> of_normal",
     "src/tool/commands/replay_command.cpp: int replay",
     "src/tool/main.cpp: int run_command",
@@ -76,6 +75,28 @@ bool is_head_of_function(std::string_view head) {
   return head.find(')') != std::string_view::npos;
 }
 
+std::size_t lines_in(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// The lines of the statement at the end of a body `{…` that returns a table: a table is no code, and rows that are
+/// functions are measured by themselves.
+std::size_t lines_of_returned_table(std::string_view body) {
+  int depth = 0;
+  std::size_t last = 1;
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < body.size(); ++i) {
+    depth += body[i] == '{' || body[i] == '(' ? 1 : body[i] == '}' || body[i] == ')' ? -1 : 0;
+    const std::size_t after = body.find_first_not_of(" \n", i + 1);
+    const bool ends_block = body[i] == '}' && (after == std::string_view::npos || std::isalpha(body[after]) != 0);
+    if (depth == 0 && (body[i] == ';' || ends_block)) {
+      last = std::exchange(next, i + 1);
+    }
+  }
+  const std::string_view statement = body.substr(std::min(body.find_first_not_of(" \n", last), body.size()));
+  return statement.starts_with("return") ? lines_in(statement) : 0;
+}
+
 /// The declaration up to its parameters of each function with more than `most` lines.
 std::vector<std::string> long_functions(const std::string& source, std::size_t most) {
   const std::string text = without_opaque(source);
@@ -102,12 +123,14 @@ std::vector<std::string> long_functions(const std::string& source, std::size_t m
       heads.pop_back();
       const std::string_view block = std::string_view(text).substr(begin, i - begin);
       const std::string_view declaration = block.substr(0, block.find('{'));
-      const auto lines = static_cast<std::size_t>(std::count(block.begin(), block.end(), '\n')) + 1;
+      const std::string_view body = block.substr(declaration.size());
+      const std::size_t lines = lines_in(block) + 1 - lines_of_returned_table(body);
       if (lines > most && is_head_of_function(declaration)) {
         found.emplace_back(declaration.substr(0, declaration.find('(')));
       }
-      // After the initializer of a member, the head of its constructor goes on.
-      if (head < text.size() && (text[head] == ',' || text[head] == '{')) {
+      // After the initializer of a member, name{…}, the head of its constructor goes on.
+      const bool is_initializer = !declaration.empty() && declaration.back() != ' ';
+      if (is_initializer && head < text.size() && (text[head] == ',' || text[head] == '{')) {
         head = begin;
       }
     }
@@ -140,6 +163,25 @@ TEST(LongFunctions, AreNoTableNoClassAndNoText) {
     EXPECT_EQ(long_functions(function_of_lines(head, 9), 8).size(), 0U) << head;
   }
   EXPECT_EQ(long_functions("const char* text = R\"x(" + function_of_lines("f()", 9) + ")x\";\n", 8).size(), 0U);
+}
+
+TEST(LongFunctions, AreNoTableThatIsReturned) {
+  const std::string row = "[](int x) {\n f();\n f();\n return x; }";
+  const auto rows = [&](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+      text += row + ",\n";
+    }
+    return text;
+  };
+  EXPECT_EQ(long_functions("std::vector<F> all() {\n  return {" + rows(5) + "};\n}\n", 8).size(), 0U);
+  EXPECT_EQ(long_functions("std::vector<F> all() {\n  return {" + rows(5) + "};\n}\n", 3).size(), 5U) << "the rows";
+  EXPECT_EQ(long_functions("std::vector<F> all() {\n  f();\n  return {" + rows(5) + "};\n}\n", 8).size(), 0U);
+  EXPECT_EQ(long_functions(
+                "std::vector<F> all() {\n" + function_of_lines("  if (x)", 9) + "  return {" + rows(5) + "};\n}\n", 9)
+                .size(),
+            1U);
+  EXPECT_EQ(long_functions("int f() {\n  return g();\n" + function_of_lines("  if (x)", 9) + "}\n", 9).size(), 1U);
 }
 
 TEST(LongFunctions, AreMeasuredWhateverBracesLiteralsHave) {
