@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 #include <carom/collision/expects.hpp>

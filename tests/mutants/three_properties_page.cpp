@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "io/threads.hpp"
 #include "three_properties_page.hpp"
 
 #include <iterator>
@@ -11,6 +10,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
+#include "io/threads.hpp"
 #include "one_property_broken.hpp"
 
 namespace carom::mutants {

@@ -130,15 +130,16 @@ std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double qu
 }
 
 std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
-                                          std::span<const Collision> collisions, double limit_ulps, const properties::Workers& workers,
-                                          AnswersOfCoulomb answers_of_coulomb) {
+                                          std::span<const Collision> collisions, double limit_ulps,
+                                          const properties::Workers& workers, AnswersOfCoulomb answers_of_coulomb) {
   std::vector<std::vector<Answer>> answers;
   for (const subjects::Method& method : methods) {
     Session session = method.subject.open();
     answers.push_back(properties::answers_of(session, collisions));
   }
   // Cases outside, methods inside: the truth of a case is worked out once.
-  std::vector<std::vector<ExactnessBuilder>> parts(std::max(1U, workers.count), std::vector<ExactnessBuilder>(methods.size()));
+  std::vector<std::vector<ExactnessBuilder>> parts(std::max(1U, workers.count),
+                                                   std::vector<ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;
   workers.run(parts.size(), [&](std::size_t worker) {
     std::vector<ExactnessBuilder>& part = parts[worker];

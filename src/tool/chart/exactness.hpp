@@ -30,6 +30,7 @@ enum class AnswersOfCoulomb { found, left_out };
 /// cannot hold, or of which nothing is asked. So many threads at once.
 [[nodiscard]] std::vector<Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                         std::span<const Collision> collisions, double limit_ulps,
-                                                        const properties::Workers& workers, AnswersOfCoulomb answers_of_coulomb);
+                                                        const properties::Workers& workers,
+                                                        AnswersOfCoulomb answers_of_coulomb);
 
 }  // namespace carom::tool::chart

@@ -96,7 +96,8 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
 }
 
 std::vector<chart::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
-                                                     const std::vector<Method>& methods, const properties::Workers& workers) {
+                                                     const std::vector<Method>& methods,
+                                                     const properties::Workers& workers) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "io/threads.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -6,8 +8,6 @@
 #include <system_error>
 #include <thread>
 #include <vector>
-
-#include "io/threads.hpp"
 
 namespace carom::tool {
 namespace {

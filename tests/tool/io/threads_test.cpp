@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "io/threads.hpp"
+
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "io/threads.hpp"
 
 namespace carom::tool {
 namespace {
