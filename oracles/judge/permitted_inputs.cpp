@@ -180,7 +180,9 @@ PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& im
   add_body(a_, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
   add_body(b_, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
   for (const OutcomeVector k : all_outcome_vectors) {
-    distance[k] = std::isfinite(distance[k]) ? distance[k] : infinity;
+    if (!std::isfinite(distance[k])) {
+      distance[k] = infinity;
+    }
   }
   return distance;
 }
