@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/quantities.hpp>

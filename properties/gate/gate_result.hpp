@@ -37,7 +37,7 @@ struct GateOptions {
   /// with a budget, nor where each subject is judged to its first violation alone.
   std::vector<const Family*> beyond_domain = {};
   oracles::Yardstick yardstick;  // its unit roundoff is taken from each subject
-  Workers workers = {};          // one for each session of a subject
+  Workers workers = {};          // each opens a session of every subject
   /// Each invariant that relates a collision to others is judged on every so many cases, the next one on other cases;
   /// 0: on every case of subjects in this process, on every fourth of programs, for which each question costs a hundred
   /// times as much. Of a fault in one of 100 answers that one such invariant alone sees, in one family alone, each of

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/plan/contact_class.hpp>

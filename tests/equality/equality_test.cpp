@@ -23,7 +23,7 @@ TEST(JudgeEquality, OfBuiltInSubjects) {
     }
   }
   Agreement agreement;
-  compare_on_families(examined, static_cast<std::uint64_t>(unit::effort(10)), Relations::judged, agreement);
+  compare_on_families(examined, static_cast<std::uint64_t>(unit::effort(50)), Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");
   EXPECT_GT(agreement.verdicts, 10000U);
   for (const properties::Invariant& invariant : properties::all_invariants()) {

@@ -62,9 +62,10 @@ def change(path, insertions):
 
 
 def arguments(line):
-    """Of one call of the compiler. The build has other commands, which delete files: none of them is run here."""
+    """Of one call of the compiler, without its launcher. The build has other commands, which delete files: none of them
+    is run here."""
     words = shlex.split(line)
-    if COMPILER not in words[:2] or any(word in ("&&", "||", ";", "|", "-E") for word in words):
+    if COMPILER not in words or any(word in ("&&", "||", ";", "|") for word in words):
         sys.exit(f"no call of {COMPILER} alone: {line}")
     return words[words.index(COMPILER) + 1:]
 

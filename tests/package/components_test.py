@@ -5,6 +5,7 @@ the packages of src/package/needs.txt are and no others, and uses it from a proj
 named. Ends in 77 if this machine cannot make a bare Debian."""
 
 import pathlib
+import re
 import sys
 import time
 
@@ -19,14 +20,15 @@ USES = {
     "proofs": (None, ["carom-proved </dev/null"]),
     "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5"]),
 }
-BELOW = {"impulse": [], "judge": ["impulse"], "kit": ["judge"], "scenes": ["judge"], "proofs": [], "program": ["judge", "scenes"]}
 
 
 def needs(source, component):
-    """The Debian packages of the component and of those below it."""
+    """The Debian packages of the component and of those below it, which src/cmake/components.cmake names."""
     packages = set()
-    for part in [component, *BELOW[component]]:
-        packages |= set() if part == component else needs(source, part)
+    rows = (source / "src/cmake/components.cmake").read_text(encoding="utf-8")
+    below = re.search(rf"set\(carom_{component}_needs (.*)\)", rows)
+    for part in below[1].split() if below else []:
+        packages |= needs(source, part)
     for line in (source / "src/package/needs.txt").read_text(encoding="utf-8").splitlines():
         name, *rest = line.split()
         packages |= set(rest) if name == component else set()

@@ -38,13 +38,13 @@ bool are_made_of_valid(const PackTask<S>& task) {
 
 template <class S>
 void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
-  CAROM_EXPECTS(are_made_of_valid(task), task.count);
   if (!is_available(set)) {
     throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
   }
   if (!determines_outcome(model)) {
     throw std::invalid_argument("carom::impulse::solve: the model says no law");
   }
+  CAROM_EXPECTS(are_made_of_valid(task), task.count);
 #ifdef CAROM_BATCH_HAS_avx512
   if (set == InstructionSet::avx512) {
     avx512::solve_packs(task, model);

@@ -14,7 +14,9 @@ using impulse::DoubleDouble;
 
 DoubleDouble absolute(const DoubleDouble& x) { return x < DoubleDouble(0) ? -x : x; }
 
-double greatest_size(const Matrix3<DoubleDouble>& matrix) { return matrix.cast<double>().cwiseAbs().maxCoeff(); }
+[[maybe_unused]] double greatest_size(const Matrix3<DoubleDouble>& matrix) {
+  return matrix.cast<double>().cwiseAbs().maxCoeff();
+}
 
 /// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero: t² + 2 t θ − 1 = 0 (G. Golub, C.
 /// Van Loan, "Matrix Computations", §8.5.2).

@@ -232,8 +232,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     // Faces and edges that touch in a part of themselves may need any direction: that in which they are apart soon.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
-      const std::optional<Separation> then =
-          pair.quick_separation(placement_at(a, time + later), placement_at(b, time + later));
+      const double soon = std::min(time + later, horizon);  // the sum may be rounded up
+      const std::optional<Separation> then = pair.quick_separation(placement_at(a, soon), placement_at(b, soon));
       const Vector across = then ? separation.normal.cross(then->normal) : Vector(Vector::Zero());
       const double sine = across.norm();
       if (sine > 0 && sine < 0.5) {

@@ -8,6 +8,7 @@
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/families/sweep.hpp>
+#include <carom/properties/gate/workers.hpp>
 
 #include "chart/measurement.hpp"
 
