@@ -3,15 +3,17 @@
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
 #   packages  install what is missing (sudo where not root)
 #   build     packages, then the program at build/carom; this where no COMMAND is given
-#   package   build, then the Debian packages carom and libcarom-dev in build/package
-#   package-test  package, then both into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   package   build, then the Debian packages in build/package: carom, and libcarom-PART-dev for each component
+#   package-test  package, then all of them into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
+#   component-test  [COMPONENT…]: configures, builds, installs and uses each component in a bare Debian 12 with its own packages alone, as root
 #   ci-test   [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian 12, as root. NAME is one
 #             of action, github, gitlab, script and container; all of them take an hour on two cores
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
 #   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
 #   quick     build the tests of single parts that take least, and run them: the first answer to an edit
-#   test      build, then all tests (`ctest ARG…`)
+#   test      build, then the tests that a change needs (`ctest ARG…`): of the heavy ones a share of their cases
+#   test all  all tests, with all of their cases, the proofs, the browser, the installed libraries, every instruction set
 #   proofs    build, then check the proofs, print each theorem with the axioms that it rests on, and hold the oracle that is
 #             extracted of them against ours on 10,000 collisions: six minutes on two cores
 #   bench     build, then print what solvers, batches, judge and gate take; exit status 1 if a solver takes more than four times
@@ -25,12 +27,13 @@
 #   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
 #   mutation  change one operator, sign, number, comparison or term of the judge at a time, and ask whether the tests notice,
 #             in build-mutation; `mutation --help` says what its figures mean
-#   lint      clang-format, shellcheck, and clang-tidy (of all files, or of FILE…), in build-lint
+#   lint      clang-format, shellcheck, and clang-tidy of all files, in build-lint-all
+#   lint FILE…  clang-tidy of these alone, in build-lint; `lint change` takes those that differ from HEAD
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcgal-dev libmpfi-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-  libpugixml-dev libfcl-dev libbenchmark-dev gnuplot-nox libgtest-dev librapidcheck-dev)
+mapfile -t packages < <(sed '/^#/d; /^proofs /d; s/^[a-z]* //' src/package/needs.txt | tr ' ' '\n' | sort -u)
+packages+=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
@@ -60,23 +63,31 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# configure DIRECTORY CACHE: with the choices of src/cmake/caches/CACHE.cmake
+# configure PRESET: with the choices of CMakePresets.json, in the directory that it names
 configure() {
-  cmake -S . -B "$1" -G Ninja -Wno-dev --log-level=WARNING -C "src/cmake/caches/$2.cmake" >/dev/null
+  cmake --preset "$1" -Wno-dev --log-level=WARNING >/dev/null
 }
 
-# What the tests start besides: the examples' interpreters, a reader of the schema, and a browser for the report.
+# The tests start these programs: the examples' interpreters, and a reader of the schema.
 install_test_programs() {
   local programs=(python3 python3-jsonschema python3-yaml)
   command -v node >/dev/null || programs+=(nodejs)
-  command -v chromium >/dev/null || programs+=(chromium)
-  install_packages "${programs[@]}"
+  install_packages "${programs[@]}" "$@"
+}
+
+# The same for all tests: a browser for the report, and what checks the proofs.
+install_all_test_programs() {
+  local browser=()
+  command -v chromium >/dev/null || browser=(chromium)
+  install_test_programs "${browser[@]}"
   install_proof_checker
 }
 
 # What checks the proofs, and builds the oracle that is extracted of them.
 install_proof_checker() {
-  install_packages coq libcoq-flocq ocaml-findlib libzarith-ocaml-dev libyojson-ocaml-dev python3
+  local of_proofs
+  read -ra of_proofs < <(sed -n 's/^proofs //p' src/package/needs.txt)
+  install_packages "${of_proofs[@]}"
 }
 
 # The page of replays is bundled from packages of npm; without them all else is built.
@@ -88,11 +99,17 @@ install_replay() {
     echo "bootstrap: npm cannot install what replays of scenes are bundled from; the program will write none" >&2
 }
 
+# build TARGET [PRESET]
 build() {
   install_packages
   install_replay
-  configure build everything
+  configure "${2:-default}"
   cmake --build build --parallel "$jobs" --target "$1" >&2
+}
+
+# run_tests DIRECTORY [ARG…]: one more at a time than there are processors, since some wait for programs that hang.
+run_tests() {
+  exec ctest --test-dir "$1" --output-on-failure --parallel "$((jobs + 1))" "${@:2}"
 }
 
 # Of what is ours, the files whose names match.
@@ -100,14 +117,25 @@ sources() {
   find src oracles properties tests docs/examples .ci .github -name node_modules -prune -o -type f "$@" -print
 }
 
+# clang-tidy reads the whole tree many files at a time, and a few files each by itself.
 lint() {
-  local status=0 files
+  local status=0 files preset=lint-all checks='-bugprone-suspicious-include'
+  if [ "${1:-}" = change ]; then
+    mapfile -t files < <(git diff --name-only --diff-filter=d HEAD -- '*.cpp' && git ls-files --others --exclude-standard -- '*.cpp')
+    set -- "${files[@]}"
+    [ $# -eq 0 ] && set -- '^$' # no source has changed
+  fi
+  if [ $# -gt 0 ]; then
+    preset=lint checks=''
+  else
+    set -- '^(?!.*/replay_page\.cpp$)' # the one source that is generated
+  fi
   mapfile -t files < <(sources -name '*.[ch]pp')
   clang-format --dry-run --Werror "${files[@]}" || status=1
   mapfile -t files < <(sources '(' -name '*.sh' -o -path '.ci/*' ')')
   shellcheck "${files[@]}" || status=1
-  configure build-lint lint
-  run-clang-tidy -quiet -p build-lint -j "$jobs" "$@" 2> >(grep -v ' warnings\? generated\.$' >&2) || status=1
+  configure "$preset"
+  run-clang-tidy -quiet -p "build-$preset" -checks="$checks" -j "$jobs" "$@" 2> >(grep -v ' warnings\? generated\.$' >&2) || status=1
   return "$status"
 }
 
@@ -159,13 +187,17 @@ packages) install_packages ;;
 build) build carom_programs ;;
 package)
   install_packages dpkg-dev file
-  build carom_package
+  build carom_package everything
   ls build/package/*.deb
   ;;
 package-test)
   install_packages dpkg-dev file debootstrap python3
-  build carom_package
+  build carom_package everything
   exec python3 tests/package/package_test.py build/package build/tests/package/installed .
+  ;;
+component-test)
+  install_packages debootstrap python3
+  exec python3 tests/package/components_test.py build/tests/package/components . "$@"
   ;;
 ci-test)
   install_packages debootstrap git python3 python3-yaml
@@ -191,13 +223,17 @@ scenes)
   ;;
 quick)
   build carom_unit_tests
-  exec ctest --test-dir build --output-on-failure --parallel "$jobs" --label-regex '^unit$' "$@"
+  run_tests build --label-regex '^unit$' --label-exclude '^thorough$' "$@"
   ;;
 test)
+  if [ "${1:-}" = all ]; then
+    install_all_test_programs
+    build carom_all_tests everything
+    run_tests build "${@:2}"
+  fi
   install_test_programs
-  build all
-  # One more than there are processors: some tests wait for programs that hang.
-  exec ctest --test-dir build --output-on-failure --parallel "$((jobs + 1))" "$@"
+  build carom_default_tests
+  run_tests build --label-exclude '^thorough$' "$@"
   ;;
 proofs)
   install_proof_checker
@@ -235,21 +271,21 @@ compare)
   exit "$status"
   ;;
 sanitize)
-  install_test_programs
-  configure build-sanitize sanitize
-  cmake --build build-sanitize --parallel "$jobs" >&2
-  exec ctest --test-dir build-sanitize --output-on-failure --parallel "$jobs" "$@"
+  install_all_test_programs
+  configure sanitize
+  cmake --build build-sanitize --parallel "$jobs" --target carom_all_tests >&2
+  run_tests build-sanitize "$@"
   ;;
 tsan)
   install_packages
-  configure build-tsan tsan
+  configure tsan
   cmake --build build-tsan --parallel "$jobs" --target carom_programs carom_tool_tests >&2
-  exec ctest --test-dir build-tsan --output-on-failure --parallel "$jobs" --label-regex '^tool$' "$@"
+  run_tests build-tsan --label-regex '^tool$' --label-exclude '^thorough$' "$@"
   ;;
 fuzz)
   install_packages
   install_fuzzer
-  configure build-fuzz fuzz
+  configure fuzz
   cmake --build build-fuzz --parallel "$jobs" --target carom_fuzzers >&2
   status=0
   for source in build-fuzz/tests/fuzz/seeds/*; do
@@ -262,10 +298,10 @@ same-cases)
   exec bash tests/properties/families/same_cases.sh . build-same-cases "$@"
   ;;
 coverage)
-  install_test_programs
+  install_all_test_programs
   install_packages gcovr
-  configure build-coverage coverage
-  cmake --build build-coverage --parallel "$jobs" >&2
+  configure coverage
+  cmake --build build-coverage --parallel "$jobs" --target carom_all_tests >&2
   find build-coverage -name '*.gcda' -delete
   ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" "$@" >&2
   gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \

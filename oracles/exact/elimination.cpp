@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
 #include <stdexcept>
-#include <utility>
 
+#include <CGAL/Linear_algebraCd.h>
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/elimination.hpp>
+#include <carom/oracles/exact/gmpq.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -136,31 +138,28 @@ void write_tangential_law(System& system, std::size_t row, const BasicCollision<
   determines_no_outcome(model);
 }
 
-std::array<Rational, unknowns> eliminate(System system) {
-  for (std::size_t column = 0; column < unknowns; ++column) {
-    std::size_t pivot = column;
-    while (pivot < unknowns && system[pivot][column] == 0) {
-      ++pivot;
+std::array<Rational, unknowns> solved(const System& system) {
+  using Algebra = CGAL::Linear_algebraCd<CGAL::Gmpq>;
+  Algebra::Matrix left(unknowns, unknowns);
+  Algebra::Vector right(unknowns);
+  for (int row = 0; row < unknowns; ++row) {
+    const auto& equation = system[static_cast<std::size_t>(row)];
+    for (int column = 0; column < unknowns; ++column) {
+      left[row][column] = Rational::Number::of(equation[static_cast<std::size_t>(column)]);
     }
-    if (pivot == unknowns) {
-      throw std::logic_error("the defining equations are singular");
-    }
-    std::swap(system[pivot], system[column]);
-    for (std::size_t row = 0; row < unknowns; ++row) {
-      if (row == column || system[row][column] == 0) {
-        continue;
-      }
-      const Rational factor = system[row][column] / system[column][column];
-      for (std::size_t k = column; k <= unknowns; ++k) {
-        if (system[column][k] != 0) {
-          system[row][k] -= factor * system[column][k];
-        }
-      }
-    }
+    right[row] = Rational::Number::of(equation[unknowns]);
+  }
+  Algebra::Vector numerators;
+  CGAL::Gmpq denominator;
+  Algebra::Matrix kernel;
+  Algebra::Vector certificate;
+  if (!Algebra::linear_solver(left, right, numerators, denominator, kernel, certificate) ||
+      kernel.column_dimension() != 0) {
+    throw std::logic_error("the defining equations are singular");
   }
   std::array<Rational, unknowns> solution;
-  for (std::size_t i = 0; i < unknowns; ++i) {
-    solution[i] = system[i][unknowns] / system[i][i];
+  for (int i = 0; i < unknowns; ++i) {
+    solution[static_cast<std::size_t>(i)] = Rational::Number::made([&] { return numerators[i] / denominator; });
   }
   return solution;
 }
@@ -168,6 +167,7 @@ std::array<Rational, unknowns> eliminate(System system) {
 }  // namespace
 
 Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Model model) {
+  CAROM_EXPECTS(has_movable_body(collision));
   System system{};
   write_body(system, 0, collision.a, collision.point, 1);
   write_body(system, 6, collision.b, collision.point, -1);
@@ -177,7 +177,7 @@ Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, 
   for (std::size_t k = 0; k < tangent.size(); ++k) {
     write_tangential_law(system, 13 + k, collision, tangent[k], model);
   }
-  const auto x = eliminate(std::move(system));
+  const auto x = solved(system);
   const auto part = [&](std::size_t first) { return Vector3<Rational>{x[first], x[first + 1], x[first + 2]}; };
   return {part(first_of_f), {{part(0), part(3)}, {part(6), part(9)}}};
 }

@@ -61,7 +61,8 @@ class Radical {
  private:
   Radical(const Rational& rational, const Rational& coefficient, const Rational& under_root)
       : rational_(rational), coefficient_(coefficient), under_root_(under_root) {}
-  friend Radical conjugate(const Radical& number);
+  template <class Operation>
+  static Radical combined(const Radical& x, const Radical& y, const Operation& operation);
 
   Rational rational_;
   Rational coefficient_;

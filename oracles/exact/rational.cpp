@@ -4,43 +4,27 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <new>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-#include <CGAL/Gmpq.h>
-
-#include <carom/oracles/exact/rational.hpp>
+#include <carom/collision/expects.hpp>
+#include <carom/oracles/exact/gmpq.hpp>
 
 namespace carom::oracles {
 
-/// The number that a Rational's bytes are.
-struct Rational::Number {
-  static const CGAL::Gmpq& of(const Rational& number) {
-    return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_.data()));
-  }
-  static CGAL::Gmpq& of(Rational& number) {
-    return *std::launder(reinterpret_cast<CGAL::Gmpq*>(number.number_.data()));
-  }
-  template <class Make>
-  static Rational made(const Make& make) {
-    return Rational(std::in_place, make);
-  }
-};
-
-template <class Make>
-Rational::Rational(std::in_place_t, const Make& make) {
-  static_assert(sizeof(CGAL::Gmpq) == sizeof number_ && alignof(CGAL::Gmpq) <= alignof(void*));
-  new (number_.data()) CGAL::Gmpq(make());
-}
-
 Rational::Rational() : Rational(std::in_place, [] { return CGAL::Gmpq(); }) {}
 Rational::Rational(int numerator, int denominator)
-    : Rational(std::in_place,
-               [&] { return denominator == 1 ? CGAL::Gmpq(numerator) : CGAL::Gmpq(numerator, denominator); }) {}
-Rational::Rational(double number) : Rational(std::in_place, [&] { return CGAL::Gmpq(number); }) {}
+    : Rational(std::in_place, [&] {
+        CAROM_EXPECTS(denominator != 0, numerator);
+        return denominator == 1 ? CGAL::Gmpq(numerator) : CGAL::Gmpq(numerator, denominator);
+      }) {}
+Rational::Rational(double number)
+    : Rational(std::in_place, [&] {
+        CAROM_EXPECTS(std::isfinite(number), number);
+        return CGAL::Gmpq(number);
+      }) {}
 Rational::Rational(const std::string& digits) : Rational(std::in_place, [&] { return CGAL::Gmpq(digits); }) {}
 Rational::Rational(const Rational& other) noexcept
     : Rational(std::in_place, [&]() -> const CGAL::Gmpq& { return Number::of(other); }) {}
@@ -70,6 +54,7 @@ Rational operator*(const Rational& left, const Rational& right) {
   return Rational::Number::made([&] { return Rational::Number::of(left) * Rational::Number::of(right); });
 }
 Rational operator/(const Rational& left, const Rational& right) {
+  CAROM_EXPECTS(right != 0, left);
   return Rational::Number::made([&] { return Rational::Number::of(left) / Rational::Number::of(right); });
 }
 
@@ -96,6 +81,7 @@ double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of
 int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number).mpq()); }
 
 RootBelow root_below(const Rational& number) {
+  CAROM_EXPECTS(number >= 0, number);
   // √(n/d) = √(n d 4^k) / (d 2^k): the integer root of a number of 320 bits or more loses less than 2⁻¹⁶⁰ of itself.
   constexpr std::size_t least_bits = 322;
   const CGAL::Gmpq& x = Rational::Number::of(number);
@@ -130,6 +116,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 }
 
 Rational lift(long double number) {
+  CAROM_EXPECTS(std::isfinite(number), number);
   // Doubles take the mantissa off in pieces, whatever format long double has here.
   int exponent = 0;
   Rational result;

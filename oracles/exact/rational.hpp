@@ -16,7 +16,7 @@ namespace carom::oracles {
 
 /// An exact rational number: CGAL::Gmpq, kept out of sight. Every finite floating-point number is one. CGAL's headers
 /// take seconds to compile, and the operators of Gmpq, some hundred functions, take part in overload resolution
-/// wherever two matrices are added or multiplied: only rational.cpp sees them.
+/// wherever two matrices are added or multiplied: only the files that include gmpq.hpp see them.
 class Rational {
  public:
   Rational();  // zero
@@ -65,8 +65,9 @@ class Rational {
   friend int sign_of(const Rational& number);
   friend struct RootBelow root_below(const Rational& number);
 
+  struct Number;  // the access to CGAL's number, in gmpq.hpp
+
  private:
-  struct Number;
   template <class Make>
   Rational(std::in_place_t, const Make& make);
   [[nodiscard]] int compared_with(int whole) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
@@ -25,8 +26,7 @@ double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    const double arms =
-        2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
+    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
     sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
   }
   return size(c.normal) * sum;
@@ -49,24 +49,17 @@ double norm_below(const Vector3<Approximation>& y) {
 }  // namespace
 
 const BasicCollision<Enclosure>& BoundedCase::enclosed() const {
-  if (!enclosed_) {
-    enclosed_ = map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); });
-  }
-  return *enclosed_;
+  return enclosed_.get(
+      [this] { return map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); }); });
 }
 
 const BasicCollision<Approximation>& BoundedCase::approximate() const {
-  if (!approximate_) {
-    approximate_ = map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); });
-  }
-  return *approximate_;
+  return approximate_.get(
+      [this] { return map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); }); });
 }
 
 bool BoundedCase::is_moderate() const {
-  if (!is_moderate_) {
-    is_moderate_ = oracles::is_moderate(collision_);
-  }
-  return *is_moderate_;
+  return is_moderate_.get([this] { return oracles::is_moderate(collision_); });
 }
 
 std::optional<BoundedCase::NormalVelocity> BoundedCase::normal_velocity() const {
@@ -81,53 +74,46 @@ std::optional<BoundedCase::NormalVelocity> BoundedCase::normal_velocity() const 
 }
 
 double BoundedCase::normal_velocity_sensitivity_above() const {
-  if (!normal_velocity_sensitivity_above_) {
-    normal_velocity_sensitivity_above_ = sum_of_sizes(collision_);
-  }
-  return *normal_velocity_sensitivity_above_;
+  return normal_velocity_sensitivity_above_.get([this] { return sum_of_sizes(collision_); });
 }
 
 const Sensitivity& BoundedCase::norms_before() const {
-  if (!norms_before_) {
-    norms_before_ = oracles::norms_before(collision_);
-  }
-  return *norms_before_;
+  return norms_before_.get([this] { return oracles::norms_before(collision_); });
 }
 
 const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const {
-  if (!differentiated_) {
-    differentiated_ = std::make_unique<DualInputs<double, collision_inputs>>(
+  return *differentiated_.get([this] {
+    return std::make_unique<DualInputs<double, collision_inputs>>(
         dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; }));
-  }
-  return *differentiated_;
+  });
 }
 
 const Truth<Enclosure>& BoundedCase::colliding_truth(Model model, Branch branch) const {
-  std::optional<Truth<Enclosure>>& known = of_model_[model].truth;
-  if (!known) {
+  return of_model_[model].truth.get([&] {
     if (is_moderate()) {
-      known = refined_truth(collision_, enclosed(), approximate(), model, branch, approximate_response());
+      Truth<Enclosure> refined =
+          refined_truth(collision_, enclosed(), approximate(), model, branch, approximate_response());
+      if (is_bounded(refined)) {
+        return refined;
+      }
     }
-    if (!known || !is_bounded(*known)) {
-      known = oracles::colliding_truth(enclosed(), model, branch);
-    }
-  }
-  return *known;
+    return oracles::colliding_truth(enclosed(), model, branch);
+  });
 }
 
 const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model, Branch branch) const {
-  std::optional<Sensitivity>& known = of_model_[model].sensitivity_below;
-  if (!known) {
-    known = norms_before();
+  CAROM_EXPECTS(is_moderate());
+  return of_model_[model].sensitivity_below.get([&] {
+    Sensitivity below = norms_before();
     const Vector3<Approximation> impulse =
         colliding_impulse<Approximation>(approximate(), model, branch, &approximate_response().matrix);
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     for (const OutcomeVector k : all_outcome_vectors) {
       const double half = norm_below(*vectors(outcome)[k]) / 2;
-      (*known)[k] += std::isfinite(half) ? half : 0;
+      below[k] += std::isfinite(half) ? half : 0;
     }
-  }
-  return *known;
+    return below;
+  });
 }
 
 std::optional<bool> BoundedCase::is_inside_cone() const {
@@ -143,17 +129,16 @@ std::optional<bool> BoundedCase::reaches_cone() const {
 }
 
 bool BoundedCase::has_clear_divisor() const {
-  if (!has_clear_divisor_) {
+  CAROM_EXPECTS(is_moderate());
+  return has_clear_divisor_.get([this] {
     const BasicCollision<Approximation>& c = approximate();
     const Vector3<Approximation> d =
         detail::RoughImpulses<Approximation>(c, &approximate_response().matrix).difference();
     const Vector3<Approximation> tangential = c.normal.cross(d);
     const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
                          (c.friction * c.normal.dot(d)).magnitude_above();
-    has_clear_divisor_ =
-        Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
-  }
-  return *has_clear_divisor_;
+    return Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
+  });
 }
 
 bool BoundedCase::is_well_conditioned() const {
@@ -162,14 +147,12 @@ bool BoundedCase::is_well_conditioned() const {
 }
 
 const Enclosure& BoundedCase::enclosed_inverse_mass() const {
-  if (!enclosed_inverse_mass_) {
-    enclosed_inverse_mass_ = inverse_mass(enclosed());
-  }
-  return *enclosed_inverse_mass_;
+  return enclosed_inverse_mass_.get([this] { return inverse_mass(enclosed()); });
 }
 
 double BoundedCase::collision_matrix_sensitivity_below() const {
-  if (!collision_matrix_sensitivity_below_) {
+  CAROM_EXPECTS(is_moderate());
+  return collision_matrix_sensitivity_below_.get([this] {
     double squares = 0;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -184,21 +167,16 @@ double BoundedCase::collision_matrix_sensitivity_below() const {
     }
     const double norm = std::sqrt(squares);
     const double lambda = approximate_inverse_mass().magnitude_below();
-    collision_matrix_sensitivity_below_ =
-        norm >= case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
-  }
-  return *collision_matrix_sensitivity_below_;
+    return norm >= case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+  });
 }
 
 const ApproximateResponse& BoundedCase::approximate_response() const {
-  if (!approximate_response_) {
-    approximate_response_.emplace(approximate());
-  }
-  return *approximate_response_;
+  return approximate_response_.get([this] { return ApproximateResponse(approximate()); });
 }
 
 const BoundedCase::InertiaTensors& BoundedCase::inertia_tensors() const {
-  if (!inertia_tensors_) {
+  return inertia_tensors_.get([this] {
     const auto tensor_of = [](const Body& body) {
       Matrix3<double> tensor = Matrix3<double>::Zero();
       for (int i = 0; i < 3 && !body.immovable; ++i) {
@@ -206,9 +184,8 @@ const BoundedCase::InertiaTensors& BoundedCase::inertia_tensors() const {
       }
       return tensor;
     };
-    inertia_tensors_ = {tensor_of(collision_.a), tensor_of(collision_.b)};
-  }
-  return *inertia_tensors_;
+    return InertiaTensors{tensor_of(collision_.a), tensor_of(collision_.b)};
+  });
 }
 
 }  // namespace carom::oracles

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/filters/refined_truth.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
@@ -18,7 +20,9 @@ namespace carom::oracles {
 class BoundedCase {
  public:
   /// Precondition: the collision is valid.
-  explicit BoundedCase(const Collision& collision) : collision_(collision) {}
+  explicit BoundedCase(const Collision& collision) : collision_(collision) {
+    CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  }
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
@@ -44,11 +48,7 @@ class BoundedCase {
   /// asked for.
   template <class Differentiate>
   [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
-    std::optional<PerVector<double>>& known = slopes_[equation];
-    if (!known) {
-      known = differentiate();
-    }
-    return *known;
+    return slopes_[equation].get(differentiate);
   }
 
   /// The collision with its numbers as inputs of differentiation.
@@ -92,8 +92,8 @@ class BoundedCase {
  private:
   /// What is known of one model.
   struct OfModel {
-    std::optional<Truth<Enclosure>> truth;
-    std::optional<Sensitivity> sensitivity_below;
+    Lazy<Truth<Enclosure>> truth;
+    Lazy<Sensitivity> sensitivity_below;
   };
   struct InertiaTensors {
     Matrix3<double> a;
@@ -104,19 +104,19 @@ class BoundedCase {
   [[nodiscard]] const InertiaTensors& inertia_tensors() const;
 
   Collision collision_;
-  mutable std::optional<bool> is_moderate_;
-  mutable std::optional<BasicCollision<Enclosure>> enclosed_;
-  mutable std::optional<BasicCollision<Approximation>> approximate_;
-  mutable std::optional<ApproximateResponse> approximate_response_;
-  mutable std::unique_ptr<DualInputs<double, collision_inputs>> differentiated_;  // large, and seldom asked for
-  mutable std::optional<double> normal_velocity_sensitivity_above_;
-  mutable std::optional<Sensitivity> norms_before_;
-  mutable PerAffineEquation<std::optional<PerVector<double>>> slopes_;
-  mutable PerModel<OfModel> of_model_;
-  mutable std::optional<bool> has_clear_divisor_;
-  mutable std::optional<double> collision_matrix_sensitivity_below_;
-  mutable std::optional<Enclosure> enclosed_inverse_mass_;
-  mutable std::optional<InertiaTensors> inertia_tensors_;
+  Lazy<bool> is_moderate_;
+  Lazy<BasicCollision<Enclosure>> enclosed_;
+  Lazy<BasicCollision<Approximation>> approximate_;
+  Lazy<ApproximateResponse> approximate_response_;
+  Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large, and seldom asked for
+  Lazy<double> normal_velocity_sensitivity_above_;
+  Lazy<Sensitivity> norms_before_;
+  PerAffineEquation<Lazy<PerVector<double>>> slopes_;
+  PerModel<OfModel> of_model_;
+  Lazy<bool> has_clear_divisor_;
+  Lazy<double> collision_matrix_sensitivity_below_;
+  Lazy<Enclosure> enclosed_inverse_mass_;
+  Lazy<InertiaTensors> inertia_tensors_;
 };
 
 }  // namespace carom::oracles

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/closeness.hpp>
 #include <carom/oracles/filters/closeness_bounds.hpp>
 #include <carom/oracles/filters/slopes.hpp>
@@ -10,6 +11,8 @@ namespace carom::oracles {
 Closeness::Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome& outcome,
                      const PerVector<double>& error_above, double allowance)
     : bounds_(&bounds), model_(model), outcome_(&outcome), error_above_(error_above), allowance_(allowance) {
+  CAROM_EXPECTS(determines_outcome(model) && bounds.is_moderate() && outcome.is_moderate() && allowance > 0, model,
+                allowance);
   const PerVector<double> norms = outcome.norms();
   for (const OutcomeVector k : all_outcome_vectors) {
     sizes_[k] = norms[k] + bounds.norms_before()[k];

@@ -7,7 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
+#include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
@@ -30,28 +32,22 @@ class LiftedMatrix {
   }
 
   [[nodiscard]] const Matrix3<Rational>& exact() const {
-    if (!exact_) {
-      exact_.emplace();
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-          (*exact_)(i, j) = lift((*reported_)(i, j));
-        }
-      }
-    }
-    return *exact_;
+    return exact_.get(
+        [this]() -> Matrix3<Rational> { return reported_->unaryExpr([](long double x) { return lift(x); }); });
   }
 
   /// In the numbers T: exact rationals; approximations and enclosures with their bounds; of any other T rounded.
   /// Precondition for approximations: it was reported.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
+    CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));
     if constexpr (std::is_same_v<T, Rational>) {
       return exact();
     } else {
       if (reported_) {
         return reported_->unaryExpr([](long double x) { return number<T>(x); });
       }
-      return exact_->unaryExpr([](const Rational& x) { return number<T>(x); });
+      return exact().unaryExpr([](const Rational& x) { return number<T>(x); });
     }
   }
 
@@ -80,7 +76,7 @@ class LiftedMatrix {
   }
 
   std::optional<Matrix3<long double>> reported_;
-  mutable std::optional<Matrix3<Rational>> exact_;
+  Lazy<Matrix3<Rational>> exact_;
 };
 
 }  // namespace carom::oracles

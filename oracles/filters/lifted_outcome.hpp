@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/solved_outcome.hpp>
+#include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/filters/lifted_matrix.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
@@ -26,12 +28,13 @@ class LiftedOutcome {
   }
 
   explicit LiftedOutcome(const SolvedOutcome<Rational>& exact)
-      : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })) {
+      : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
+        further_(std::make_unique<Further>(
+            Further{Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
+                    Lazy<Outcome<Rational>>(exact)})) {
     if (exact.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*exact.collision_matrix);
     }
-    further().enclosed = map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); });
-    further().exact = exact;
   }
 
   /// As the subject reported it; nullptr where it was computed in ℚ.
@@ -46,32 +49,25 @@ class LiftedOutcome {
 
   /// Precondition: reported.
   [[nodiscard]] Outcome<Approximation> approximate() const {
+    CAROM_EXPECTS(reported_.has_value());
     return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
   }
 
   [[nodiscard]] const Outcome<Enclosure>& enclosed() const {
-    std::optional<Outcome<Enclosure>>& enclosed = further().enclosed;
-    if (!enclosed) {
-      enclosed = map_outcome<Enclosure>(*reported_, [](long double x) { return Enclosure(x); });
-    }
-    return *enclosed;
+    return further().enclosed.get(
+        [this] { return map_outcome<Enclosure>(*reported_, [](long double x) { return Enclosure(x); }); });
   }
   [[nodiscard]] const Outcome<double>& rounded() const {
-    if (!rounded_) {
-      rounded_ = map_outcome<double>(*reported_, [](long double x) { return static_cast<double>(x); });
-    }
-    return *rounded_;
+    return rounded_.get(
+        [this] { return map_outcome<double>(*reported_, [](long double x) { return static_cast<double>(x); }); });
   }
   [[nodiscard]] const Outcome<Rational>& exact() const {
-    std::optional<Outcome<Rational>>& exact = further().exact;
-    if (!exact) {
-      exact = lift(*reported_);
-    }
-    return *exact;
+    return further().exact.get([this] { return lift(*reported_); });
   }
 
   /// Whether `rounded` is the reported outcome itself. Precondition: reported.
   [[nodiscard]] bool is_exactly_rounded() const {
+    CAROM_EXPECTS(reported_.has_value());
     bool is_exact = true;
     for (const OutcomeVector k : all_outcome_vectors) {
       is_exact = is_exact && *vectors(*reported_)[k] == vectors(rounded())[k]->template cast<long double>();
@@ -85,15 +81,12 @@ class LiftedOutcome {
  private:
   /// What most outcomes are judged without.
   struct Further {
-    std::optional<Outcome<Enclosure>> enclosed;
-    std::optional<Outcome<Rational>> exact;
+    Lazy<Outcome<Enclosure>> enclosed;
+    Lazy<Outcome<Rational>> exact;
   };
 
-  Further& further() const {
-    if (!further_) {
-      further_ = std::make_unique<Further>();
-    }
-    return *further_;
+  const Further& further() const {
+    return *further_.get([] { return std::make_unique<Further>(); });
   }
 
   /// Each number moderate.
@@ -109,9 +102,9 @@ class LiftedOutcome {
 
   std::optional<Outcome<long double>> reported_;
   std::unique_ptr<LiftedMatrix> collision_matrix_;
-  mutable std::optional<Outcome<double>> rounded_;
+  Lazy<Outcome<double>> rounded_;
   bool is_moderate_ = false;
-  mutable std::unique_ptr<Further> further_;
+  Lazy<std::unique_ptr<Further>> further_;
 };
 
 }  // namespace carom::oracles

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/slopes.hpp>
 
 namespace carom::oracles {
@@ -20,6 +21,7 @@ Collision general_collision() {
 }  // namespace
 
 PerVector<double> slopes_of(const Equation& equation, const Collision& collision) {
+  CAROM_EXPECTS(name_of(equation).has_value());
   return std::visit(
       [&](const auto& one) { return output_slopes<double, outcome_inputs>(one, collision, unchanged(collision)); },
       equation);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/filters/slopes.hpp>
 #include <carom/oracles/filters/stage.hpp>
@@ -236,6 +237,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
+  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate());
   const double part = part_by_outputs(equation, exact_case, outcome, sizes);
   return is_in_range(part) ? part : 0;
 }
@@ -332,6 +334,7 @@ Comparison compare(const Equation& equation, Relation relation, const ExactCase&
 
 Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case, const LiftedOutcome& outcome,
                              const Yardstick& yardstick) {
+  CAROM_EXPECTS(shown.is_finite());
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
   if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
     Comparison undecided;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/coulomb_case.hpp>
 
@@ -14,6 +15,7 @@ std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case) {
 
 NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,
                              const Outcome<long double>& outcome) {
+  CAROM_EXPECTS(!answers.empty() && is_finite(outcome), answers.size());
   const Outcome<Rational> exact = lift(outcome);
   NearestAnswer nearest{0, -HUGE_VAL};
   for (std::size_t i = 0; i < answers.size(); ++i) {

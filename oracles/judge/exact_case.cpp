@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/case_bounds.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -77,21 +79,18 @@ std::optional<int> known_sign(const Rational& x) { return sign_of(x); }
 ExactCase::ExactCase(const Collision& collision, bool filtered) : bounds_(collision), filtered_(filtered) {}
 
 const BasicCollision<Rational>& ExactCase::exact() const {
-  if (!exact_) {
-    exact_ = lift(collision());
-  }
-  return *exact_;
+  return exact_.get([this] { return lift(collision()); });
 }
 
 const BoundedCase::NormalVelocity& ExactCase::normal_velocity() const {
-  if (!normal_velocity_ && filtered_) {
-    normal_velocity_ = bounds_.normal_velocity();
-  }
-  if (!normal_velocity_) {
+  return normal_velocity_.get([this] {
+    const std::optional<BoundedCase::NormalVelocity> bounded = filtered_ ? bounds_.normal_velocity() : std::nullopt;
+    if (bounded) {
+      return *bounded;
+    }
     const Rational exactly = normal_velocity_before(exact());
-    normal_velocity_ = {to_double(exactly), sign_of(exactly)};
-  }
-  return *normal_velocity_;
+    return BoundedCase::NormalVelocity{to_double(exactly), sign_of(exactly)};
+  });
 }
 
 Approach ExactCase::approach() const {
@@ -115,10 +114,7 @@ bool ExactCase::is_grazing(double allowance) const {
 }
 
 double ExactCase::normal_velocity_sensitivity() const {
-  if (!normal_velocity_sensitivity_) {
-    normal_velocity_sensitivity_ = sensitivity_of_normal_velocity(collision());
-  }
-  return *normal_velocity_sensitivity_;
+  return normal_velocity_sensitivity_.get([this] { return sensitivity_of_normal_velocity(collision()); });
 }
 
 const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
@@ -126,14 +122,16 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
   if (!(allowance > 0 && allowance < most)) {
     return nullptr;
   }
-  const auto [known, is_new] = permitted_inputs_.try_emplace(allowance);
-  if (is_new && PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())) {
-    known->second.emplace(bounds_, allowance);
-  }
-  return known->second ? &*known->second : nullptr;
+  const std::optional<PermittedInputs>& permitted = permitted_inputs_.get(allowance, [&] {
+    return PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())
+               ? std::make_optional<PermittedInputs>(bounds_, allowance)
+               : std::nullopt;
+  });
+  return permitted ? &*permitted : nullptr;
 }
 
 Branch ExactCase::branch(Model model) const {
+  CAROM_EXPECTS(has_movable_body(collision()));
   if (model != Model::rough || collision().friction == 0) {
     return Branch::only;
   }
@@ -141,23 +139,17 @@ Branch ExactCase::branch(Model model) const {
 }
 
 bool ExactCase::is_inside_cone() const {
-  if (!is_inside_cone_ && filtered_) {
-    is_inside_cone_ = bounds_.is_inside_cone();
-  }
-  if (!is_inside_cone_) {
-    is_inside_cone_ = oracles::is_inside_cone<Rational>(exact(), nullptr, &known_sign);
-  }
-  return *is_inside_cone_;
+  return is_inside_cone_.get([this] {
+    const std::optional<bool> bounded = filtered_ ? bounds_.is_inside_cone() : std::nullopt;
+    return bounded ? *bounded : *oracles::is_inside_cone<Rational>(exact(), nullptr, &known_sign);
+  });
 }
 
 bool ExactCase::reaches_cone() const {
-  if (!reaches_cone_ && filtered_) {
-    reaches_cone_ = bounds_.reaches_cone();
-  }
-  if (!reaches_cone_) {
-    reaches_cone_ = oracles::reaches_cone<Rational>(exact(), nullptr, &known_sign);
-  }
-  return *reaches_cone_;
+  return reaches_cone_.get([this] {
+    const std::optional<bool> bounded = filtered_ ? bounds_.reaches_cone() : std::nullopt;
+    return bounded ? *bounded : *oracles::reaches_cone<Rational>(exact(), nullptr, &known_sign);
+  });
 }
 
 namespace {
@@ -178,26 +170,22 @@ Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
 }  // namespace
 
 const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
-  std::optional<Truth<Rational>>& known = as == Approach::colliding ? of_model_[model].truth : unchanged_;
-  if (!known) {
+  CAROM_EXPECTS(as != Approach::colliding || branch(model) != Branch::on_cone, model);
+  return (as == Approach::colliding ? of_model_[model].truth : unchanged_).get([&] {
     if (as == Approach::colliding && model == Model::rough) {
-      known = certified_rough(exact(), branch(model));
-    } else {
-      Truth<Rational> truth = truth_of(exact(), model, as, Branch::only);
-      certify(exact(), model, as, truth.outcome);
-      known = std::move(truth);
+      return certified_rough(exact(), branch(model));
     }
-  }
-  return *known;
+    Truth<Rational> truth = truth_of(exact(), model, as, Branch::only);
+    certify(exact(), model, as, truth.outcome);
+    return truth;
+  });
 }
 
 const Truth<Radical>& ExactCase::truth_on_cone(Model model) const {
-  std::optional<Truth<Radical>>& known = of_model_[model].truth_on_cone;
-  if (!known) {
-    known = certified_rough(map_numbers<Radical>(collision(), [](double number) { return Radical(number); }),
-                            Branch::on_cone);
-  }
-  return *known;
+  return of_model_[model].truth_on_cone.get([this] {
+    return certified_rough(map_numbers<Radical>(collision(), [](double number) { return Radical(number); }),
+                           Branch::on_cone);
+  });
 }
 
 Outcome<double> ExactCase::nearest_truth(Model model) const {
@@ -210,12 +198,12 @@ bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
   if (branch(model) == Branch::only) {
     return false;
   }
-  if (!cone_distance_) {
-    cone_distance_ = bounds_.is_moderate() && bounds_.is_well_conditioned() ? cone_distance(collision())
-                                                                            : enclosed_cone_distance(collision());
-  }
+  const ConeDistance& distance = cone_distance_.get([this] {
+    return bounds_.is_moderate() && bounds_.is_well_conditioned() ? cone_distance(collision())
+                                                                  : enclosed_cone_distance(collision());
+  });
   const PermittedInputs* permitted = permitted_inputs(allowance);
-  return cone_distance_->is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone());
+  return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone());
 }
 
 bool ExactCase::acts_at_once_here(Model model, double allowance) const {
@@ -236,22 +224,19 @@ const Truth<Enclosure>& ExactCase::enclosed_truth(Model model, Approach as) cons
   if (answered_as(model, as) == Approach::colliding) {
     return bounds_.colliding_truth(model, branch(model));
   }
-  if (!enclosed_unchanged_) {
-    enclosed_unchanged_ = truth_of(bounds_.enclosed(), model, as, Branch::only);
-  }
-  return *enclosed_unchanged_;
+  return enclosed_unchanged_.get([&] { return truth_of(bounds_.enclosed(), model, as, Branch::only); });
 }
 
 const Sensitivity& ExactCase::unchanged_sensitivity() const {
-  if (!unchanged_sensitivity_) {
-    unchanged_sensitivity_ = bounds_.norms_before();
+  return unchanged_sensitivity_.get([this] {
+    Sensitivity sum = bounds_.norms_before();
     const Outcome<double> outcome = unchanged(collision());
     for (const OutcomeVector k : all_outcome_vectors) {
       // The derivative of a vector by itself is the identity, whose Frobenius norm is √3.
-      (*unchanged_sensitivity_)[k] += std::sqrt(3.0) * norm_of(*vectors(outcome)[k]);
+      sum[k] += std::sqrt(3.0) * norm_of(*vectors(outcome)[k]);
     }
-  }
-  return *unchanged_sensitivity_;
+    return sum;
+  });
 }
 
 Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
@@ -287,10 +272,7 @@ Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance
 }
 
 const Sensitivity& ExactCase::second_order() const {
-  if (!second_order_) {
-    second_order_ = second_order_scale(collision());
-  }
-  return *second_order_;
+  return second_order_.get([this] { return second_order_scale(collision()); });
 }
 
 bool ExactCase::has_two_answers(Model model, double allowance) const {
@@ -299,18 +281,17 @@ bool ExactCase::has_two_answers(Model model, double allowance) const {
 
 const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
   // In binary64 if that keeps ten digits, else in double-double arithmetic if that keeps three, else exactly.
-  std::optional<Sensitivity>& known = of_model_[model].colliding_sensitivity[branch];
-  if (!known && bounds_.is_moderate() && bounds_.is_well_conditioned() &&
-      (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
-    known = colliding_sensitivity(collision(), model, branch);
-  }
-  if (!known) {
-    known = enclosed_sensitivity(collision(), model, branch, bounds_.is_moderate());
-  }
-  if (!known) {
-    known = exact_sensitivity(collision(), model, branch);
-  }
-  return *known;
+  return of_model_[model].colliding_sensitivity[branch].get([&]() -> Sensitivity {
+    std::optional<Sensitivity> known;
+    if (bounds_.is_moderate() && bounds_.is_well_conditioned() &&
+        (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
+      known = colliding_sensitivity(collision(), model, branch);
+    }
+    if (!known) {
+      known = enclosed_sensitivity(collision(), model, branch, bounds_.is_moderate());
+    }
+    return known ? *known : exact_sensitivity(collision(), model, branch);
+  });
 }
 
 bool ExactCase::is_moderate(Model model) const {
@@ -319,34 +300,30 @@ bool ExactCase::is_moderate(Model model) const {
 }
 
 const Sensitivity& ExactCase::sensitivity_below(Model model) const {
+  CAROM_EXPECTS(is_moderate(model), model);
   return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(model, branch(model))
                                            : bounds_.norms_before();
 }
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
-  if (!collision_matrix_) {
-    collision_matrix_ = response_matrix(exact());
-  }
-  return *collision_matrix_;
+  return collision_matrix_.get([this] { return response_matrix(exact()); });
 }
 
 double ExactCase::collision_matrix_sensitivity(double allowance) const {
-  if (!collision_matrix_sensitivity_) {
+  const double first_order = collision_matrix_sensitivity_.get([this] {
     const auto k = response_matrix(bounds_.differentiated().collision);
-    collision_matrix_sensitivity_ =
-        sensitivity_of({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
-                       bounds_.differentiated().quantities);
-  }
+    return sensitivity_of({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
+                          bounds_.differentiated().quantities);
+  });
   const PermittedInputs* permitted = permitted_inputs(allowance);
-  return *collision_matrix_sensitivity_ + (permitted != nullptr ? permitted->second_order_of_matrix() / allowance : 0);
+  return first_order + (permitted != nullptr ? permitted->second_order_of_matrix() / allowance : 0);
 }
 
 bool ExactCase::is_definite() const {
-  if (!is_definite_) {
-    is_definite_ = filtered_ ? is_at_least_by_enclosures(collision_matrix(), inverse_mass(exact()))
-                             : is_at_least(collision_matrix(), inverse_mass(exact()));
-  }
-  return *is_definite_;
+  return is_definite_.get([this] {
+    return filtered_ ? is_at_least_by_enclosures(collision_matrix(), inverse_mass(exact()))
+                     : is_at_least(collision_matrix(), inverse_mass(exact()));
+  });
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
@@ -360,7 +337,7 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
 }
 
 bool ExactCase::is_collinear() const {
-  if (!is_collinear_) {
+  return is_collinear_.get([this] {
     const auto is_along_normal = [&](BasicBody<Rational> BasicCollision<Rational>::*exact_body,
                                      BasicBody<Approximation> BasicCollision<Approximation>::*near_body) {
       const BasicCollision<Approximation>& near = bounds_.approximate();
@@ -370,21 +347,19 @@ bool ExactCase::is_collinear() const {
       return !(filtered_ && is_surely_not_zero(torque_arm(near.*near_body, near))) &&
              is_zero(torque_arm(exact().*exact_body, exact()));
     };
-    is_collinear_ = is_along_normal(&BasicCollision<Rational>::a, &BasicCollision<Approximation>::a) &&
-                    is_along_normal(&BasicCollision<Rational>::b, &BasicCollision<Approximation>::b);
-  }
-  return *is_collinear_;
+    return is_along_normal(&BasicCollision<Rational>::a, &BasicCollision<Approximation>::a) &&
+           is_along_normal(&BasicCollision<Rational>::b, &BasicCollision<Approximation>::b);
+  });
 }
 
 bool ExactCase::is_head_on() const {
-  if (!is_head_on_) {
+  return is_head_on_.get([this] {
     const auto tangential = [](const auto& c) {
       using T = std::decay_t<decltype(c.restitution)>;
       return Vector3<T>(c.normal.cross(relative_velocity<T>(c, unchanged(c))));
     };
-    is_head_on_ = !(filtered_ && is_surely_not_zero(tangential(bounds_.approximate()))) && is_zero(tangential(exact()));
-  }
-  return *is_head_on_;
+    return !(filtered_ && is_surely_not_zero(tangential(bounds_.approximate()))) && is_zero(tangential(exact()));
+  });
 }
 
 }  // namespace carom::oracles

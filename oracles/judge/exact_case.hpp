@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
-#include <map>
 #include <optional>
 
 #include <carom/oracles/filters/bounded_case.hpp>
+#include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
 
 namespace carom::oracles {
@@ -112,13 +111,8 @@ class ExactCase {
   /// asked for, once for each of the two judges: bounds may leave it unknown.
   template <class FromTruth>
   [[nodiscard]] double energy_norm_of_change(Model model, bool exactly, const FromTruth& from_truth) const {
-    OfModel& of_model = of_model_[model];
-    std::optional<double>& known =
-        exactly ? of_model.exact_energy_norm_of_change : of_model.bounded_energy_norm_of_change;
-    if (!known) {
-      known = from_truth();
-    }
-    return *known;
+    const OfModel& of_model = of_model_[model];
+    return (exactly ? of_model.exact_energy_norm_of_change : of_model.bounded_energy_norm_of_change).get(from_truth);
   }
 
   /// Whether r × N = 0 for each movable body, exactly.
@@ -130,11 +124,11 @@ class ExactCase {
  private:
   /// What is known of one model.
   struct OfModel {
-    std::optional<Truth<Rational>> truth;
-    std::optional<Truth<Radical>> truth_on_cone;
-    PerBranch<std::optional<Sensitivity>> colliding_sensitivity;
-    std::optional<double> exact_energy_norm_of_change;
-    std::optional<double> bounded_energy_norm_of_change;
+    Lazy<Truth<Rational>> truth;
+    Lazy<Truth<Radical>> truth_on_cone;
+    PerBranch<Lazy<Sensitivity>> colliding_sensitivity;
+    Lazy<double> exact_energy_norm_of_change;
+    Lazy<double> bounded_energy_norm_of_change;
   };
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
@@ -153,23 +147,23 @@ class ExactCase {
 
   BoundedCase bounds_;
   bool filtered_;
-  mutable std::optional<BasicCollision<Rational>> exact_;
-  mutable std::optional<BoundedCase::NormalVelocity> normal_velocity_;
-  mutable std::optional<double> normal_velocity_sensitivity_;
-  mutable std::map<double, std::optional<PermittedInputs>> permitted_inputs_;
-  mutable PerModel<OfModel> of_model_;
-  mutable std::optional<bool> is_inside_cone_;
-  mutable std::optional<bool> reaches_cone_;
-  mutable std::optional<ConeDistance> cone_distance_;
-  mutable std::optional<Truth<Rational>> unchanged_;
-  mutable std::optional<Truth<Enclosure>> enclosed_unchanged_;
-  mutable std::optional<Sensitivity> unchanged_sensitivity_;
-  mutable std::optional<Sensitivity> second_order_;
-  mutable std::optional<Matrix3<Rational>> collision_matrix_;
-  mutable std::optional<double> collision_matrix_sensitivity_;
-  mutable std::optional<bool> is_definite_;
-  mutable std::optional<bool> is_collinear_;
-  mutable std::optional<bool> is_head_on_;
+  Lazy<BasicCollision<Rational>> exact_;
+  Lazy<BoundedCase::NormalVelocity> normal_velocity_;
+  Lazy<double> normal_velocity_sensitivity_;
+  LazyMap<double, std::optional<PermittedInputs>> permitted_inputs_;
+  PerModel<OfModel> of_model_;
+  Lazy<bool> is_inside_cone_;
+  Lazy<bool> reaches_cone_;
+  Lazy<ConeDistance> cone_distance_;
+  Lazy<Truth<Rational>> unchanged_;
+  Lazy<Truth<Enclosure>> enclosed_unchanged_;
+  Lazy<Sensitivity> unchanged_sensitivity_;
+  Lazy<Sensitivity> second_order_;
+  Lazy<Matrix3<Rational>> collision_matrix_;
+  Lazy<double> collision_matrix_sensitivity_;
+  Lazy<bool> is_definite_;
+  Lazy<bool> is_collinear_;
+  Lazy<bool> is_head_on_;
 };
 
 }  // namespace carom::oracles

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/numbers/norm_bounds.hpp>
 
@@ -7,6 +10,7 @@ namespace {
 
 template <class T>
 bool is_at_most(std::span<const T> vector, double bound) {
+  CAROM_EXPECTS(std::isfinite(bound), bound);
   T squared(0);
   for (const T& component : vector) {
     squared += component * component;

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
+#include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -17,6 +19,7 @@ Vector3<double> middle(const Vector3<Enclosure>& v) {
 }  // namespace
 
 PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : allowance_(allowance) {
+  CAROM_EXPECTS(0 < allowance && allowance < 0.5, allowance);
   const Collision& c = bounds.collision();
   const VectorBall point = vector(c.point);
   const auto body_with_arm = [&](const Body& body) -> OfBody {
@@ -162,6 +165,7 @@ VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Model model
 
 PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
                                                        bool from_rest) const {
+  CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
   VectorBall all = impulses(impulse, model, branch);
   if (from_rest) {
     all = {Vector3<double>::Zero(), all.largest()};
@@ -176,7 +180,9 @@ PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& im
   add_body(a_, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
   add_body(b_, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
   for (const OutcomeVector k : all_outcome_vectors) {
-    distance[k] = std::isfinite(distance[k]) ? distance[k] : infinity;
+    if (!std::isfinite(distance[k])) {
+      distance[k] = infinity;
+    }
   }
   return distance;
 }
@@ -193,6 +199,7 @@ double PermittedInputs::second_order_of_matrix() const {
 }
 
 bool PermittedInputs::reach_both_sides_of_cone() const {
+  CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
   const RoughParts parts = rough_parts();
   return !(parts.least_share > whole_share_.largest()) && !(parts.largest_share < whole_share_.least());
 }

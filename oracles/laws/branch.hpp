@@ -4,6 +4,7 @@
 #include <array>
 
 #include <carom/collision/enum_array.hpp>
+#include <carom/collision/expects.hpp>
 
 namespace carom::oracles {
 
@@ -21,6 +22,7 @@ using PerBranch = EnumArray<Branch, T, all_branches.size()>;
 
 /// The other side of the cone's surface. Precondition: not `only`.
 [[nodiscard]] constexpr Branch other_side(Branch branch) {
+  CAROM_EXPECTS(branch != Branch::only);
   return branch == Branch::inside_cone ? Branch::on_cone : Branch::inside_cone;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
 
 /// The mechanics that the defining equations are written in, for any field T: rationals, dual numbers.
@@ -27,6 +28,7 @@ template <class T>
 /// J x: turned into the body frame, times the principal moments, and back. Precondition: the body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> apply_inertia(const BasicBody<T>& body, const Vector3<T>& x) {
+  CAROM_EXPECTS(!body.immovable);
   const Vector3<T> in_body = turned<T>(conjugate(body.orientation), x);
   return turned<T>(body.orientation, in_body.cwiseProduct(body.principal_inertia));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 
 /// Impulses, momenta and energies of an outcome, exact or not, in any field T.
@@ -27,12 +28,14 @@ template <class T>
 /// m Δv, the impulse that a movable body received [N s].
 template <class T>
 [[nodiscard]] Vector3<T> impulse_on(const BasicBody<T>& body, const BodyVelocity<T>& after) {
+  CAROM_EXPECTS(!body.immovable);
   return body.mass * Vector3<T>(after.velocity - body.velocity);
 }
 
 /// Whether the impulse is best read off A: the lighter movable body. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] bool reads_impulse_off_a(const BasicCollision<T>& c) {
+  CAROM_EXPECTS(has_movable_body(c));
   return c.b.immovable || (!c.a.immovable && c.a.mass <= c.b.mass);
 }
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/certify.hpp>
 
 /// What defines the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; mathematics in docs/guide/laws.md):
@@ -28,6 +29,7 @@ struct RoughParts {
 /// collides; a body is movable.
 template <class T>
 void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
+  CAROM_EXPECTS(has_movable_body(collision));
   const auto demand = [](bool holds, const char* what) {
     if (!holds) {
       throw std::logic_error(std::string("the truth of `rough` does not satisfy ") + what);

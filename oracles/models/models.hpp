@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/models/frictionless.hpp>
 #include <carom/oracles/models/reflection.hpp>
 #include <carom/oracles/models/rough.hpp>
@@ -67,6 +68,7 @@ struct RoughImpulses {
 
   /// `matrix` is the response matrix where it is known already.
   RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
+    CAROM_EXPECTS(has_movable_body(c));
     const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
     stops_approach = Rough::StopsApproach::impulse_for<T>(c, stop, matrix);
     stops_point = Rough::StopsPoint::impulse_for<T>(c, stop, matrix);
@@ -82,6 +84,7 @@ struct RoughImpulses {
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Model model, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
+  CAROM_EXPECTS(has_movable_body(c));
   return with_law(model, branch, [&]<class Law>(Law) -> Vector3<T> {
     if constexpr (LinearLaw<Law>) {
       return Law::template impulse_for<T>(c, wanted_change<Law>(c), matrix);

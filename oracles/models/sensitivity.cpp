@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
@@ -234,6 +235,7 @@ constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
 std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch) {
+  CAROM_EXPECTS(has_movable_body(collision));
   const Differentiable<double> of(collision);
   const PerVector<Jacobian<double>> derivatives = outcome_derivatives(of, model, branch);
   Sensitivity result = norms_before(collision);
@@ -246,6 +248,7 @@ std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Mod
 
 std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
                                                 bool is_moderate) {
+  CAROM_EXPECTS(has_movable_body(collision));
   const Differentiable<Enclosure> of(collision);
   const PerVector<Jacobian<Enclosure>> derivatives = outcome_derivatives(of, model, branch);
   const std::vector<Quantity>& quantities = of.places.quantities;
@@ -344,6 +347,7 @@ struct ConeDerivatives {
 
 template <class S>
 ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
+  CAROM_EXPECTS(has_movable_body(of.c));
   const BasicCollision<S>& c = of.c;
   const Places& places = of.places;
   using T = Dual<S, 7>;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <type_traits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/models/definite_system.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -65,6 +67,9 @@ template <class T>
   const Vector3<T> c2 = m.col(2);
   const Vector3<T> c12 = c1.cross(c2);
   const T determinant = c0.dot(c12);
+  if constexpr (std::equality_comparable<T>) {
+    CAROM_EXPECTS(determinant != T(0));
+  }
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
 }
 
@@ -72,6 +77,7 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
                                            const Matrix3<T>* matrix) {
+  CAROM_EXPECTS(has_movable_body(collision));
   const Matrix3<T> k = matrix != nullptr ? *matrix : response_matrix(collision);
   if constexpr (std::is_same_v<T, Enclosure> || std::is_same_v<T, double>) {
     return DefiniteSystem<T>(k).solve(change);

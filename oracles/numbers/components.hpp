@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <carom/collision/expects.hpp>
+
 namespace carom::oracles {
 
 /// Up to six numbers, without memory of their own: what two sides of a law miss each other by.
@@ -17,7 +19,10 @@ class Components {
   static constexpr std::size_t capacity = 6;
 
   /// Precondition: size() < capacity.
-  void push_back(T number) { numbers_[size_++] = std::move(number); }
+  void push_back(T number) {
+    CAROM_EXPECTS(size_ < capacity, size_);
+    numbers_[size_++] = std::move(number);
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }

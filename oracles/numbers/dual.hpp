@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/eigen_scalar.hpp>
 
 namespace carom::oracles {
@@ -65,6 +67,9 @@ struct Dual {
   /// Precondition: the value is positive.
   friend Dual sqrt(const Dual& x) {
     using std::sqrt;
+    if constexpr (std::totally_ordered<S>) {
+      CAROM_EXPECTS(x.value > S(0), x.value);
+    }
     Dual root(S(sqrt(x.value)));
     const S factor = S(1) / (S(2) * root.value);
     for (std::size_t i = 0; i < N; ++i) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include <carom/collision/expects.hpp>
+
 /// Norms of vectors whose components are known to within an error, from above and from below.
 namespace carom::oracles {
 
@@ -59,6 +61,7 @@ template <class T>
 /// Precondition: the bound is finite and not negative.
 template <class T>
 [[nodiscard]] std::optional<bool> norm_at_most_by_bounds(std::span<const T> vector, double bound) {
+  CAROM_EXPECTS(std::isfinite(bound) && bound >= 0, bound);
   const auto above_of = [](const T& component) { return component.magnitude_above(); };
   const auto below_of = [](const T& component) { return component.magnitude_below(); };
   if (bound >= norm_bounds::least_by_squares && bound <= norm_bounds::largest_by_squares) {

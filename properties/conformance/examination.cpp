@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <exception>
 #include <span>
+#include <utility>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/conformance/examination.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/in_words.hpp>
 
 namespace carom::conformance {
@@ -15,9 +16,6 @@ using properties::JudgedCase;
 using properties::Judgement;
 using properties::Status;
 using properties::Verdict;
-
-/// Shrinking calls the subject and the judge this often at most; many tests may fail at once.
-constexpr std::size_t most_shrink_calls = 1000;
 
 Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
@@ -37,14 +35,24 @@ Verdict single_verdict(const Judgement& judgement) {
 Examination::Examination(const Statement& statement)
     : statement_(&statement), claim_(statement.claim()), session_(statement.subject->open()) {}
 
-Verdict Examination::judge(const Case& one) {
+bool Examination::holds(const Case& one) {
+  if (has_failed_) {
+    return true;
+  }
   Verdict verdict = verdict_on(one);
-  ++judged_;
   was_in_domain_ = was_in_domain_ || verdict.status != Status::skipped;
   if (verdict.status == Status::skipped && why_skipped_.empty()) {
     why_skipped_ = verdict.detail;
   }
-  return verdict;
+  if (verdict.status != Status::violated) {
+    return true;
+  }
+  if (first_ && !properties::is_as_bad(verdict, one.collision, first_->verdict, first_->one.collision)) {
+    return true;
+  }
+  last_ = {one, std::move(verdict), answer_};
+  first_ = first_ ? std::move(first_) : last_;
+  return false;
 }
 
 Verdict Examination::verdict_on(const Case& one) {
@@ -78,26 +86,23 @@ Verdict Examination::verdict_on(const Case& one) {
   }
 }
 
-std::string Examination::violation(const Case& one, const Verdict& found) {
+std::string Examination::violation() {
+  const auto& [one, found, found_answer] = *last_;
   if (has_failed_) {
     return properties::in_words(one.collision, "    ") + "  " + found.detail + '\n';
   }
-  const Answer found_answer = answer_;
-  Case simplest = properties::simplest_violation(
-      one, *statement_->invariant, found, [this](const Case& tried) { return verdict_on(tried); }, most_shrink_calls);
-  claim_.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic
-  const Verdict verdict = verdict_on(simplest);
+  claim_.yardstick.filtered = false;  // what is shown is worked out in exact arithmetic
+  const Verdict verdict = verdict_on(one);
   claim_.yardstick = statement_->yardstick;
   std::string text;
   if (verdict.status == Status::violated) {
-    text = properties::violation_in_words(simplest.collision, answer_, verdict);
+    text = properties::violation_in_words(one.collision, answer_, verdict);
   } else {
-    simplest = one;
     text = properties::violation_in_words(one.collision, found_answer, found) +
            "  asked again, the subject answers otherwise: it remembers earlier collisions\n";
   }
   if (JudgedCase(one).is_valid()) {
-    text += "  for `carom replay FILE`: " + collision_to_json(simplest.collision).dump() + '\n';
+    text += "  for `carom replay FILE`: " + collision_to_json(one.collision).dump() + '\n';
   }
   return text;
 }

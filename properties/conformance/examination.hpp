@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <carom/properties/conformance/statement.hpp>
@@ -14,18 +15,18 @@ class Examination {
   /// Precondition: the subject is not absent, and the statement outlives the examination.
   explicit Examination(const Statement& statement);
 
-  /// A subject that throws violates every invariant.
-  [[nodiscard]] properties::Verdict judge(const properties::Case& one);
+  /// Whether the statement holds of the case. A subject that throws violates every invariant. After the first
+  /// violation, one that is much less serious does not count, so that a case shrinks to one that shows the fault as
+  /// plainly. After a session has failed, every case holds.
+  [[nodiscard]] bool holds(const properties::Case& one);
 
-  [[nodiscard]] int judged() const { return judged_; }
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }
 
   /// Why the first case that was skipped was; empty where none was.
   [[nodiscard]] const std::string& why_skipped() const { return why_skipped_; }
 
-  /// A violation in words, shrunk to a case with small dyadic numbers that violates the invariant about as badly.
-  /// Precondition: `one` is the case that was judged last, and `found`, its verdict, a violation.
-  [[nodiscard]] std::string violation(const properties::Case& one, const properties::Verdict& found);
+  /// The last violation in words. Precondition: there is one.
+  [[nodiscard]] std::string violation();
 
  private:
   [[nodiscard]] properties::Verdict verdict_on(const properties::Case& one);
@@ -35,7 +36,13 @@ class Examination {
   Session session_;
   Answer answer_;            // to the last case
   bool has_failed_ = false;  // the session is then of no further use
-  int judged_ = 0;
+  struct Violation {
+    properties::Case one;
+    properties::Verdict verdict;
+    Answer answer;
+  };
+  std::optional<Violation> first_;
+  std::optional<Violation> last_;
   bool was_in_domain_ = false;
   std::string why_skipped_;
 };

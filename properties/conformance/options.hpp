@@ -10,7 +10,6 @@ namespace carom::conformance {
 
 /// What a suite may choose.
 struct Options {
-  int cases = 100;                                  // of each test, from 1; the environment's CAROM_CASES comes first
   double limit_ulps = oracles::default_limit_ulps;  // of the subject's precision
   std::vector<std::string> families = {};           // their names; empty for all
   std::vector<std::string> deviates = {};  // "invariant" or "invariant@family" to leave out, besides Subject::deviates

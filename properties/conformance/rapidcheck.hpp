@@ -1,95 +1,182 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstdint>
-#include <cstdlib>
-#include <optional>
 #include <ostream>
-#include <sstream>
+#include <stdexcept>
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <utility>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <carom/collision/validate.hpp>
-#include <carom/properties/families/family.hpp>
-#include <carom/properties/search/shrink.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/features/feature.hpp>
+#include <carom/properties/search/simpler_cases.hpp>
 
-/// RapidCheck with the families as generators, and with a fixed seed inside GoogleTest.
-namespace carom::properties {
+/// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. They draw with
+/// RapidCheck's random numbers. Small sizes give simple collisions; from size 50 on, a generator gives the family's
+/// whole distribution. A collision shrinks to small dyadic numbers, and each on the way is one that its generator could
+/// draw.
+namespace carom {
 
-/// How RapidCheck prints a case.
-inline void showValue(const Case& one, std::ostream& out) { out << in_words(one.collision, ""); }
+namespace properties {
+// Users compile this: trial/in_words.hpp, which knows exact numbers, is not included.
+[[nodiscard]] std::string in_words(const Collision& collision, const std::string& indent);
+}  // namespace properties
 
-/// The cases of a family. RapidCheck supplies one integer, which with the family's name starts the stream, so that
-/// families differ under one seed. A case shrinks as the gate's witnesses do, to small dyadic numbers; an invalid one
-/// is as small as its family makes it.
-[[nodiscard]] inline rc::Gen<Case> cases_of(const Family& family) {
-  const auto shrinks = [](const Case& one) {
-    std::vector<Case> simpler_cases;
-    if (validate(one.collision).empty()) {
-      for (const Collision& collision : simpler(one.collision)) {
-        // A body with other numbers is not known to be convex.
-        simpler_cases.push_back({collision, false});
-      }
+/// How RapidCheck prints a collision: both bodies, the contact, the coefficients.
+inline void showValue(const Collision& collision, std::ostream& out) {
+  out << '\n' << properties::in_words(collision, "  ");
+}
+
+namespace gen {
+
+/// The cases of a definition. RapidCheck shrinks the choices that make a case, and the definition draws again.
+[[nodiscard]] inline rc::Gen<properties::Case> cases(properties::Draw draw) {
+  struct Shrinks {
+    static rc::Shrinkable<properties::Case> of(const properties::Draw& draw, properties::ChosenCase chosen,
+                                               std::size_t first) {
+      auto one = [case_of_it = chosen.one] { return case_of_it; };
+      return rc::shrinkable::lambda(std::move(one), [=] {
+        // Goes on behind the last success: what failed before it seldom succeeds after it.
+        return rc::Seq<rc::Shrinkable<properties::Case>>(
+            [draw, simpler = properties::SimplerCases(draw, chosen,
+                                                      first)]() mutable -> rc::Maybe<rc::Shrinkable<properties::Case>> {
+              auto next = simpler.next();
+              if (!next) {
+                return rc::Nothing;
+              }
+              return of(draw, *std::move(next), simpler.place());
+            });
+      });
     }
-    return rc::seq::fromContainer(std::move(simpler_cases));
   };
-  return {[&family, shrinks](const rc::Random& random, int) {
-    rc::Random source = random;
-    Stream stream = case_stream(source.next(), family.name, 0);
-    return rc::shrinkable::shrinkRecur(family.generate(stream), shrinks);
-  }};
+  return [draw = std::move(draw)](rc::Random random, int size) {
+    return Shrinks::of(draw,
+                       properties::chosen_case(
+                           draw, [&] { return random.next(); }, size),
+                       0);
+  };
 }
 
-/// The seed of every property, unless the environment variable RC_PARAMS gives one, as in RC_PARAMS="seed=7".
-inline constexpr std::uint64_t fixed_seed = 20240229;
-
-[[nodiscard]] inline rc::detail::TestParams rapidcheck_parameters(int cases, bool shrinks = true) {
-  rc::detail::Configuration defaults;
-  defaults.testParams.seed = fixed_seed;
-  defaults.testParams.maxSuccess = cases;
-  defaults.testParams.disableShrinking = !shrinks;
-  const char* const given = std::getenv("RC_PARAMS");
-  return given == nullptr ? defaults.testParams : rc::detail::configFromString(given, defaults).testParams;
+/// The collisions of these cases.
+[[nodiscard]] inline rc::Gen<Collision> collisions(properties::Draw draw) {
+  return rc::gen::map(cases(std::move(draw)), [](const properties::Case& one) { return one.collision; });
 }
 
-/// Reports nothing as it goes. RapidCheck's own listener would first load its configuration and print a seed that is
-/// not the one in use.
-class SilentListener : public rc::detail::TestListener {
- public:
-  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
-  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
-  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+/// The family of this name, as `carom families` lists them. Throws std::invalid_argument if there is none.
+[[nodiscard]] inline rc::Gen<Collision> family(std::string_view name) {
+  const properties::Family* const found = properties::family_named(name);
+  if (found == nullptr) {
+    throw std::invalid_argument("carom::gen::family: there is no family " + std::string(name));
+  }
+  return collisions(found->generate);
+}
+
+/// Valid collisions of all families of the claimed domain, by their weights.
+[[nodiscard]] inline rc::Gen<Collision> any_family() { return collisions(properties::case_of_any_family); }
+
+// Each family, as carom::gen::near_head_on().
+#define CAROM_GEN_FAMILIES(F)       \
+  F(structured)                     \
+  F(generic)                        \
+  F(physical)                       \
+  F(head_on)                        \
+  F(near_head_on)                   \
+  F(collinear_spheres)              \
+  F(near_collinear)                 \
+  F(grazing)                        \
+  F(resting)                        \
+  F(separating)                     \
+  F(inelastic)                      \
+  F(elastic)                        \
+  F(mass_ratio)                     \
+  F(mass_scale)                     \
+  F(immovable_a)                    \
+  F(immovable_b)                    \
+  F(driven_wall)                    \
+  F(both_immovable)                 \
+  F(zero_lever)                     \
+  F(far_from_origin)                \
+  F(common_velocity)                \
+  F(fast_spin)                      \
+  F(long_normal)                    \
+  F(long_quaternion)                \
+  F(slow)                           \
+  F(sticking)                       \
+  F(sliding)                        \
+  F(on_the_cone)                    \
+  F(stick_or_slip)                  \
+  F(no_friction)                    \
+  F(great_friction)                 \
+  F(spin_alone)                     \
+  F(special_tangential_restitution) \
+  F(chung_ooi)                      \
+  F(invalid)                        \
+  F(far_contacts)                   \
+  F(impossible_moments)
+#define CAROM_GEN_FAMILY(NAME) \
+  [[nodiscard]] inline rc::Gen<Collision> NAME() { return family(#NAME); }
+CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
+#undef CAROM_GEN_FAMILY
+
+/// Two balls that touch: centres and contact lie on one line along the normal, exactly.
+[[nodiscard]] inline rc::Gen<Collision> between_spheres() { return collisions(properties::touching_spheres); }
+
+/// Those of the generator that approach: N·V⁻ < 0 as rounded. If the bodies separate, all motion is reversed.
+[[nodiscard]] inline rc::Gen<Collision> approaching(rc::Gen<Collision> generator) {
+  auto reversed = rc::gen::map(std::move(generator), [](Collision collision) {
+    properties::reverse_if_separating(collision);
+    return collision;
+  });
+  return rc::gen::suchThat(std::move(reversed), properties::is_approaching);
+}
+
+/// Bodies of any inertia and motion. The position counts from the contact point, as `with_bodies` takes it.
+[[nodiscard]] inline rc::Gen<Body> body() {
+  return rc::gen::map(collisions(properties::general_bodies), [](Collision collision) {
+    collision.a.position -= collision.point;
+    return collision.a;
+  });
+}
+
+/// An immovable body at rest.
+[[nodiscard]] inline rc::Gen<Body> wall() { return rc::gen::just(Body{.immovable = true}); }
+
+/// The contacts of the generator between other bodies. Their positions count from the contact point.
+[[nodiscard]] inline rc::Gen<Collision> with_bodies(rc::Gen<Collision> generator, rc::Gen<Body> a, rc::Gen<Body> b) {
+  return rc::gen::apply(
+      [](Collision collision, const Body& of_a, const Body& of_b) {
+        collision.a = of_a;
+        collision.b = of_b;
+        collision.a.position += collision.point;
+        collision.b.position += collision.point;
+        return collision;
+      },
+      std::move(generator), std::move(a), std::move(b));
+}
+
+/// Those of the generator that can be given this feature, with it. `carom features` lists the names. Throws
+/// std::invalid_argument if there is none of this name.
+[[nodiscard]] inline rc::Gen<Collision> with_feature(std::string_view name, rc::Gen<Collision> generator = generic()) {
+  const properties::Feature* const feature = properties::feature_named(name);
+  if (feature == nullptr) {
+    throw std::invalid_argument("carom::gen::with_feature: there is no feature " + std::string(name));
+  }
+  auto made = rc::gen::mapcat(std::move(generator), [feature](const Collision& collision) {
+    return collisions([=](properties::Stream& stream) {
+      properties::Case one{collision};
+      feature->make(stream, one.collision);
+      return one;
+    });
+  });
+  return rc::gen::suchThat(std::move(made), feature->is_present);
+}
+
+}  // namespace gen
+}  // namespace carom
+
+template <>
+struct rc::Arbitrary<carom::Collision> {
+  static Gen<carom::Collision> arbitrary() { return carom::gen::any_family(); }
 };
-
-/// What RapidCheck found against a property, the seed with it; nothing where it passed all cases.
-template <class Property>
-[[nodiscard]] std::optional<std::string> counterexample(const rc::detail::TestParams& parameters, Property&& property) {
-  SilentListener listener;
-  const auto result =
-      rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, parameters, listener,
-                                std::unordered_map<std::string, rc::detail::Reproduce>{});
-  if (result.template is<rc::detail::SuccessResult>()) {
-    return std::nullopt;
-  }
-  std::ostringstream text;
-  rc::detail::printResultMessage(result, text);
-  text << "\nRC_PARAMS=\"seed=" << parameters.seed << "\"";
-  return text.str();
-}
-
-/// Fails the GoogleTest where the property does not hold of so many cases.
-template <class Property>
-void check(int cases, Property&& property) {
-  const auto found = counterexample(rapidcheck_parameters(cases), std::forward<Property>(property));
-  if (found) {
-    ADD_FAILURE() << *found;
-  }
-}
-
-}  // namespace carom::properties

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <ostream>
 #include <stdexcept>
@@ -14,24 +13,6 @@ namespace {
 
 using properties::Family;
 using properties::Invariant;
-
-int cases_of_each(const Options& options) {
-  const char* const given = std::getenv("CAROM_CASES");
-  int cases = options.cases;
-  if (given != nullptr) {
-    const std::string_view text(given);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cases);
-    if (error != std::errc() || end != text.data() + text.size()) {
-      cases = 0;
-    }
-  }
-  if (cases < 1) {
-    throw std::invalid_argument(given == nullptr
-                                    ? "Options::cases: expected a number from 1"
-                                    : "CAROM_CASES: expected a number from 1, found " + std::string(given));
-  }
-  return cases;
-}
 
 bool judges_exactly(const Options& options) {
   const char* const given = std::getenv("CAROM_EXACT");
@@ -90,14 +71,13 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
                    [](const Invariant* invariant) { return invariant->name == "invalid_refused"; })) {
     std::erase(families, properties::family_named("invalid"));
   }
-  const int cases = cases_of_each(options);
   std::vector<Statement> all;
   for (const Invariant* invariant : claim.invariants) {
     for (const Family* family : families) {
       if (!claim.is_made_in(*invariant, *family)) {
         continue;
       }
-      all.push_back({shared, invariant, family, claim.yardstick, cases});
+      all.push_back({shared, invariant, family, claim.yardstick});
     }
   }
   return all;

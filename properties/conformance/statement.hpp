@@ -24,7 +24,6 @@ struct Statement {
   const properties::Invariant* invariant;
   const properties::Family* family;
   oracles::Yardstick yardstick;
-  int cases;              // to be drawn
   const char* file = "";  // where the suite stands
   int line = 0;
   std::string error = {};  // why there is no suite; the fields above but for the place then stand for nothing
@@ -35,8 +34,8 @@ struct Statement {
 
 /// Every statement of a suite: the invariants that are claimed, by all families. Left out are the invariants about the
 /// collision matrix where the subject shows none, and the family of invalid collisions where `invalid_refused` is not
-/// claimed. Throws std::invalid_argument where an option or CAROM_CASES is no number from 1 or names what there is not,
-/// or where CAROM_EXACT is neither 0 nor 1.
+/// claimed. Throws std::invalid_argument where an option names what there is not, or where CAROM_EXACT is neither 0
+/// nor 1.
 [[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
 
 /// "restitution_in_near_head_on"; "options" where there is an error.

@@ -54,7 +54,6 @@ template <class S, class Solver>
   if (!defects.empty()) {
     return Refused{describe(defects)};
   }
-  const auto wide = [](S number) { return static_cast<long double>(number); };
   const auto solved = [&] {
     if constexpr (SolvesContacts<Solver, S>) {
       return solver(impulse::make_contact<S>(collision));
@@ -62,12 +61,7 @@ template <class S, class Solver>
       return solver(collision);
     }
   };
-  const SolvedOutcome<S> outcome = solved();
-  ReportedOutcome reported = map_outcome<long double>(outcome, wide);
-  if (outcome.collision_matrix) {
-    reported.collision_matrix = outcome.collision_matrix->unaryExpr(wide);
-  }
-  return reported;
+  return reported(SolvedOutcome<S>(solved()));
 }
 
 /// Whether what the solver returns may hold the collision matrix.

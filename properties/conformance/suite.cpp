@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -11,9 +10,9 @@
 namespace carom::conformance {
 namespace {
 
-std::string how_to_repeat() {
+std::string name_of_this_test() {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  return std::string("  this test alone: --gtest_filter=") + test.test_suite_name() + '.' + test.name() + '\n';
+  return std::string(test.test_suite_name()) + '.' + test.name();
 }
 
 TEST_P(Conformance, Holds) {
@@ -22,9 +21,10 @@ TEST_P(Conformance, Holds) {
     ADD_FAILURE_AT(statement.file, statement.line) << statement.error;
     return;
   }
-  const Finding finding = find(statement);
+  const Finding finding = find(statement, name_of_this_test());
   if (finding.status == properties::Status::violated) {
-    ADD_FAILURE_AT(statement.file, statement.line) << finding.text << how_to_repeat();
+    ADD_FAILURE_AT(statement.file, statement.line)
+        << finding.text << "  this test alone: --gtest_filter=" << name_of_this_test();
   } else if (finding.status == properties::Status::skipped) {
     GTEST_SKIP() << finding.text;
   }
@@ -33,25 +33,14 @@ TEST_P(Conformance, Holds) {
 [[maybe_unused]] const testing::Environment* const closing_lines =
     testing::AddGlobalTestEnvironment(new ClosingLinesInPlace);
 
-/// RapidCheck's reader says neither which variable it is nor what is expected.
-void require_rapidcheck_parameters() {
-  try {
-    (void)properties::rapidcheck_parameters(1);
-  } catch (const std::exception& error) {
-    throw std::invalid_argument(std::string("RC_PARAMS: expected RapidCheck's parameters, as in seed=7: ") +
-                                error.what());
-  }
-}
-
 }  // namespace
 
 std::vector<Statement> suite(const char* file, int line, const std::function<std::vector<Statement>()>& make) {
   std::vector<Statement> all;
   try {
-    require_rapidcheck_parameters();
     all = make();
   } catch (const std::exception& error) {
-    all = {Statement{nullptr, nullptr, nullptr, {}, 0, file, line, error.what()}};
+    all = {Statement{nullptr, nullptr, nullptr, {}, file, line, error.what()}};
   }
   for (Statement& statement : all) {
     statement.file = file;

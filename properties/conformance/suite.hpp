@@ -14,8 +14,8 @@ namespace carom::conformance {
 /// The tests of one statement each; defined in suite.cpp, which every program of tests compiles once.
 class Conformance : public testing::TestWithParam<Statement> {};
 
-/// The statements of a suite that stands there. Where `make` throws, or RC_PARAMS is none of RapidCheck's, there is one
-/// test, `options`, which fails and says why.
+/// The statements of a suite that stands there. If `make` throws, there is one test, `options`, which
+/// fails and says why.
 [[nodiscard]] std::vector<Statement> suite(const char* file, int line,
                                            const std::function<std::vector<Statement>()>& make);
 

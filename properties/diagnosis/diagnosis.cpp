@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -11,22 +10,9 @@
 #include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/where.hpp>
-#include <carom/properties/gate/in_parallel.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
-
-/// Invariants in the order in which one that is violated explains others.
-constexpr std::array in_order_of_causes{
-    "invalid_refused",        "finite",           "memoryless",       "immovable_untouched",
-    "separating_untouched",   "linear_momentum",  "angular_momentum", "definite",
-    "frictionless_direction", "reflection_plane", "sticks",           "friction_cone",
-    "slip_opposed",           "restitution",      "non_penetration",  "push"};
-
-std::size_t rank_of(const std::string& invariant) {
-  const auto found = std::find(in_order_of_causes.begin(), in_order_of_causes.end(), invariant);
-  return static_cast<std::size_t>(found - in_order_of_causes.begin());
-}
 
 /// Of each family, the numbers of the sampled cases whose answers are wrong by themselves; where there are none, those
 /// that violate anything: what relates answers shows a fault also where the answer in question is right.
@@ -76,10 +62,11 @@ std::string telling_invariant(const SubjectResult& result, std::uint64_t violate
   const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
   if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
     // State spoils everything, and only asking again shows it.
-    std::erase_if(names, [&](const std::string& name) { return is_of_relations(name) && name != "memoryless"; });
+    std::erase_if(names, [&](const std::string& name) {
+      return is_of_relations(name) && !invariant_named(name)->is_of_session();
+    });
   }
-  std::stable_sort(names.begin(), names.end(),
-                   [](const std::string& x, const std::string& y) { return rank_of(x) < rank_of(y); });
+  std::ranges::stable_sort(names, {}, [](const std::string& name) { return invariant_named(name)->rank_as_cause; });
   constexpr double most = 0.9;
   for (const std::string& name : names) {
     if (static_cast<double>(cases_that_violate(result, name)) >= most * static_cast<double>(violated)) {
@@ -225,8 +212,12 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
     return *of_matrix;
   }
   std::vector<Fault> faults = without_outcome(examples);
-  const auto violates = [&](const char* invariant) { return result.count(invariant).violated > 0; };
-  if (violates("invalid_refused")) {
+  const auto violates = [&](bool (Invariant::*is_such)() const) {
+    return std::ranges::any_of(all_invariants(), [&](const Invariant& invariant) {
+      return (invariant.*is_such)() && result.count(std::string(invariant.name)).violated > 0;
+    });
+  };
+  if (violates(&Invariant::is_of_invalid)) {
     faults.push_back({"It does not refuse invalid collisions" + first_invalid(examples) + ".",
                       "what it takes for a valid collision"});
   }
@@ -259,7 +250,7 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
     faults.push_back({fmt::format("It answers as if {} (in {} wrong outcomes looked at).", best.hypothesis->as_if,
                                   counted(best.explained, std::min<std::size_t>(off.size(), 40))),
                       best.hypothesis->look_at});
-  } else if (violates("memoryless")) {
+  } else if (violates(&Invariant::is_of_session)) {
     faults.push_back(
         {"Asked again, it answers otherwise: it remembers something of the collisions before, or depends on how a "
          "request is spelt.",
@@ -297,7 +288,7 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
 
 std::vector<Diagnosis> diagnose_all(const GateReport& report) {
   std::vector<Diagnosis> diagnoses(report.results.size());
-  in_parallel(report.options.jobs, diagnoses.size(), [&](std::size_t s) {
+  report.options.workers.run(diagnoses.size(), [&](std::size_t s) {
     if (!report.results[s].violated_invariants().empty()) {
       diagnoses[s] = diagnose(report.results[s], report);
     }

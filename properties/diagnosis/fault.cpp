@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
 
@@ -220,6 +221,7 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
 }
 
 Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
+  CAROM_EXPECTS(!cases.empty());
   std::array<std::size_t, all_steps.size()> counts{};
   std::vector<Shares> shares;
   for (const ViolatedCase& violated : cases) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
@@ -66,6 +67,7 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
 }  // namespace
 
 LawAnswer law_answer(const Collision& collision, Model model, std::optional<oracles::Approach> approach) {
+  CAROM_EXPECTS(determines_outcome(model), model);
   const oracles::ExactCase exact_case(collision);
   const oracles::Approach as = approach.value_or(exact_case.approach());
   // Exact arithmetic takes ten times as long, and a hint does not need it.

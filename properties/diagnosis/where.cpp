@@ -146,11 +146,10 @@ class Sample {
       if (feature.kind == FeatureKind::magnitude) {
         continue;
       }
-      const bool is_of_body = feature.name.starts_with("a.") || feature.name.starts_with("b.");
-      const std::string body = feature.name.starts_with("a.") ? "A: " : "B: ";
-      const std::string words = (is_of_body ? body : "") + feature.statement;
+      const char* const of_body = feature.body == 0 ? "" : feature.body == 'a' ? "A: " : "B: ";
+      const std::string words = of_body + feature.statement;
       add_with_absence(words, "not (" + words + ')', Plainness::feature, of_feature[i]);
-      if (feature.name.starts_with("a.")) {
+      if (feature.body == 'a') {
         const Feature* other = feature_named("b." + feature.name.substr(2));
         const CaseSet either = of_feature[i] | of_feature[static_cast<std::size_t>(other - all_features().data())];
         add_with_absence("A or B: " + feature.statement, "neither A nor B: " + feature.statement, Plainness::either,

@@ -46,7 +46,8 @@ Body general_body(Stream& stream, const Vector3<double>& point) {
     const double semi_axis = size * stream.between(0.5, 1);
     second_moments[i] = semi_axis * semi_axis / 5;
   }
-  body.principal_inertia = moments(body.mass, second_moments);
+  body.principal_inertia = stream.plainly() ? Vector3<double>(Vector3<double>::Constant(body.mass * size * size))
+                                            : moments(body.mass, second_moments);
   body.orientation = stream.quaternion();
   body.position = plus(point, stream.vector(), -size);
   set_velocities(stream, body, size);
@@ -141,6 +142,19 @@ void make_approaching(Collision& collision) {
   }
 }
 
+bool is_approaching(const Collision& collision) { return dot(collision.normal, relative_velocity(collision)) < 0; }
+
+bool reverse_if_separating(Collision& collision) {
+  if (dot(collision.normal, relative_velocity(collision)) <= 0) {
+    return false;
+  }
+  for (Body* body : {&collision.a, &collision.b}) {
+    body->velocity = negated(body->velocity);
+    body->angular_velocity = negated(body->angular_velocity);
+  }
+  return true;
+}
+
 void make_immovable(Body& body) {
   Body fixed;
   fixed.immovable = true;
@@ -176,10 +190,14 @@ Case touching_spheres(Stream& stream) {
     c.normal[1] = 1;
   }
   for (Body* body : {&c.a, &c.b}) {
-    const double distance = stream.integer(1, 32) / 16.0;
+    const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = mass(stream);
-    body->principal_inertia.setConstant(body->mass * squared_radius * 2 / 5);
+    // A plain ball has more of its mass outside.
+    const bool is_uniform = !stream.plainly();
+    spheres.convex_uniform = spheres.convex_uniform && is_uniform;
+    const double moment = body->mass * squared_radius;
+    body->principal_inertia.setConstant(is_uniform ? moment * 2 / 5 : moment / 2);
     body->orientation = stream.quaternion();
     body->position = plus(c.point, c.normal, body == &c.a ? distance : -distance);
     set_velocities(stream, *body, std::sqrt(squared_radius));

@@ -15,6 +15,13 @@ void set_relative_velocity(Collision& collision, const Vector3<double>& wanted);
 /// Turns the normal around where the contact is not approaching.
 void make_approaching(Collision& collision);
 
+/// N·V < 0, as rounded.
+[[nodiscard]] bool is_approaching(const Collision& collision);
+
+/// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis. True where
+/// it does.
+bool reverse_if_separating(Collision& collision);
+
 /// Makes a body immovable and keeps its place; its velocity becomes zero.
 void make_immovable(Body& body);
 

@@ -21,15 +21,28 @@ constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
 
 }  // namespace
 
-int Stream::integer(int low, int high) {
+std::uint64_t Stream::bits() {
+  constexpr std::uint64_t half = std::uint64_t{1} << 32U;
+  if (!answer_) {
+    return next_();
+  }
+  const std::uint64_t high = below(half);
+  return high * half + below(half);
+}
+
+int Stream::integer(int low, int high, int simplest) {
   const std::int64_t from = low;  // wide enough for every difference of two ints
   const auto count = static_cast<std::uint64_t>(high - from) + 1;
-  return static_cast<int>(from + static_cast<std::int64_t>(bits() % count));
+  return static_cast<int>(from + static_cast<std::int64_t>(below(count, static_cast<std::uint64_t>(simplest - from))));
 }
 
 double Stream::unit() {
-  constexpr double two_to_minus_53 = 1.0 / 9007199254740992.0;
-  return chance(8) ? integer(0, 7) / 8.0 : static_cast<double>(bits() >> 11U) * two_to_minus_53;
+  const bool is_short = integer(1, 8) == 1;
+  if (is_short) {
+    return integer(0, 7) / 8.0;
+  }
+  const std::uint64_t fraction = answer_ ? below(fractions) : next_() >> 11U;
+  return static_cast<double>(fraction) / static_cast<double>(fractions);
 }
 
 double Stream::signed_unit() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -10,19 +11,42 @@
 
 namespace carom::properties {
 
-/// A stream of integers that decides everything a family draws. The gate, RapidCheck and fuzzers each supply one.
-/// Numbers are made of them by + − × ÷ alone, so that the same integers give the same collision on every machine.
+/// A question of a family: one of `count` answers, 0 … count − 1. The answer `simplest` gives the simplest collisions.
+struct StreamQuestion {
+  std::uint64_t count;
+  std::uint64_t simplest = 0;
+  bool is_of_plainness = false;  // asked by `plainly`
+};
+
+/// So many fractions k 2⁻⁵³ are in [0, 1).
+inline constexpr std::uint64_t fractions = std::uint64_t{1} << 53U;
+
+/// A stream of integers that decides everything a family draws. The gate and the fuzzers supply words of 64 bits;
+/// RapidCheck answers questions. Numbers are made of them by + − × ÷ alone, so that the same integers give the same
+/// collision on every machine.
 class Stream {
  public:
   explicit Stream(std::function<std::uint64_t()> next) : next_(std::move(next)) {}
 
-  [[nodiscard]] std::uint64_t bits() { return next_(); }
+  /// `answer` returns less than the question's `count`.
+  explicit Stream(std::function<std::uint64_t(const StreamQuestion&)> answer) : answer_(std::move(answer)) {}
 
-  /// Uniform in low … high, both included.
-  [[nodiscard]] int integer(int low, int high);
+  [[nodiscard]] std::uint64_t bits();
 
-  /// True once in `one_in` times.
-  [[nodiscard]] bool chance(int one_in) { return integer(1, one_in) == 1; }
+  /// Uniform in 0 … count − 1.
+  [[nodiscard]] std::uint64_t below(std::uint64_t count, std::uint64_t simplest = 0) {
+    return answer_ ? answer_({count, simplest, false}) : next_() % count;
+  }
+
+  /// Uniform in low … high, both included. The simplest is the one closest to 0, unless it is given.
+  [[nodiscard]] int integer(int low, int high) { return integer(low, high, std::clamp(0, low, high)); }
+  [[nodiscard]] int integer(int low, int high, int simplest);
+
+  /// True once in `one_in` times. The simplest is false.
+  [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
+
+  /// Whether to take a plain number in place of the one that was drawn. A stream of words never does, and spends none.
+  [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
   /// In [0, 1): mostly with all 53 bits, at times a multiple of 1/8, so that special values come up.
   [[nodiscard]] double unit();
@@ -59,6 +83,7 @@ class Stream {
 
  private:
   std::function<std::uint64_t()> next_;
+  std::function<std::uint64_t(const StreamQuestion&)> answer_;  // where it is empty, `next_` is not
   PerAdjustment<bool> adjusted_;
 };
 

@@ -29,8 +29,7 @@ const std::vector<const Feature*>& ratios_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
     for (const Feature& feature : all_features()) {
-      if (feature.kind == FeatureKind::relation || feature.quantity.ends_with("ratio") ||
-          feature.quantity == "approach") {
+      if (feature.kind == FeatureKind::relation || feature.is_seldom_with_others) {
         features.push_back(&feature);
       }
     }
@@ -40,34 +39,17 @@ const std::vector<const Feature*>& ratios_and_relations() {
 }
 
 const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& features) {
-  return *features[stream.bits() % features.size()];
+  return *features[stream.below(features.size())];
 }
 
-/// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis.
 void reverse_if_separating(Stream& stream, Collision& c) {
-  if (dot(c.normal, relative_velocity(c)) <= 0) {
-    return;
-  }
-  stream.note(Adjustment::reversed);
-  for (Body* body : {&c.a, &c.b}) {
-    body->velocity = negated(body->velocity);
-    body->angular_velocity = negated(body->angular_velocity);
+  if (properties::reverse_if_separating(c)) {
+    stream.note(Adjustment::reversed);
   }
 }
 
 /// Of the domain: lengths [m], speeds and spins, and a little room.
 constexpr double largest_number = 1e11;
-
-/// How often a quantity is set that follows from others: once in so many cases; 1 where it is free.
-int one_in(const std::string& quantity) {
-  if (quantity.ends_with("moment_ratio")) {
-    return 4;
-  }
-  if (quantity.ends_with("ratio")) {
-    return 6;
-  }
-  return quantity == "approach" || quantity == "restitution" || quantity == "loss" ? 2 : 1;
-}
 
 /// Puts the contact on the surface of the body, at times: 1 to 2 radii of gyration from its centre.
 void draw_surface(Stream& stream, Collision& c, Body& body) {
@@ -86,11 +68,12 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
-    if (!first->quantity.empty() && stream.chance(one_in(first->quantity))) {
-      std::uint64_t chosen = stream.bits() % count;
-      if (first->quantity.ends_with("size")) {
+    if (!first->quantity.empty() && stream.chance(first->set_once_in)) {
+      const int nearest_to_one = std::clamp(-first->decade, 0, static_cast<int>(count) - 1);
+      std::uint64_t chosen = stream.below(count, static_cast<std::uint64_t>(nearest_to_one));
+      if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
-      } else if (first->quantity.ends_with("lever_arm")) {
+      } else if (first->drawn_by == DrawnBy::lever_arm) {
         // As long as the body, or much shorter.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
@@ -177,7 +160,7 @@ Collision composed(Stream& stream) {
   for (int i = 0; i < count; ++i) {
     drawn_of(stream, values_and_relations()).make(stream, c);
   }
-  const SeldomPair& seldom = seldom_together()[stream.bits() % seldom_together().size()];
+  const SeldomPair& seldom = seldom_together()[stream.below(seldom_together().size())];
   const bool is_seldom = stream.chance(8);
   const Feature& first = drawn_of(stream, is_seldom ? seldom.first : values_and_relations());
   const Feature& second = is_seldom          ? drawn_of(stream, seldom.second)
@@ -218,8 +201,7 @@ void sprinkle(Stream& stream, Collision& collision) {
   const int count = stream.integer(1, 4);
   for (int i = 0; i < count; ++i) {
     const Feature& feature = drawn_of(stream, values_and_relations());
-    // Whether a body can move is for the family to say.
-    if (!feature.name.ends_with(".immovable")) {
+    if (!feature.makes_immovable) {
       feature.make(stream, collision);
     }
   }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/infeasible.hpp>
 
@@ -39,6 +40,7 @@ void FeatureCoverage::add(std::span<const std::uint16_t> present) {
 }
 
 FeatureCoverage FeatureCoverage::reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing) {
+  CAROM_EXPECTS(counts.size() == all_features().size(), counts.size());
   FeatureCoverage coverage;
   coverage.singles_ = std::move(counts);
   for_each_feasible_pair([&](std::size_t x, std::size_t y) { coverage.pairs_[place(x, y)] = 1; });

@@ -9,8 +9,8 @@ namespace carom::properties {
 namespace features {
 
 Feature pair_relation(const char* name, const char* statement, const char* why, bool (*is_present)(const Collision&),
-                      void (*make)(Stream&, Collision&)) {
-  return {name, FeatureKind::relation, statement, why, {}, 0, is_present, make};
+                      void (*make)(Stream&, Collision&), Limits limits) {
+  return {name, FeatureKind::relation, statement, why, {}, 0, is_present, make, std::move(limits)};
 }
 
 std::vector<Feature> for_both(const std::vector<BodyFeature>& features) {
@@ -31,7 +31,10 @@ std::vector<Feature> for_both(const std::vector<BodyFeature>& features) {
                           make_movable(stream, c, c.*body);
                         }
                         f.make(stream, c, c.*body);
-                      }});
+                      },
+                      f.limits,
+                      *letter,
+                      f.makes_immovable});
     }
   }
   return both;

@@ -18,9 +18,16 @@ namespace carom::properties::features {
 [[nodiscard]] std::vector<Feature> of_approach();
 [[nodiscard]] std::vector<Feature> magnitudes();
 
+/// Why a feature is in some decades alone.
+inline constexpr std::string_view zero_is_in_no_decade = "what is zero is in no decade";
+inline constexpr std::string_view is_that_number = "it is that very number";
+inline constexpr std::string_view ratio_is_one = "the ratio is 1";
+inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10¹⁰ kg";
+
 /// A relation between the bodies, or of both to the contact.
 [[nodiscard]] Feature pair_relation(const char* name, const char* statement, const char* why,
-                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&));
+                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&),
+                                    Limits limits = {});
 
 /// A feature of one body, to be listed for A and for B.
 struct BodyFeature {
@@ -31,6 +38,8 @@ struct BodyFeature {
   bool of_movable_bodies;  // the body is made movable first
   bool (*is_present)(const Collision&, const Body&);
   void (*make)(Stream&, Collision&, Body&);
+  Limits limits = {};
+  bool makes_immovable = false;
 };
 
 /// "a.NAME" and "b.NAME".

@@ -23,6 +23,11 @@ struct Quantity {
   int last;
   std::function<double(const Collision&)> measure;
   std::function<void(Stream&, Collision&, double)> set;
+  // As of Feature:
+  int set_once_in = 1;
+  bool is_seldom_with_others = false;
+  DrawnBy drawn_by = DrawnBy::itself;
+  char body = 0;
 };
 
 /// Of two bodies with the same moments: such masses that their sizes have this ratio. False where these would leave
@@ -101,7 +106,8 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
        [=](Stream& stream, Collision& c, double value) {
          make_movable(stream, c, c.*body);
          set_size(c, c.*body, value);
-       }},
+       },
+       1, false, DrawnBy::size_of_body},
       {letter + ".lever_arm", "the length of the lever arm of " + letter + " [m]", "a lever arm taken for zero", -9, 9,
        [=](const Collision& c) { return length(lever_arm(c, c.*body)); },
        [=](Stream&, Collision& c, double value) {
@@ -113,7 +119,8 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
            const double ratio = value / radius_of_gyration(b);
            b.principal_inertia *= ratio * ratio;
          }
-       }},
+       },
+       1, false, DrawnBy::lever_arm},
       {letter + ".moment_ratio", "the greatest moment of " + letter + " over its least",
        "rods and needles: J⁻¹ in world coordinates loses the spin about the long axis", 0, 8,
        [=](const Collision& c) {
@@ -134,7 +141,8 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
            const V r = lever_arm(c, b);
            set_lever_arm(c, b, stream.chance(4) ? V(r / beyond) : V(long_axis(b) * length(r)));
          }
-       }},
+       },
+       4, true},
       {letter + ".speed", "the speed of " + letter + " [m/s]", "bodies put to sleep, speeds capped", -9, 9,
        [=](const Collision& c) { return length((c.*body).velocity); },
        [=](Stream&, Collision& c, double value) { set_length((c.*body).velocity, value); }},
@@ -145,9 +153,12 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
 }
 
 std::vector<Quantity> quantities() {
-  std::vector<Quantity> all = of_body("a", &Collision::a);
-  for (Quantity& quantity : of_body("b", &Collision::b)) {
-    all.push_back(std::move(quantity));
+  std::vector<Quantity> all;
+  for (const auto& [letter, body] : {std::pair{'a', &Collision::a}, std::pair{'b', &Collision::b}}) {
+    for (Quantity& quantity : of_body(std::string(1, letter), body)) {
+      quantity.body = letter;
+      all.push_back(std::move(quantity));
+    }
   }
   all.push_back({"mass_ratio", "the larger mass over the smaller", "mass ratios beyond 100 (failure case 32)", 0, 9,
                  [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : ratio_of(c.a.mass, c.b.mass); },
@@ -159,7 +170,8 @@ std::vector<Quantity> quantities() {
                    const double mass = other.mass > 1 ? other.mass / value : other.mass * value;
                    changed.principal_inertia *= mass / changed.mass;
                    changed.mass = mass;
-                 }});
+                 },
+                 6, true});
   all.push_back({"size_ratio", "the larger radius of gyration over the smaller", "a marble on the earth", 0, 9,
                  [](const Collision& c) { return ratio_of(radius_of_gyration(c.a), radius_of_gyration(c.b)); },
                  [](Stream& stream, Collision& c, double value) {
@@ -171,7 +183,8 @@ std::vector<Quantity> quantities() {
                    Body& changed = stream.chance(2) ? c.a : c.b;
                    const double other = radius_of_gyration(&changed == &c.a ? c.b : c.a);
                    set_size(c, changed, other > 1 ? other / value : other * value);
-                 }});
+                 },
+                 6, true});
   all.push_back({"distance", "the distance of the contact from the origin [m]",
                  "lever arms lost in the places that they are differences of (failure case 40)", -3, 9,
                  [](const Collision& c) { return length(c.point); },
@@ -208,13 +221,14 @@ std::vector<Quantity> quantities() {
                    }
                    Body& quick = stream.chance(2) ? c.a : c.b;
                    quick.velocity = plus(quick.velocity, c.normal, value / length(c.normal));
-                 }});
+                 },
+                 2, true});
   all.push_back({"restitution", "ε", "ε below a threshold taken for 0", -9, -1,
                  [](const Collision& c) { return c.restitution < 1 ? c.restitution : 0; },
-                 [](Stream&, Collision& c, double value) { c.restitution = std::min(value, 0.9375); }});
+                 [](Stream&, Collision& c, double value) { c.restitution = std::min(value, 0.9375); }, 2});
   all.push_back({"loss", "1 − ε", "ε near 1 taken for 1", -9, -1,
                  [](const Collision& c) { return c.restitution > 0 ? 1 - c.restitution : 0; },
-                 [](Stream&, Collision& c, double value) { c.restitution = 1 - std::min(value, 0.9375); }});
+                 [](Stream&, Collision& c, double value) { c.restitution = 1 - std::min(value, 0.9375); }, 2});
   return all;
 }
 
@@ -232,7 +246,15 @@ Feature decade_of(const Quantity& quantity, int k) {
             const double value = measure(c);
             return value >= low && value < high;
           },
-          [set = quantity.set, low](Stream& stream, Collision& c) { set(stream, c, low * stream.between(1.25, 9)); }};
+          [set = quantity.set, low](Stream& stream, Collision& c) {
+            set(stream, c, low * (stream.plainly() ? 2 : stream.between(1.25, 9)));
+          },
+          {},
+          quantity.body,
+          false,
+          quantity.set_once_in,
+          quantity.is_seldom_with_others,
+          quantity.drawn_by};
 }
 
 }  // namespace

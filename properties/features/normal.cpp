@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
+#include <utility>
 
 #include <carom/properties/features/groups.hpp>
 #include <carom/properties/features/places.hpp>
@@ -37,7 +38,8 @@ Feature along_axis(int axis, double sign) {
           [=](Stream&, Collision& c) {
             const double size = size_of(c.normal);
             c.normal = V::Unit(axis) * (sign * size);
-          }};
+          },
+          {.kinds_of = {"normal's direction", "normal's components", "normal's ties", "unit normal"}}};
 }
 
 Feature near_axis(int axis, double sign) {
@@ -49,11 +51,12 @@ Feature near_axis(int axis, double sign) {
       {},
       0,
       [=](const Collision& c) { return is_near(c.normal, axis, sign); },
-      [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); }};
+      [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); },
+      {.kinds_of = {"normal's direction"}}};
 }
 
 Feature of_length(const char* name, const char* statement, const char* why, double low, double high, int low_exponent,
-                  int high_exponent) {
+                  int high_exponent, Limits limits) {
   return {name,
           FeatureKind::special_value,
           statement,
@@ -63,7 +66,8 @@ Feature of_length(const char* name, const char* statement, const char* why, doub
           [=](const Collision& c) { return length(c.normal) >= low && length(c.normal) < high; },
           [=](Stream& stream, Collision& c) {
             c.normal *= stream.power_of_two(low_exponent, high_exponent) / size_of(c.normal);
-          }};
+          },
+          std::move(limits)};
 }
 
 }  // namespace
@@ -89,7 +93,8 @@ std::vector<Feature> of_normal() {
                         for (int i = 0; i < 3; ++i) {
                           c.normal[i] = i == zero ? 0 : (c.normal[i] == 0 ? size_of(c.normal) : c.normal[i]);
                         }
-                      }});
+                      },
+                      {.kinds_of = {"normal's components"}}});
   features.push_back({"normal_ties",
                       special,
                       "two components of the normal are equal but for the sign, the third is not",
@@ -109,7 +114,8 @@ std::vector<Feature> of_normal() {
                         if (std::abs(c.normal[(from + 2) % 3]) == std::abs(c.normal[from])) {
                           c.normal[(from + 2) % 3] *= 0.5;
                         }
-                      }});
+                      },
+                      {.kinds_of = {"normal's ties"}}});
   features.push_back({"normal_diagonal",
                       special,
                       "the three components of the normal are equal but for the sign",
@@ -125,7 +131,8 @@ std::vector<Feature> of_normal() {
                         for (int i = 0; i < 3; ++i) {
                           c.normal[i] = stream.chance(2) ? size : -size;
                         }
-                      }});
+                      },
+                      {.kinds_of = {"normal's direction", "normal's components", "normal's ties"}}});
   features.push_back({"normal_unit",
                       special,
                       "the normal has length 1 but for rounding, and is no axis",
@@ -142,15 +149,18 @@ std::vector<Feature> of_normal() {
                           c.normal[1] += c.normal[1] == 0 ? 1 : 0;
                         }
                         c.normal /= length(c.normal);
-                      }});
+                      },
+                      {.kinds_of = {"unit normal", "normal's length"}}});
   features.push_back(of_length("normal_long", "the normal is 10 to 10⁶ long",
-                               "‖N‖ = 1 taken on trust (failure case 11)", 10, 1e6, 5, 18));
+                               "‖N‖ = 1 taken on trust (failure case 11)", 10, 1e6, 5, 18,
+                               {.kinds_of = {"normal's length"}}));
   features.push_back(of_length("normal_very_long", "the normal is 10¹⁰ long or longer",
-                               "N·N, N·K N overflow in binary32", 1e10, 1e300, 40, 100));
-  features.push_back(
-      of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "guards against a zero normal", 1e-6, 0.1, -18, -5));
+                               "N·N, N·K N overflow in binary32", 1e10, 1e300, 40, 100,
+                               {.kinds_of = {"normal's length"}}));
+  features.push_back(of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "guards against a zero normal", 1e-6,
+                               0.1, -18, -5, {.kinds_of = {"normal's length"}}));
   features.push_back(of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "guards against a zero normal",
-                               1e-300, 1e-10, -100, -40));
+                               1e-300, 1e-10, -100, -40, {.kinds_of = {"normal's length"}}));
   return features;
 }
 

@@ -27,44 +27,66 @@ bool is_about_axis(const Body& body) { return nonzero_components(axis_of(body)) 
 std::vector<Feature> of_orientation() {
   constexpr auto special = FeatureKind::special_value;
   return for_both({
-      {"orientation_identity", special, "the orientation is exactly 1, 0, 0, 0",
-       "the commonest orientation of all, and a fast path that leaves R out", true,
+      {"orientation_identity",
+       special,
+       "the orientation is exactly 1, 0, 0, 0",
+       "the commonest orientation of all, and a fast path that leaves R out",
+       true,
        [](const Collision&, const Body& b) { return b.orientation == Q(1, 0, 0, 0); },
-       [](Stream&, Collision&, Body& b) { b.orientation = Q(1, 0, 0, 0); }},
-      {"orientation_long_identity", special, "the orientation is w, 0, 0, 0 with w > 0 other than 1",
-       "a quaternion taken for a unit one shows where nothing else turns (failure case 9)", true,
+       [](Stream&, Collision&, Body& b) { b.orientation = Q(1, 0, 0, 0); },
+       {.kinds_of = {"turn", "quaternion's w", "quaternion's length"}}},
+      {"orientation_long_identity",
+       special,
+       "the orientation is w, 0, 0, 0 with w > 0 other than 1",
+       "a quaternion taken for a unit one shows where nothing else turns (failure case 9)",
+       true,
        [](const Collision&, const Body& b) {
          return is_zero(axis_of(b)) && b.orientation[0] > 0 && b.orientation[0] != 1;
        },
-       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? 2 : 0.75, 0, 0, 0); }},
-      {"orientation_negated_identity", special, "the orientation is w, 0, 0, 0 with w < 0",
-       "q and −q are one rotation; a guard that looks for w = 1 alone", true,
+       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? 2 : 0.75, 0, 0, 0); },
+       {.kinds_of = {"turn", "quaternion's w", "quaternion's length"}}},
+      {"orientation_negated_identity",
+       special,
+       "the orientation is w, 0, 0, 0 with w < 0",
+       "q and −q are one rotation; a guard that looks for w = 1 alone",
+       true,
        [](const Collision&, const Body& b) { return is_zero(axis_of(b)) && b.orientation[0] < 0; },
-       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? -1 : -1.5, 0, 0, 0); }},
-      {"orientation_half_turn_about_axis", special, "half a turn about a coordinate axis",
-       "R is diagonal, so two sign errors cancel, and w = 0 divides by zero", true,
+       [](Stream& stream, Collision&, Body& b) { b.orientation = Q(stream.chance(2) ? -1 : -1.5, 0, 0, 0); },
+       {.kinds_of = {"turn", "quaternion's length"}}},
+      {"orientation_half_turn_about_axis",
+       special,
+       "half a turn about a coordinate axis",
+       "R is diagonal, so two sign errors cancel, and w = 0 divides by zero",
+       true,
        [](const Collision&, const Body& b) { return b.orientation[0] == 0 && is_about_axis(b); },
-       [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, 0, 1); }},
-      {"orientation_half_turn", special, "half a turn about an axis of two or three components",
-       "w = 0: conversions to angle and axis, or by way of tan, divide by it", true,
+       [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, 0, 1); },
+       {.kinds_of = {"turn", "quaternion's w"}}},
+      {"orientation_half_turn",
+       special,
+       "half a turn about an axis of two or three components",
+       "w = 0: conversions to angle and axis, or by way of tan, divide by it",
+       true,
        [](const Collision&, const Body& b) { return b.orientation[0] == 0 && nonzero_components(axis_of(b)) > 1; },
        [](Stream& stream, Collision&, Body& b) {
          const double y = stream.unit();
          b.orientation << 0, 1, y, stream.chance(2) ? 0.5 : -0.5;
-       }},
-      {
-          "orientation_quarter_turn",
-          special,
-          "a quarter turn about a coordinate axis",
-          "boxes that stand on another side: R is a permutation, J is diagonal with moments exchanged",
-          true,
-          [](const Collision&, const Body& b) {
-            return is_about_axis(b) && std::abs(b.orientation[0]) == greatest(axis_of(b).cwiseAbs());
-          },
-          [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, stream.chance(2) ? 1 : -0.5, 1); },
-      },
-      {"orientation_about_axis", special, "turned about a coordinate axis, by neither a half nor a quarter turn",
-       "scenes in a plane: J has one pair of entries off the diagonal", true,
+       },
+       {.kinds_of = {"turn", "quaternion's w"}}},
+      {"orientation_quarter_turn",
+       special,
+       "a quarter turn about a coordinate axis",
+       "boxes that stand on another side: R is a permutation, J is diagonal with moments exchanged",
+       true,
+       [](const Collision&, const Body& b) {
+         return is_about_axis(b) && std::abs(b.orientation[0]) == greatest(axis_of(b).cwiseAbs());
+       },
+       [](Stream& stream, Collision&, Body& b) { turn_about_axis(stream, b, stream.chance(2) ? 1 : -0.5, 1); },
+       {.kinds_of = {"turn"}}},
+      {"orientation_about_axis",
+       special,
+       "turned about a coordinate axis, by neither a half nor a quarter turn",
+       "scenes in a plane: J has one pair of entries off the diagonal",
+       true,
        [](const Collision&, const Body& b) {
          return is_about_axis(b) && b.orientation[0] != 0 &&
                 std::abs(b.orientation[0]) != greatest(axis_of(b).cwiseAbs());
@@ -72,9 +94,13 @@ std::vector<Feature> of_orientation() {
        [](Stream& stream, Collision&, Body& b) {
          const double angle = stream.between(0.125, 0.875);
          turn_about_axis(stream, b, stream.chance(2) ? 1 : -1, angle);
-       }},
-      {"orientation_negative", special, "the quaternion's w < 0",
-       "q and −q are one rotation: a guard on w, or a shortest way", true,
+       },
+       {.kinds_of = {"turn"}}},
+      {"orientation_negative",
+       special,
+       "the quaternion's w < 0",
+       "q and −q are one rotation: a guard on w, or a shortest way",
+       true,
        [](const Collision&, const Body& b) { return b.orientation[0] < 0; },
        [](Stream&, Collision&, Body& b) {
          if (b.orientation[0] == 0) {
@@ -82,9 +108,13 @@ std::vector<Feature> of_orientation() {
          } else if (b.orientation[0] > 0) {
            b.orientation = negated(b.orientation);
          }
-       }},
-      {"orientation_unit", special, "the quaternion has length 1 but for rounding, and is no identity",
-       "what engines keep: the others hide whatever is wrong for unit quaternions alone", true,
+       },
+       {.kinds_of = {"quaternion's w"}}},
+      {"orientation_unit",
+       special,
+       "the quaternion has length 1 but for rounding, and is no identity",
+       "what engines keep: the others hide whatever is wrong for unit quaternions alone",
+       true,
        [](const Collision&, const Body& b) {
          return std::abs(squared_length(b.orientation) - 1) <= 0x1p-50 && !is_zero(axis_of(b));
        },
@@ -94,7 +124,8 @@ std::vector<Feature> of_orientation() {
            b.orientation[1] = 0.5;
          }
          b.orientation /= std::sqrt(squared_length(b.orientation));
-       }},
+       },
+       {.kinds_of = {"quaternion's length"}}},
   });
 }
 

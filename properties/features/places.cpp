@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/features/places.hpp>
 
 namespace carom::properties::features {
@@ -89,6 +90,7 @@ double overreach(const Collision& collision, const Body& body) {
 }
 
 Vector3<double> long_axis(const Body& body) {
+  CAROM_EXPECTS(!body.immovable);
   return turned(body.orientation, Vector3<double>::Unit(place_of_least(body.principal_inertia)));
 }
 

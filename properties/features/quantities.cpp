@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/quantities.hpp>
@@ -100,6 +102,7 @@ const std::array quantities{
 std::span<const ComparedQuantity> all_compared_quantities() { return quantities; }
 
 std::vector<float> quantities_of(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   std::vector<float> logarithms;
   logarithms.reserve(quantities.size());
   for (const ComparedQuantity& quantity : quantities) {

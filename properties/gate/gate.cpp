@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/tally.hpp>
 #include <carom/properties/gate/task.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
@@ -43,7 +43,10 @@ class Budget {
   [[nodiscard]] std::uint64_t milliseconds_spent() const { return milliseconds(Clock::now() - start_); }
 
   /// Precondition: there is a budget.
-  [[nodiscard]] std::uint64_t milliseconds_in_all() const { return milliseconds(*of_); }
+  [[nodiscard]] std::uint64_t milliseconds_in_all() const {
+    CAROM_EXPECTS(of_.has_value());
+    return milliseconds(*of_);
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -295,7 +298,11 @@ class Worker {
   std::vector<Sampled> sampled_;
 };
 
-/// What all threads found of one subject.
+std::vector<Worker> workers_of(Run& run) {
+  return std::vector<Worker>(std::max(1U, run.options.workers.count), Worker(run));
+}
+
+/// What all workers found of one subject.
 Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
   Tally tally = workers[0].tallies()[subject];
   for (std::size_t w = 1; w < workers.size(); ++w) {
@@ -336,9 +343,8 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
   beyond.families = options.beyond_domain;
   beyond.progress = {};
   Run run{posed, claimed, beyond};
-  const unsigned jobs = std::max(1U, options.jobs);
-  std::vector<Worker> workers(jobs, Worker(run));
-  in_parallel(jobs, jobs, [&](std::size_t worker) { workers[worker].run(); });
+  std::vector<Worker> workers = workers_of(run);
+  options.workers.run(workers.size(), [&](std::size_t worker) { workers[worker].run(); });
   for (std::size_t i = 0; i < places.size(); ++i) {
     Tally tally = tally_of(workers, i, claimed[i]);
     results[places[i]].beyond_domain = std::move(tally.families);
@@ -349,15 +355,16 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
 }  // namespace
 
 GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options) {
+  CAROM_EXPECTS(!options.budget || options.shard.of == 1, options.shard.of);
   std::vector<Claim> claims;
   claims.reserve(subjects.size());
   for (const Subject& subject : subjects) {
+    CAROM_EXPECTS(subject.absent.empty(), subject.name, subject.absent);
     claims.push_back(claim_of(subject, options.yardstick));
   }
-  const unsigned jobs = std::max(1U, options.jobs);
   Run run{subjects, claims, options};
-  std::vector<Worker> workers(jobs, Worker(run));
-  in_parallel(jobs, jobs, [&](std::size_t worker) { workers[worker].run(); });
+  std::vector<Worker> workers = workers_of(run);
+  options.workers.run(workers.size(), [&](std::size_t worker) { workers[worker].run(); });
 
   GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false};
   report.sampled.resize(options.families.size());
@@ -399,7 +406,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
       places.push_back({s, w});
     }
   }
-  in_parallel(jobs, places.size(), [&](std::size_t i) {
+  options.workers.run(places.size(), [&](std::size_t i) {
     SubjectResult& result = report.results[places[i].subject];
     Witness& witness = result.witnesses[places[i].witness];
     try {

@@ -13,6 +13,7 @@
 #include <carom/properties/gate/family_result.hpp>
 #include <carom/properties/gate/sample.hpp>
 #include <carom/properties/gate/scales.hpp>
+#include <carom/properties/gate/workers.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 /// What the gate is asked, and what came of it.
@@ -36,14 +37,14 @@ struct GateOptions {
   /// with a budget, nor where each subject is judged to its first violation alone.
   std::vector<const Family*> beyond_domain = {};
   oracles::Yardstick yardstick;  // its unit roundoff is taken from each subject
-  unsigned jobs = 1;             // threads
+  Workers workers = {};          // each opens a session of every subject
   /// Each invariant that relates a collision to others is judged on every so many cases, the next one on other cases;
   /// 0: on every case of subjects in this process, on every fourth of programs, for which each question costs a hundred
   /// times as much. Of a fault in one of 100 answers that one such invariant alone sees, in one family alone, each of
   /// 250 cases and the question on it then shows 1 %: it is missed in one run of 150 (0.99^500).
   std::uint64_t relations_every = 0;
   /// A subject that violates an invariant is asked nothing more: of it one violation is reported, the same on any
-  /// number of threads. The run ends where this holds of every subject, or all cases were judged.
+  /// number of workers. The run ends where this holds of every subject, or all cases were judged.
   bool fail_fast = false;
   /// In place of `cases`: cases are drawn, families in turn, until so much time was spent. The violations found are
   /// then shrunk as ever.

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
+
 namespace carom::properties {
 
 /// Counts numbers by the fixed bins of a scale, so that what is kept does not grow with how many there are. Counts are
@@ -42,11 +44,13 @@ class Histogram {
   /// As `counts()`, `smallest()` and `largest()` of another had it. Preconditions: at most Scale::bins counts; where
   /// one is not 0, smallest ≤ largest.
   [[nodiscard]] static Histogram restored(std::vector<std::uint64_t> counts, double smallest, double largest) {
+    CAROM_EXPECTS(counts.size() <= Scale::bins, counts.size());
     Histogram histogram;
     histogram.counts_.swap(counts);
     histogram.size_ = std::accumulate(histogram.counts_.begin(), histogram.counts_.end(), std::uint64_t{0});
     histogram.smallest_ = smallest;
     histogram.largest_ = largest;
+    CAROM_EXPECTS(histogram.size_ == 0 || smallest <= largest, smallest, largest);
     return histogram;
   }
 
@@ -65,6 +69,7 @@ class Histogram {
   /// The number of that rank, counted from 0 for the smallest: the middle of its bin, and the smallest and the largest
   /// number themselves. Precondition: rank < size().
   [[nodiscard]] double at(std::uint64_t rank) const {
+    CAROM_EXPECTS(rank < size_, rank, size_);
     if (rank == 0 || rank + 1 == size_) {
       return rank == 0 ? smallest_ : largest_;
     }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include <carom/properties/gate/schedule.hpp>
 
@@ -9,25 +7,6 @@ namespace carom::properties {
 namespace {
 
 constexpr std::uint64_t most_cases_in_task = 50;
-
-/// Each family found most of the planted defects (tests/mutants) that those before it had left, by its first two cases
-/// of eight seeds; those after `near_head_on` found none of these, and stand by how many they find
-/// alone; the last two came later, and are unranked.
-/// `first_violation --families` (tests/benchmarks) counts them anew.
-constexpr std::array best_first{
-    "structured",      "on_the_cone",   "both_immovable",    "driven_wall",
-    "head_on",         "invalid",       "grazing",           "slow",
-    "mass_ratio",      "near_head_on",  "sliding",           "zero_lever",
-    "long_quaternion", "immovable_a",   "mass_scale",        "special_tangential_restitution",
-    "sticking",        "immovable_b",   "fast_spin",         "great_friction",
-    "far_from_origin", "generic",       "physical",          "elastic",
-    "common_velocity", "long_normal",   "inelastic",         "near_collinear",
-    "no_friction",     "spin_alone",    "collinear_spheres", "separating",
-    "resting",         "stick_or_slip", "chung_ooi"};
-
-std::size_t rank_of(std::string_view family) {
-  return static_cast<std::size_t>(std::find(best_first.begin(), best_first.end(), family) - best_first.begin());
-}
 
 }  // namespace
 
@@ -37,7 +16,7 @@ Schedule::Schedule(const GateOptions& options) : shard_(options.shard) {
                        cases_of(options, *options.families[family])});
   }
   std::stable_sort(places_.begin(), places_.end(), [&](const Place& x, const Place& y) {
-    return rank_of(options.families[x.family]->name) < rank_of(options.families[y.family]->name);
+    return options.families[x.family]->turn < options.families[y.family]->turn;
   });
   if (!places_.empty()) {
     start_turn();

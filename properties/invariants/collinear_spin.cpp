@@ -34,7 +34,10 @@ std::vector<Invariant> collinear_spin_invariants() {
                     "Where both lever arms are along the normal, as for spheres, no body changes its spin.",
                     R"(r_A \times N = r_B \times N = 0 \Rightarrow w_A^+ = w_A^-,\ w_B^+ = w_B^-)", "note eq. 19",
                     "colliding contacts with both lever arms exactly along the normal",
-                    std::vector{Model::frictionless, Model::reflection}, AboutOutcome{check_collinear_spin}}};
+                    std::vector{Model::frictionless, Model::reflection}, AboutOutcome{check_collinear_spin},
+                    Proof{ProvedOf::its_laws,
+                          {{"collinear_spin_of_frictionless", "laws_of_impulse.v"},
+                           {"collinear_spin_of_reflection", "laws_of_impulse.v"}}}}};
 }
 
 }  // namespace carom::properties

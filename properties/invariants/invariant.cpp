@@ -45,6 +45,20 @@ double seriousness(const Verdict& verdict, const Collision& collision) {
   return verdict.residual / (largest > 0 ? largest : 1) / 0x1p-53;
 }
 
+bool Invariant::is_of_invalid() const {
+  const auto* const answer = std::get_if<AboutAnswer>(&about);
+  return answer != nullptr && !answer->to_valid;
+}
+
+std::vector<Model> Invariant::proved_models() const {
+  std::vector<Model> proved;
+  if (!proof.theorems.empty()) {
+    std::ranges::copy_if(models, std::back_inserter(proved),
+                         [&](Model model) { return proof.of == ProvedOf::every_impulse || determines_outcome(model); });
+  }
+  return proved;
+}
+
 bool Invariant::claimed_for(Model model) const {
   return std::find(models.begin(), models.end(), model) != models.end();
 }

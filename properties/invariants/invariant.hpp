@@ -10,6 +10,7 @@
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/filters/closeness.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
+#include <carom/properties/invariants/proof.hpp>
 
 namespace carom::properties {
 
@@ -84,6 +85,8 @@ struct AboutOutcome {
 /// subjects that show one.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
+  /// Whether it rests on what the family knows of the bodies' shapes. Nothing is known of a collision that is changed.
+  bool rests_on_shapes = false;
 };
 
 /// One that relates the outcome to those of further collisions, which are put to the subject: made from the collision
@@ -112,7 +115,10 @@ struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
-/// A named statement about a collision and its outcome.
+/// The rank of an invariant that explains no other.
+inline constexpr int explains_none = 1000;
+
+/// A named statement about a collision and its outcome, and all that is known of it.
 struct Invariant {
   std::string_view name;
   std::string_view statement;  // one sentence
@@ -121,6 +127,9 @@ struct Invariant {
   std::string_view domain;    // the collisions that it speaks of
   std::vector<Model> models;  // that it is claimed for
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
+  Proof proof = {};
+  /// If several are violated, the one of the least rank explains the others.
+  int rank_as_cause = explains_none;
 
   /// Whether it puts further collisions to the subject.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
@@ -133,7 +142,16 @@ struct Invariant {
   /// Whether it speaks of the collision matrix that a subject shows.
   [[nodiscard]] bool is_of_matrix() const { return std::holds_alternative<AboutMatrix>(about); }
 
+  /// Whether it speaks of what a session remembers.
+  [[nodiscard]] bool is_of_session() const { return std::holds_alternative<AboutSession>(about); }
+
+  /// Whether it speaks of invalid collisions.
+  [[nodiscard]] bool is_of_invalid() const;
+
   [[nodiscard]] bool claimed_for(Model model) const;
+
+  /// The models, of those that it is claimed for, of which it is proved; empty where it is tested alone.
+  [[nodiscard]] std::vector<Model> proved_models() const;
 };
 
 /// The catalogue, in the order of the design.

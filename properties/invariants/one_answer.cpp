@@ -53,10 +53,10 @@ std::vector<Invariant> answer_invariants() {
   return {Invariant{"finite", "A valid collision is answered, with finite numbers.",
                     R"(x \text{ valid} \Rightarrow y(x) \in \mathbb{R}^{12})",
                     "protocol; failure cases 12, 25, 28 to 30, 34", "valid collisions", every_model(),
-                    AboutAnswer{true, check_finite}},
+                    AboutAnswer{true, check_finite}, Proof{}, 2},
           Invariant{"invalid_refused", "An invalid collision is refused, not answered.",
                     R"(x \text{ invalid} \Rightarrow \text{no } y(x))", "protocol; failure cases 12, 22, 28",
-                    "invalid collisions", every_model(), AboutAnswer{false, check_invalid_refused}}};
+                    "invalid collisions", every_model(), AboutAnswer{false, check_invalid_refused}, Proof{}, 1}};
 }
 
 }  // namespace carom::properties

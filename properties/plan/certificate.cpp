@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 
@@ -80,7 +81,10 @@ Certifier::Certifier(const Collision& collision, const Demand& demand)
     : demand_(demand),
       judged_({collision, false}),
       ulps_(ulps_of_binary64(demand.limit_ulps)),
-      claim_(claim_about_outcome(demand)) {}
+      claim_(claim_about_outcome(demand)) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  CAROM_EXPECTS(demand.law != Model::any);
+}
 
 Result Certifier::judge(const Candidate& candidate, const Answer& answer) const {
   Result result;

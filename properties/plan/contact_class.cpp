@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 
+#include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/plan/contact_class.hpp>
@@ -52,6 +54,7 @@ const char* kind_of(const BasicCollision<Rational>& c) {
 }  // namespace
 
 std::string contact_class_of(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
     return "both immovable";
   }

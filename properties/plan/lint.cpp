@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
@@ -67,6 +68,7 @@ class Linter {
 
   /// Precondition: the collision is valid.
   void condition() {
+    CAROM_EXPECTS(validate(contact_.collision).empty(), describe(validate(contact_.collision)));
     const Collision& c = contact_.collision;
     const Rational inverse_mass = oracles::inverse_mass(exact_);
     if (inverse_mass == 0) {
@@ -180,6 +182,8 @@ bool is_out_of_range(const Collision& collision) {
 }
 
 std::vector<LintFinding> findings_of(const ClassedCollision& contact) {
+  CAROM_EXPECTS(validate(contact.collision).empty() || is_out_of_range(contact.collision),
+                describe(validate(contact.collision)));
   Linter linter(contact);
   linter.coefficients();
   linter.lengths();

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <carom/properties/gate/in_parallel.hpp>
+#include <carom/collision/expects.hpp>
 #include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/plan.hpp>
@@ -37,7 +37,7 @@ struct Tally {
   }
 };
 
-/// Judges candidates on contacts, in threads.
+/// Judges candidates on contacts.
 class Judging {
  public:
   Judging(std::span<const Collision> collisions, std::span<const std::size_t> class_of_contact, std::size_t classes,
@@ -48,14 +48,14 @@ class Judging {
       empty.laws.push_back({law});
     }
     empty.certificates.resize(candidates.size());
-    tallies_.assign(std::max(1U, options.jobs), std::vector<Tally>(classes, empty));
+    tallies_.assign(std::max(1U, options.workers.count), std::vector<Tally>(classes, empty));
   }
 
   /// One for each class.
   std::vector<Tally> run() {
-    in_parallel(static_cast<unsigned>(tallies_.size()), tallies_.size(), [&](std::size_t thread) {
+    options_.workers.run(tallies_.size(), [&](std::size_t worker) {
       try {
-        judge_blocks(tallies_[thread]);
+        judge_blocks(tallies_[worker]);
       } catch (...) {
         next_ = collisions_.size();
         throw;
@@ -256,6 +256,7 @@ Classified classified(std::span<const ClassedCollision> contacts, Plan& plan) {
 std::size_t LawCount::exactly() const { return std::accumulate(by_reason.begin(), by_reason.end(), std::size_t{0}); }
 
 double Part::saving_of(const JudgedCandidate& candidate) const {
+  CAROM_EXPECTS(baseline_nanoseconds && candidate.nanoseconds);
   return *baseline_nanoseconds / *candidate.nanoseconds;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/gate/workers.hpp>
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/plan/classed_collision.hpp>
 #include <carom/properties/plan/lint_finding.hpp>
@@ -87,8 +88,8 @@ inline constexpr double times_alike = 1.1;
 
 struct PlanOptions {
   Demand demand;
-  unsigned jobs = 1;  // threads that judge
-  Clock clock = {};   // empty: nothing is timed, and `is_less` alone decides
+  Workers workers = {};  // that judge
+  Clock clock = {};      // empty: nothing is timed, and `is_less` alone decides
   std::function<void(std::uint64_t done, std::uint64_t all)> progress = {};
   std::stop_token stop = {};
 };

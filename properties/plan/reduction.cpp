@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
@@ -148,6 +149,7 @@ std::span<const Model> lesser_laws(Model law) {
 }
 
 bool is_normal_eigenvector(const ExactCase& exact_case) {
+  CAROM_EXPECTS(has_movable_body(exact_case.collision()));
   return are_parallel(exact_case.exact().normal, k_times_normal(exact_case));
 }
 

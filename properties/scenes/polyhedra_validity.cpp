@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/scenes/body_track.hpp>
 #include <carom/properties/scenes/polyhedra_validity.hpp>
 #include <carom/properties/scenes/wide.hpp>
@@ -456,6 +457,7 @@ class PolyhedraChecker {
 }  // namespace
 
 Validity check_polyhedra(const scene::Scene& scene, const History& history) {
+  CAROM_EXPECTS(!scene.polyhedra.empty());
   return PolyhedraChecker(scene, history).check();
 }
 

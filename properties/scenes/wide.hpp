@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/vector.hpp>
 
 /// Vectors in long double: what checks a scene in double rounds by 2⁻¹¹ of what it checks.
@@ -15,6 +16,7 @@ using WideVector = Vector3<long double>;
 /// Body axes to world axes. Precondition: the quaternion is not zero.
 template <class S>
 [[nodiscard]] Matrix3<long double> wide_rotation(const Quaternion<S>& q) {
+  CAROM_EXPECTS(!q.isZero(0), q);
   return Eigen::Quaternion<long double>(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 

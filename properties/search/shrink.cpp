@@ -5,14 +5,19 @@
 #include <cstdlib>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/search/shrink.hpp>
 
 namespace carom::properties {
 namespace {
 
-/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign.
+/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign. Of what is not
+/// finite 1.
 long complexity(double number) {
+  if (!std::isfinite(number)) {
+    return 1;
+  }
   if (number == 0) {
     return std::signbit(number) ? 1 : 0;
   }
@@ -99,6 +104,7 @@ long complexity(const Collision& collision) {
 }
 
 std::vector<Collision> simpler(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   Candidates candidates(collision);
   candidates.add([](Collision& c) { c.b = immovable_at(c.b.position); });
   candidates.add([](Collision& c) { c.a = immovable_at(c.a.position); });

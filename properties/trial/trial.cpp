@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 #include <carom/properties/trial/trial.hpp>
@@ -101,6 +102,7 @@ JudgedCase::JudgedCase(const Case& generated, bool filtered) : generated_(genera
 }
 
 std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
+  CAROM_EXPECTS(is_valid(), invariant.name);
   const auto [known, is_new] = questions_.try_emplace(&invariant);
   if (is_new) {
     const auto& relation = std::get<AboutRelation>(invariant.about);
@@ -111,7 +113,7 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
 }
 
 std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
-  return remembered(unjudged_, yardstick, [&] { return reason_unjudged(*exact_, yardstick); });
+  return remembered(unjudged_, yardstick, [&] { return reason_unjudged(exact(), yardstick); });
 }
 
 bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/deviation.hpp>
@@ -47,7 +48,10 @@ class JudgedCase {
   [[nodiscard]] bool is_valid() const { return exact_.has_value(); }
 
   /// Precondition: is_valid().
-  [[nodiscard]] const oracles::ExactCase& exact() const { return *exact_; }
+  [[nodiscard]] const oracles::ExactCase& exact() const {
+    CAROM_EXPECTS(is_valid());
+    return *exact_;
+  }
 
   /// The collisions that an invariant of the catalogue asks about whatever the outcome, and what is exactly known of
   /// them; remembered, since every subject is asked the same. None where one is not valid (an extreme case that the

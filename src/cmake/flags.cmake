@@ -10,6 +10,10 @@ target_compile_options(carom_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversi
 target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=400>
                                              $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
 
+if(CAROM_CHECK_PRECONDITIONS)
+  target_compile_definitions(carom_flags INTERFACE CAROM_CHECK_PRECONDITIONS=1) # src/collision/expects.hpp
+endif()
+
 if(CAROM_SANITIZE STREQUAL "address")
   set(carom_sanitizers -fsanitize=address -fsanitize=undefined)
 elseif(CAROM_SANITIZE STREQUAL "thread")

@@ -3,16 +3,14 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Of the components `program` and `development` what is said of neither is of the latter.
-set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
-
-# carom_library(TARGET NAME): an alias carom::NAME, under which it is installed.
+# carom_library(TARGET NAME): an alias carom::NAME, under which the component of the folder installs it.
 function(carom_library target name)
+  set(part ${CMAKE_INSTALL_DEFAULT_COMPONENT_NAME})
   add_library(carom::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  install(TARGETS ${target} EXPORT carom)
+  install(TARGETS ${target} EXPORT carom-${part})
   set_property(GLOBAL APPEND PROPERTY CAROM_INSTALLED_LIBRARIES ${target})
-  set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES ${name})
+  set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES_OF_${part} ${name})
 endfunction()
 
 # carom_folder(TARGET NAME DIRECTORY SCOPE …): a library, and the spelling <carom/NAME/…> that its folder of the tree has
@@ -30,16 +28,35 @@ function(carom_folder target name directory scope)
           ${ARGN})
 endfunction()
 
-# The package that find_package(carom) finds, once all of its libraries are known.
+# The package that find_package(carom) finds, once all of its libraries are known. Each component brings its own files
+# carom-component-PART.cmake and carom-targets-PART.cmake.
 function(carom_install_package)
   set(directory ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
-  get_property(carom_libraries GLOBAL PROPERTY CAROM_LIBRARIES)
+  carom_component(impulse)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/carom-config.cmake.in
                                 ${PROJECT_BINARY_DIR}/carom-config.cmake INSTALL_DESTINATION ${directory})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/carom-config.cmake ${PROJECT_BINARY_DIR}/carom-config-version.cmake
           DESTINATION ${directory})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/licences/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences
-          COMPONENT program)
-  install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${directory})
+  foreach(part IN LISTS carom_parts)
+    if(NOT part IN_LIST CAROM_BUILT)
+      continue()
+    endif()
+    carom_component(${part})
+    get_property(libraries GLOBAL PROPERTY CAROM_LIBRARIES_OF_${part})
+    set(needs ${carom_${part}_needs})
+    set(packages ${carom_${part}_packages_of_users})
+    configure_file(${PROJECT_SOURCE_DIR}/src/cmake/carom-component.cmake.in
+                   ${PROJECT_BINARY_DIR}/carom-component-${part}.cmake @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/carom-component-${part}.cmake DESTINATION ${directory})
+    install(EXPORT carom-${part} NAMESPACE carom:: FILE carom-targets-${part}.cmake DESTINATION ${directory})
+    install(FILES ${PROJECT_SOURCE_DIR}/src/package/copyright
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcarom-${part}-dev)
+  endforeach()
+  # Where there is no program, the solvers bring the licences.
+  set(part impulse)
+  if("program" IN_LIST CAROM_BUILT)
+    set(part carom)
+  endif()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/licences/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences COMPONENT ${part})
 endfunction()

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
-# What a user may choose. src/cmake/caches/ has the choices that bootstrap.sh makes.
+# What a user may choose. CMakePresets.json has the choices that bootstrap.sh makes.
 
-set(CAROM_COMPONENTS all CACHE STRING "What is built and installed: impulse (the solvers, for which Eigen is enough) or all")
-set_property(CACHE CAROM_COMPONENTS PROPERTY STRINGS all impulse)
-if(NOT CAROM_COMPONENTS MATCHES "^(all|impulse)$")
-  message(FATAL_ERROR "CAROM_COMPONENTS is all or impulse, not \"${CAROM_COMPONENTS}\"")
-endif()
-
-option(CAROM_BUILD_TESTS "Build the tests, where all components are built" ${PROJECT_IS_TOP_LEVEL})
+option(CAROM_BUILD_TESTS "Build the tests, if all components are built" ${PROJECT_IS_TOP_LEVEL})
 option(CAROM_WARNINGS_AS_ERRORS "Treat warnings in Carom's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 option(CAROM_UNITY "Compile small files several at a time: quicker, but no line for each in compile_commands.json" OFF)
 option(CAROM_PRECOMPILED_HEADERS "Compile headers that most units include once" ON)
+option(CAROM_CHECK_PRECONDITIONS "Check preconditions in a build that defines NDEBUG, too" OFF)
+option(CAROM_ALL_INSTRUCTION_SETS "Compile the batch for every instruction set; OFF: the baseline, and the widest of this machine" ON)
 option(CAROM_COVERAGE "Count which lines are run" OFF)
 
 set(CAROM_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, or nothing")

@@ -38,6 +38,11 @@ struct BasicCollision {
 using Body = BasicBody<double>;
 using Collision = BasicCollision<double>;
 
+template <class S>
+[[nodiscard]] bool has_movable_body(const BasicCollision<S>& collision) {
+  return !(collision.a.immovable && collision.b.immovable);
+}
+
 /// Where a number stands in a collision: "a.principal_inertia[2]", "normal[0]", "restitution".
 struct FieldPath {
   std::string_view body;   // "a", "b", or empty for a field of the collision itself

@@ -24,4 +24,18 @@ struct SolvedOutcome : Outcome<S> {
 /// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
 using ReportedOutcome = SolvedOutcome<long double>;
 
+template <class S>
+[[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
+  return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
+}
+
+template <class S>
+[[nodiscard]] ReportedOutcome reported(const SolvedOutcome<S>& solved) {
+  ReportedOutcome outcome = reported(static_cast<const Outcome<S>&>(solved));
+  if (solved.collision_matrix) {
+    outcome.collision_matrix = solved.collision_matrix->template cast<long double>();
+  }
+  return outcome;
+}
+
 }  // namespace carom

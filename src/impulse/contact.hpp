@@ -6,9 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
+#include <carom/collision/validate.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/principal_inertia.hpp>
-#include <carom/impulse/products.hpp>
 
 namespace carom::impulse {
 
@@ -72,12 +74,25 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
 /// Precondition: the collision is valid.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
+  if constexpr (std::is_same_v<T, double>) {
+    CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  }
   return {make_contact_body<S, Inertia>(collision.a, collision.point),
           make_contact_body<S, Inertia>(collision.b, collision.point),
           without_extreme_length<S>(collision.normal),
           static_cast<S>(collision.restitution),
           static_cast<S>(collision.friction),
           static_cast<S>(collision.tangential_restitution)};
+}
+
+/// Whether a contact may be made from a valid collision, as far as its numbers show: a bool, or a mask if S is a pack.
+/// A number that leaves the range of S is infinite or NaN, so lever arms and velocities show nothing.
+template <class S, class Inertia>
+[[nodiscard]] auto is_made_of_valid(const Contact<S, Inertia>& contact) {
+  return !(contact.a.inverse_mass < S(0)) && !(contact.b.inverse_mass < S(0)) &&
+         dot(contact.normal, contact.normal) > S(0) && !(contact.restitution < S(0)) && !(S(1) < contact.restitution) &&
+         !(contact.friction < S(0)) && !(contact.tangential_restitution < S(-1)) &&
+         !(S(1) < contact.tangential_restitution);
 }
 
 /// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).

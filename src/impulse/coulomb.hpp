@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/frictionless.hpp>
@@ -36,6 +37,7 @@ class SlipResistance {
 
   /// Precondition: the impulse without resistance is not in the cone, and μ > 0.
   [[nodiscard]] Vector3<S> impulse_on_cone() const {
+    CAROM_EXPECTS(friction_ > S(0) && !is_in_cone(impulse(S(0))), friction_, impulse(S(0)));
     constexpr S step = 256;
     constexpr S largest = std::numeric_limits<S>::max() / step;
     S inside = std::min(S(matrix_.trace()), largest);
@@ -73,6 +75,9 @@ class SlipResistance {
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact, const See& see = {}) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
+  CAROM_EXPECTS(contact.friction > S(0), contact.friction);
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {
     return {false, contact.normal};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 
 namespace carom::impulse {
@@ -23,6 +24,8 @@ struct NormalImpulse {
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class S, class Inertia>
 [[nodiscard]] NormalImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact, const S& approach) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {

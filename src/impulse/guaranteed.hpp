@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/contact.hpp>
 #include <carom/impulse/normal_velocity.hpp>
 #include <carom/impulse/rough.hpp>
@@ -95,6 +96,7 @@ struct Adjustable {
 /// The outcome with as few ulps added to one component of a movable body at a time as make N·V⁺ ≥ 0; untouched where it
 /// is so already, where no body can move, and where a number is not finite. Precondition: the collision is valid.
 [[nodiscard]] inline Outcome<double> without_approach(const Collision& collision, Outcome<double> outcome) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
     return outcome;
   }
@@ -155,6 +157,7 @@ template <class Law>
 /// Precondition: the collision is valid, and the contact was made from it.
 template <class Law>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact, const Law& law) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   const Outcome<double> before = unchanged(collision);
   if (normal_velocity_sign(collision, before) >= 0) {
     return before;

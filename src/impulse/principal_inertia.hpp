@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/impulse/numbers/difference_of_products.hpp>
-#include <carom/impulse/products.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/impulse/select.hpp>
 #include <carom/impulse/turning.hpp>

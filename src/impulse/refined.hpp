@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/solve3.hpp>
 
@@ -45,6 +46,8 @@ template <class S>
 /// The frictionless law. Precondition: the contact was made from a valid collision.
 template <class Low, class S>
 [[nodiscard]] Outcome<S> frictionless_refined(const Contact<S>& contact) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {
@@ -63,6 +66,8 @@ template <class Low, class S>
 /// collision.
 template <class Low, class Solve, class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact, const See& see = {}) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/solve3.hpp>
@@ -60,6 +61,8 @@ template <class S, class Inertia>
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
                                             const See& see = {}) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const NormalImpulse<S> normal = frictionless_impulse(contact, approach);
   if (none_of(normal.colliding)) {

@@ -3,7 +3,8 @@
 
 #include <Eigen/Cholesky>
 
-#include <carom/impulse/products.hpp>
+#include <carom/collision/expects.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/select.hpp>
 
 /// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is a policy of `reflection`.
@@ -26,6 +27,7 @@ struct Ldlt {
   /// Precondition: least > 0.
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
+    CAROM_EXPECTS(least > S(0), least);
     const S largest = at_least(absolute(b[0]), at_least(absolute(b[1]), absolute(b[2])));
     const S bound = (largest + largest) / least;
     const Vector3<S> x = solve_by<S>(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/solve3.hpp>
@@ -48,6 +49,8 @@ template <class S, class Inertia>
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact, const S& approach,
                                                  const See& see = {}) {
+  CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
+                contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
   if (none_of(colliding)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/impulse/products.hpp>
+#include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/impulse/turning.hpp>
 

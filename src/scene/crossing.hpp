@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/scene/motion.hpp>
 
@@ -41,6 +42,7 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 /// so |s − s₁| ≤ 2 |q(s)|/√D. What q(s) is at most comes from its computed value and the radii. Where D may be 0 or the
 /// side is not certain, it is left undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
+  CAROM_EXPECTS(!(q.c0 < -q.e0), q.c0, q.e0);
   const double square = q.c1 * q.c1;
   const double product = 4 * q.c0 * q.c2;
   const double discriminant = square - product;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/impulse/numbers/exact_sum.hpp>
@@ -112,6 +113,8 @@ Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& nor
 }
 
 Outcome<double> struck(Model law, Precision precision, const Collision& collision) {
+  CAROM_EXPECTS(law != Model::any);
+  CAROM_EXPECTS(collision.normal == collision.a.position, collision.normal, collision.a.position);
   switch (precision) {
     case Precision::binary32:
       return struck_in<float>(law, collision);

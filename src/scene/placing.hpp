@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/exact_time.hpp>
 #include <carom/scene/motion.hpp>
 
 namespace carom::scene {

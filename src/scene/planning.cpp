@@ -68,6 +68,37 @@ void Simulation::place_and_plan(Index sphere) {
   }
 }
 
+void Simulation::keep_first(Index sphere, const Planned& planned, Planned& best) {
+  if (planned.when.earliest > best.when.latest) {
+    return;
+  }
+  if (planned.when.latest < best.when.earliest) {
+    best = planned;
+    return;
+  }
+  // Which of this sphere's own events is first cannot wait: only one of them is kept.
+  ++counts_.exact.orders;
+  const auto order = exact_time(sphere, planned) <=> exact_time(sphere, best);
+  counts_.exact.ties += order == std::strong_ordering::equal ? 1 : 0;
+  if (order == std::strong_ordering::less ||
+      (order == std::strong_ordering::equal &&
+       std::tuple(planned.kind, planned.partner) < std::tuple(best.kind, best.partner))) {
+    best = planned;
+  }
+}
+
+std::size_t Simulation::leave_out_apart(const QuickLook& look, bool flies, std::size_t count) {
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index other = neighbours_[k];
+    const bool fly = flies & spheres_.is_flying(other);
+    const bool apart = look.stays_apart(spheres_.track(other), spheres_.make(other).radius);
+    neighbours_[left] = other;
+    left += (fly & apart) ? 0 : 1;
+  }
+  return left;
+}
+
 bool Simulation::plan_or_doubt(Index sphere) {
   const Path path = spheres_.path(sphere);
   std::size_t neighbours = 0;
@@ -83,24 +114,6 @@ bool Simulation::plan_or_doubt(Index sphere) {
   const double own_horizon = std::min({path.end, leaving.time, scene_.duration});
   Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0};
   bool is_clear = true;
-  const auto consider = [&](const Planned& planned) {
-    if (planned.when.earliest > best.when.latest) {
-      return;
-    }
-    if (planned.when.latest < best.when.earliest) {
-      best = planned;
-      return;
-    }
-    // Which of this sphere's own events is first cannot wait: only one of them is kept.
-    ++counts_.exact.orders;
-    const auto order = exact_time(sphere, planned) <=> exact_time(sphere, best);
-    counts_.exact.ties += order == std::strong_ordering::equal ? 1 : 0;
-    if (order == std::strong_ordering::less ||
-        (order == std::strong_ordering::equal &&
-         std::tuple(planned.kind, planned.partner) < std::tuple(best.kind, best.partner))) {
-      best = planned;
-    }
-  };
   const Placed here = placed(path, now_);
   if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width())) {
     throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
@@ -109,15 +122,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
   const bool flies = spheres_.is_flying(sphere);
   const QuickLook look(here, path.radius, scene_.gravity, spheres_.extent(now_), now_,
                        std::min(own_horizon, best.when.latest));
-  // Most neighbours are left out here; those that stay keep their order.
-  std::size_t left = 0;
-  for (std::size_t k = 0; k < neighbours; ++k) {
-    const Index other = neighbours_[k];
-    const bool fly = flies & spheres_.is_flying(other);
-    const bool apart = look.stays_apart(spheres_.track(other), spheres_.make(other).radius);
-    neighbours_[left] = other;
-    left += (fly & apart) ? 0 : 1;
-  }
+  const std::size_t left = leave_out_apart(look, flies, neighbours);
   for (std::size_t k = 0; k < left; ++k) {
     const Index other = neighbours_[k];
     const Path its = spheres_.path(other);
@@ -130,7 +135,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
     }
     const TimeBounds when = contact_between(path, its, pair, now_, horizon, counts_.exact);
     if (when.earliest < never) {
-      consider({when, Kind::sphere, other});
+      keep_first(sphere, {when, Kind::sphere, other}, best);
     }
   }
   for_planes_in_reach(sphere, [&](Index plane) {
@@ -141,7 +146,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
     is_clear = is_clear && (path.start != now_ || !overlap(path, its, now_, counts_.exact.gaps));
     const TimeBounds when = contact_between(path, its, now_, own_horizon, counts_.exact);
     if (when.earliest < never) {
-      consider({when, Kind::plane, plane});
+      keep_first(sphere, {when, Kind::plane, plane}, best);
     }
   });
   if (leaving.time < best.when.earliest) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <carom/scene/crossing.hpp>
-#include <carom/scene/exact/exact_time.hpp>
+#include <carom/scene/exact_time.hpp>
 #include <carom/scene/motion.hpp>
 
 /// When a sphere next touches another, or a plane, bounded by rounding alone, and exactly where that does not decide.

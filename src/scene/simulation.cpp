@@ -4,8 +4,10 @@
 #include <string>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/grid_around.hpp>
 #include <carom/scene/simulation.hpp>
+#include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
 namespace {
@@ -46,6 +48,7 @@ std::string_view name_of(EventKind kind) {
 }
 
 Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
+  CAROM_EXPECTS(has_valid_fields(scene_));
   if (!scene_.polyhedra.empty()) {
     throw std::logic_error("Simulation: a scene with polyhedra is for Tumbling");
   }

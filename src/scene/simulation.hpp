@@ -23,6 +23,8 @@
 
 namespace carom::scene {
 
+class QuickLook;
+
 /// What ends a run before its time: bodies that overlap at the beginning, impacts at one instant that do not end.
 class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -136,6 +138,10 @@ class Simulation {
   /// The same of one that has been stored anew; what overlaps is moved clear first.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
+  /// Puts the event in place of `best` if it is the first of both. Precondition: both are events of the sphere.
+  void keep_first(Index sphere, const Planned& planned, Planned& best);
+  /// Moves those of the first `count` of neighbours_ that may come near to the front, in their order. Their number.
+  [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
   [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <tuple>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/sphere_store.hpp>
 
 namespace carom::scene {
@@ -33,6 +34,9 @@ SphereStore::SphereStore(const Scene& scene)
 
 void SphereStore::set_arc(std::size_t sphere, const Arc& arc) {
   const bool is_flying = arc.turning.phase == Phase::flying;
+  CAROM_EXPECTS(arc.path.radius == make(sphere).radius, arc.path.radius, make(sphere).radius);
+  CAROM_EXPECTS(!is_flying || (arc.path.acceleration == gravity_ && arc.path.end == never), arc.path.acceleration,
+                arc.path.end);
   tags_[sphere] = tags_[sphere] / 2 * 2 + (is_flying ? 0 : 1);
   tracks_[sphere] = {arc.path.position, arc.path.start, arc.path.velocity, arc.path.end};
   widen(tracks_[sphere]);

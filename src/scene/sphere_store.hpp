@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/motion.hpp>
 #include <carom/scene/scene.hpp>
 
@@ -50,7 +51,10 @@ class SphereStore {
   [[nodiscard]] const Track& track(std::size_t sphere) const { return tracks_[sphere]; }
   [[nodiscard]] bool is_flying(std::size_t sphere) const { return tags_[sphere] % 2 == 0; }
   /// Precondition: it is not flying.
-  [[nodiscard]] std::uint32_t plane(std::size_t sphere) const { return turnings_[sphere].turning.plane; }
+  [[nodiscard]] std::uint32_t plane(std::size_t sphere) const {
+    CAROM_EXPECTS(!is_flying(sphere), sphere);
+    return turnings_[sphere].turning.plane;
+  }
 
   [[nodiscard]] const Vector3<double>& acceleration(std::size_t sphere) const {
     return is_flying(sphere) ? gravity_ : accelerations_[sphere];

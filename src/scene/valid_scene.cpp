@@ -202,6 +202,10 @@ std::optional<SceneDefect> first_defect(const Scene& scene) {
   return std::nullopt;
 }
 
+bool has_valid_fields(const Scene& scene) {
+  return !scene_defect(scene) && !pair_defect(scene) && !plane_defect(scene) && !spheres_defect(scene);
+}
+
 std::string describe(const SceneDefect& defect) {
   const std::string field = defect.field.empty() ? "" : '.' + defect.field;
   switch (defect.of) {

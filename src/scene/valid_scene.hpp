@@ -26,6 +26,9 @@ struct SceneDefect {
 /// proportion to the number of spheres, where they are of like sizes.
 [[nodiscard]] std::optional<SceneDefect> first_defect(const Scene& scene);
 
+/// Whether there is no defect but that bodies may overlap.
+[[nodiscard]] bool has_valid_fields(const Scene& scene);
+
 /// As one line: "spheres[3].radius: expected …".
 [[nodiscard]] std::string describe(const SceneDefect& defect);
 

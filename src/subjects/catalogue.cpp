@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <carom/subjects/catalogue.hpp>
-#include <carom/subjects/engines/engines.hpp>
+#include <carom/subjects/engines.hpp>
 
 namespace carom::subjects {
 namespace {

@@ -108,11 +108,16 @@ int rank_families() {
   constexpr std::uint64_t cases = 2;
   using Defect = std::pair<std::string_view, std::uint64_t>;  // a mutant, a seed
   std::map<std::string_view, std::set<Defect>> found;         // by family
+  std::vector<Subject> subjects;
+  for (const mutants::Mutant& mutant : mutants::all_mutants()) {
+    subjects.push_back(mutants::subject_of(mutant));
+  }
   for (const properties::Family& family : properties::all_families()) {
-    for (const mutants::Mutant& mutant : mutants::all_mutants()) {
-      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        if (!mutants::rejecting_invariants(mutants::subject_of(mutant), std::span(&family, 1), seed, cases).empty()) {
-          found[family.name].emplace(mutant.name, seed);
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const auto rejecting = mutants::rejecting_invariants(subjects, std::span(&family, 1), seed, cases);
+      for (std::size_t i = 0; i < subjects.size(); ++i) {
+        if (!rejecting[i].empty()) {
+          found[family.name].emplace(mutants::all_mutants()[i].name, seed);
         }
       }
     }

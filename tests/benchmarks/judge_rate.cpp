@@ -17,6 +17,8 @@
 
 #include <carom/report/model/exit_status.hpp>
 
+#include "io/threads.hpp"
+
 namespace carom::benchmarks {
 namespace {
 
@@ -151,7 +153,7 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
                 std::uint64_t relations_every) {
   properties::GateOptions options;
   options.cases = 100;
-  options.jobs = jobs;
+  options.workers = tool::threads(jobs);
   options.relations_every = relations_every;
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

@@ -4,13 +4,13 @@
 
 include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 
-set(nothing_else -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER})
+set(nothing_else -DCMAKE_CXX_COMPILER=${COMPILER})
 foreach(package Boost CGAL CLI11 GTest PkgConfig Threads benchmark fmt nlohmann_json pugixml rapidcheck)
   list(APPEND nothing_else -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build ${nothing_else} -C ${SOURCE}/src/cmake/caches/solvers.cmake)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build --preset solvers ${nothing_else})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${WORK}/installed)
 file(GLOB folders RELATIVE ${WORK}/installed/include/carom ${WORK}/installed/include/carom/*)
@@ -24,12 +24,12 @@ if(NOT folders STREQUAL "collision;impulse")
 endif()
 
 function(configure_consumer expected components)
-  run_expecting(${expected} ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer ${nothing_else}
+  run_expecting(${expected} ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -G Ninja ${nothing_else}
                 -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCOMPONENTS=${components})
   set(output "${output}" PARENT_SCOPE)
 endfunction()
-configure_consumer(1 conformance)
-expect_output("its component conformance is not installed here")
+configure_consumer(1 kit)
+expect_output("its component kit is not installed here")
 configure_consumer(0 impulse)
 configure_consumer(0 "")
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "on_families.hpp"
 
-#include <cstdlib>
-
 #include "wild.hpp"
 
 namespace carom::equality {
-
-std::uint64_t cases_of_a_family() {
-  const char* said = std::getenv("CAROM_EQUALITY_CASES");
-  return said == nullptr ? 1 : std::stoull(said);
-}
 
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement) {
   for (const properties::Family& family : properties::all_families()) {

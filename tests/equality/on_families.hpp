@@ -7,9 +7,6 @@ namespace carom::equality {
 
 inline constexpr std::uint64_t seed = 4;
 
-/// The environment variable CAROM_EQUALITY_CASES says how many cases of each family. A quick run takes one.
-[[nodiscard]] std::uint64_t cases_of_a_family();
-
 /// Compares the judges on so many cases of each family, and on as many wild ones for each fifth family. Each case is
 /// worked out once for all subjects.
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement);

@@ -5,7 +5,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>

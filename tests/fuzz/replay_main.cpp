@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+//   fuzz_replay TARGET FILE…
 // Runs a target on files, and on the files of directories, in place of a fuzzing engine. Directories that are not there
 // hold nothing.
 #include <algorithm>
@@ -7,12 +8,26 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "target.hpp"
 
+// In this program the function of each target has a name of its own. CMake lists the targets.
+#define TARGET(name) extern "C" int replay_##name(const std::uint8_t* data, std::size_t size);
+CAROM_FUZZ_TARGETS
+#undef TARGET
+
 namespace {
+
+using Target = int (*)(const std::uint8_t*, std::size_t);
+
+const std::map<std::string, Target> targets{
+#define TARGET(name) {#name, &replay_##name},
+    CAROM_FUZZ_TARGETS
+#undef TARGET
+};
 
 namespace fs = std::filesystem;
 
@@ -31,7 +46,7 @@ std::vector<fs::path> files_of(const std::vector<std::string>& arguments) {
 }
 
 /// The exit status.
-int replay(const std::vector<std::string>& arguments) {
+int replay(Target target, const std::vector<std::string>& arguments) {
   const std::vector<fs::path> files = files_of(arguments);
   for (const fs::path& file : files) {
     std::ifstream stream(file, std::ios::binary);
@@ -42,7 +57,7 @@ int replay(const std::vector<std::string>& arguments) {
     // Before it is run: where that ends the process, it is the last line.
     std::cerr << file.string() << std::endl;
     const std::vector<char> bytes(std::istreambuf_iterator<char>(stream), {});
-    (void)LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    (void)target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
   std::cerr << files.size() << " inputs replayed\n";
   return files.empty() ? 2 : 0;
@@ -50,4 +65,11 @@ int replay(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return replay(std::vector<std::string>(argv + 1, argv + argc)); }
+int main(int argc, char** argv) {
+  const auto target = targets.find(argc > 1 ? argv[1] : "");
+  if (target == targets.end()) {
+    std::cerr << "fuzz_replay TARGET FILE…\n";
+    return 2;
+  }
+  return replay(target->second, std::vector<std::string>(argv + 2, argv + argc));
+}

@@ -8,6 +8,7 @@
 #include <carom/properties/gate/gate.hpp>
 
 #include "catalogue.hpp"
+#include "io/threads.hpp"
 
 /// What the gate's diagnosis says of each planted mutant, beside what is wrong with it; of those named alone.
 int main(int argc, char** argv) {
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
   properties::GateOptions options;
   options.cases = 1000;
   options.shrinks = false;
-  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  options.workers = tool::threads(0);
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
   }

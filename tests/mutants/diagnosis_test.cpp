@@ -13,6 +13,7 @@
 #include <carom/properties/gate/gate.hpp>
 
 #include "catalogue.hpp"
+#include "io/threads.hpp"
 
 /// What the gate says of a wrong solver: the table of docs/guide/plug-in.md, each row of it planted.
 namespace carom::mutants {
@@ -59,7 +60,7 @@ std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
   options.shrinks = false;
   options.relations_every = 4;
-  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  options.workers = tool::threads(0);
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
   }

@@ -29,12 +29,7 @@ Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const 
   subject.shows_collision_matrix = shows_matrix;
   subject.open = [solve] {
     return subjects::session_of([solve](const Collision& collision) -> Answer {
-      const Solved solved = solve(impulse::make_contact<double>(collision));
-      ReportedOutcome outcome = map_outcome<long double>(solved, [](double x) { return static_cast<long double>(x); });
-      if (solved.collision_matrix) {
-        outcome.collision_matrix = solved.collision_matrix->cast<long double>();
-      }
-      return outcome;
+      return reported(solve(impulse::make_contact<double>(collision)));
     });
   };
   return subject;

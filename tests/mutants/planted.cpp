@@ -2,16 +2,15 @@
 #include "planted.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
-
-#include "rejection.hpp"
 
 namespace carom::mutants {
 namespace {
@@ -40,19 +39,23 @@ std::vector<Rejected> rejected_mutants(std::uint64_t seed, std::uint64_t cases, 
   for (const Mutant& mutant : all_mutants()) {
     rejected.push_back({&mutant, {}});
   }
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < rejected.size(); i = next++) {
-      rejected[i].by = rejecting_invariants(subject_of(*rejected[i].mutant), properties::all_families(), seed, cases);
+  // Each thread draws the cases once for all of its mutants.
+  const auto judge = [&](std::span<Rejected> mutants) {
+    std::vector<Subject> subjects;
+    for (const Rejected& one : mutants) {
+      subjects.push_back(subject_of(*one.mutant));
+    }
+    auto by = rejecting_invariants(subjects, properties::all_families(), seed, cases);
+    for (std::size_t i = 0; i < mutants.size(); ++i) {
+      mutants[i].by = std::move(by[i]);
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < jobs; ++i) {
-      threads.emplace_back(work);
-    }
-    work();
+  const std::size_t share = (rejected.size() + jobs - 1) / jobs;
+  std::vector<std::jthread> threads;
+  for (std::size_t first = 0; first < rejected.size(); first += share) {
+    threads.emplace_back(judge, std::span(rejected).subspan(first, std::min(share, rejected.size() - first)));
   }
+  threads.clear();
   return rejected;
 }
 

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "catalogue.hpp"
+#include "rejection.hpp"
 
 namespace carom::mutants {
 
 /// A planted mutant, and the invariants that reject it on the cases of the gate.
 struct Rejected {
   const Mutant* mutant;
-  std::set<std::string_view> by;
+  Rejecting by;
 };
 
 /// Of every planted mutant, in the order of the catalogue. `cases` of each family, times its weight.

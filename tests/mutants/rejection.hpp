@@ -2,21 +2,24 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <span>
-#include <string>
 #include <string_view>
+#include <vector>
 
 #include <carom/properties/trial/trial.hpp>
 
 namespace carom::mutants {
 
-/// The invariants that reject a subject on so many cases of each family, times its weight, those that the gate draws
-/// from `seed`; a tenth of them is asked again in the end. An invariant that has rejected is not asked again: the judge
-/// decides most passes by enclosures, and no violation.
-[[nodiscard]] std::set<std::string_view> rejecting_invariants(const Subject& subject,
-                                                              std::span<const properties::Family> families,
-                                                              std::uint64_t seed, std::uint64_t cases);
+/// The names of the invariants that reject a subject.
+using Rejecting = std::set<std::string_view>;
+
+/// For each subject the invariants that reject it, on so many cases of each family, times its weight. These are the
+/// cases that the gate draws from `seed`; a tenth of them is asked again in the end. Each case is drawn once and put to
+/// all subjects. An invariant that has rejected a subject is not asked about it again: the judge decides most passes by
+/// enclosures, and no violation.
+[[nodiscard]] std::vector<Rejecting> rejecting_invariants(std::span<const Subject> subjects,
+                                                          std::span<const properties::Family> families,
+                                                          std::uint64_t seed, std::uint64_t cases);
 
 }  // namespace carom::mutants

@@ -8,8 +8,9 @@
 #include <fmt/ranges.h>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/invariants/theorems.hpp>
+#include <carom/properties/invariants/invariant.hpp>
 
+#include "io/threads.hpp"
 #include "one_property_broken.hpp"
 
 namespace carom::mutants {
@@ -30,7 +31,7 @@ std::string listed(const Names& names) {
 
 std::string theorems_in_words(std::string_view invariant) {
   std::vector<std::string> all;
-  for (const properties::Theorem& theorem : properties::theorems_of(invariant)) {
+  for (const properties::Theorem& theorem : properties::invariant_named(invariant)->proof.theorems) {
     all.push_back(fmt::format("[`{}`](../../properties/proofs/{})", theorem.name, theorem.file));
   }
   return fmt::format("{}", fmt::join(all, ", "));
@@ -83,17 +84,14 @@ std::string facts_section(const Property& property) {
     text += fmt::format("| [`{0}`](../reference/invariants.md#{0}) | {1} | {2} |\n", name, invariant->statement,
                         theorems_in_words(name));
   }
-  return text + fmt::format(
-                    "\n**Random test.** `Each/ThreeProperties.HoldOfEveryBuiltInSolver/{}`, in "
-                    "`tests/mutants/three_properties_test.cpp`.\n",
-                    property.name);
+  return text + "\n**Random test.** `EverySolver`, in `tests/properties/conformance/three_properties_test.cpp`.\n";
 }
 
 std::string planted_section(const Property& property, const PlantedRun& run) {
   properties::GateOptions options;
   options.seed = run.seed;
   options.cases = run.cases;
-  options.jobs = run.jobs;
+  options.workers = tool::threads(run.jobs);
   options.shrinks = false;
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

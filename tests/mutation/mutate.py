@@ -188,8 +188,8 @@ def build(places, jobs):
         left = {n: place for n, place in places.items() if place.name not in known}
         write_copy(left)
         if not (WORK / "build/build.ninja").exists():
-            subprocess.run(["cmake", "-S", WORK, "-B", WORK / "build", "-G", "Ninja", "-Wno-dev", "--log-level=WARNING",
-                            "-C", ROOT / "src/cmake/caches/mutation.cmake"], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(["cmake", "-S", WORK, "-B", WORK / "build", "--preset", "mutation", "-Wno-dev",
+                            "--log-level=WARNING"], check=True, stdout=subprocess.DEVNULL)
         run = subprocess.run(["ninja", "-C", WORK / "build", "-j", str(jobs), "-k", "0",
                               *{program.split("/")[-1] for program, _ in TESTS}], text=True, stdout=subprocess.PIPE)
         if run.returncode == 0:

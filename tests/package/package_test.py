@@ -59,9 +59,9 @@ def check_program(system):
 
 
 def check_libraries(system):
-    system.expect("apt-get install -y --no-install-recommends /packages/libcarom-dev_*.deb g++ cmake ninja-build")
+    system.expect("apt-get install -y --no-install-recommends /packages/libcarom-*-dev_*.deb g++ cmake ninja-build")
     system.expect("cmake -S /consumer -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug && cmake --build /tmp/consumer")
-    for program in ("solve", "batch", "judge"):
+    for program in ("solve", "batch", "judge", "builtin", "scene"):
         system.expect(f"/tmp/consumer/{program}")
 
 
@@ -83,7 +83,7 @@ def main(packages, work, source):
         return 1
     finally:
         system.debian.remove()
-    print("package_test: both packages install into a bare Debian 12, and do what they should")
+    print("package_test: the packages install into a bare Debian 12, and do what they should")
     return 0
 
 

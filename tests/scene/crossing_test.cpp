@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/conformance/rapidcheck.hpp>
+#include <carom/properties/families/stream.hpp>
 #include <carom/scene/crossing.hpp>
 
 #include "paths.hpp"
@@ -80,8 +80,8 @@ ExactQuadratic within(properties::Stream& stream, const UncertainQuadratic& q) {
 TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
   int decided = 0;
   int crossed = 0;
-  properties::check(2000, [&] {
-    properties::Stream stream = properties::stream_from(*rc::gen::arbitrary<std::uint64_t>());
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    properties::Stream stream = properties::stream_from(seed);
     const double relative = stream.chance(3) ? 0 : stream.power_of_ten(-16, -2);
     UncertainQuadratic q{};
     q.c0 = stream.chance(8) ? 0 : std::abs(stream.signed_unit()) * stream.power_of_ten(-12, 2);
@@ -100,10 +100,10 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
     for (int i = 0; i < 4; ++i) {
       const std::string wrong = wrong_with(found, within(stream, q));
       if (!wrong.empty()) {
-        RC_FAIL(wrong);
+        FAIL() << wrong << ", seed " << seed;
       }
     }
-  });
+  }
   // It does not leave it undecided: a third of the cases is close to a double root, and radii go up to a hundredth.
   EXPECT_GT(decided, 1200);
   EXPECT_GT(crossed, 400);

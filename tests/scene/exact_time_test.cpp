@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/conformance/rapidcheck.hpp>
-#include <carom/scene/exact/exact_time.hpp>
+#include <carom/properties/families/stream.hpp>
+#include <carom/scene/exact_time.hpp>
 
 #include "paths.hpp"
 
@@ -18,11 +18,11 @@ using unit::Rational;
 using unit::resting;
 using unit::Vector;
 
-const Vector still = Vector::Zero();
+const Vector at_rest = Vector::Zero();
 
 TEST(ExactTime, OfMirroredPairsIsEqual) {
   // By a mirror, by exchange and by halves: irrational times, none with the digits of a double.
-  const Path middle = path_of({0, 0, 0}, {0, 0, 1}, still, 0.3);
+  const Path middle = path_of({0, 0, 0}, {0, 0, 1}, at_rest, 0.3);
   const Path right = path_of({2, 0.25, 0.1}, {-1, 0, 1.125}, {0, 0, -0.5}, 0.7);
   const Path left = path_of({-2, 0.25, 0.1}, {1, 0, 1.125}, {0, 0, -0.5}, 0.7);
   const auto time_right = exact_contact(middle, right, 0);
@@ -38,14 +38,14 @@ TEST(ExactTime, OfMirroredPairsIsEqual) {
 TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   const Path wall = resting({0, 0, 0}, 0.5);
   const auto at = [&](double speed, double distance) {
-    return exact_contact(wall, path_of({distance + 1, 0, 0}, {-speed, 0, 0}, still, 0.5), 0);
+    return exact_contact(wall, path_of({distance + 1, 0, 0}, {-speed, 0, 0}, at_rest, 0.5), 0);
   };
   const auto one = at(1, 1);
   ASSERT_TRUE(one);
   EXPECT_EQ(*one, ExactTime::at(1));
   // An ulp of the way further.
   const auto later_by = [&](double delay) {
-    return exact_contact(wall, path_of({2 + delay, 0, 0}, {-1, 0, 0}, still, 0.5), 0);
+    return exact_contact(wall, path_of({2 + delay, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   };
   const auto later = later_by(0x1p-51);
   ASSERT_TRUE(later);
@@ -88,7 +88,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
 
 /// What keep_apart leaves: the least of all speeds. The contact is later than any double.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
-  const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, still, 0.5);
+  const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};
   const auto contact = exact_contact(creeping, wall, 0);
   ASSERT_TRUE(contact);
@@ -103,7 +103,7 @@ TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
 
 TEST(ExactTime, OfAGrazingPassIsNone) {
   const Path sphere = resting({0, 0, 0}, 0.5);
-  EXPECT_FALSE(exact_contact(sphere, path_of({-3, 1, 0}, {1, 0, 0}, still, 0.5), 0));
+  EXPECT_FALSE(exact_contact(sphere, path_of({-3, 1, 0}, {1, 0, 0}, at_rest, 0.5), 0));
   // A parabola whose top touches the plane, an ulp off whichever way.
   const Reach ceiling{{0, 0, -1}, -2};
   EXPECT_FALSE(exact_contact(path_of({0, 0, 0}, {1, 0, 4}, {0, 0, -4}, 0.5), ceiling, 0));
@@ -111,7 +111,7 @@ TEST(ExactTime, OfAGrazingPassIsNone) {
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
   // An ulp nearer, and they touch.
-  EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, still, 0.5), 0));
+  EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, at_rest, 0.5), 0));
 }
 
 TEST(ExactTime, OfATopThatTouchesIsNone) {
@@ -124,18 +124,18 @@ TEST(ExactTime, OfATopThatTouchesIsNone) {
 
 TEST(ExactTime, OfContactAtPresentIsThePresent) {
   const Path sphere = resting({0, 0, 0}, 0.5);
-  const auto approaching = exact_contact(sphere, path_of({1, 0, 0}, {-1, 0, 0}, still, 0.5), 0);
+  const auto approaching = exact_contact(sphere, path_of({1, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   ASSERT_TRUE(approaching);
   EXPECT_EQ(*approaching, ExactTime::at(0));
-  EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, still, 0.5), 0));
-  EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {0, 3, 0}, still, 0.5), 0));
+  EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, at_rest, 0.5), 0));
+  EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {0, 3, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, resting({1, 0, 0}, 0.5), 0));
   // At rest, but accelerated inwards: it falls at once.
   const auto pressed = exact_contact(sphere, path_of({1, 0, 0}, {0, 0, 0}, {-1, 0, 0}, 0.5), 0);
   ASSERT_TRUE(pressed);
   EXPECT_EQ(*pressed, ExactTime::at(0));
   // Later than the path's own start.
-  const auto later = exact_contact(sphere, path_of({2, 0, 0}, {-1, 0, 0}, still, 0.5), 1);
+  const auto later = exact_contact(sphere, path_of({2, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 1);
   ASSERT_TRUE(later);
   EXPECT_EQ(*later, ExactTime::at(1));
   // What has touched and recedes, comes back by acceleration.

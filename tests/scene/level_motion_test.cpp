@@ -14,14 +14,14 @@ namespace {
 
 using unit::Vector;
 
-constexpr double g = 9.81;
-constexpr double radius = 0.375;
-const Level floor_level{2, 1, g};
+constexpr double gravity = 9.81;
+constexpr double ball_radius = 0.375;
+const Level floor_level{2, 1, gravity};
 const MaterialPair cloth{0.5, 0.25, 0, 0.0625, 0.125};
 const MaterialPair without_resistance{0.5, 0.25, 0, 0, 0};
 
 Arc arc_of(const Vector& v, const Vector& w, const MaterialPair& pair, double start = 0) {
-  return level_arc(floor_level, 3, pair, true, radius, start, {1, 2, radius}, v, w);
+  return level_arc(floor_level, 3, pair, true, ball_radius, start, {1, 2, ball_radius}, v, w);
 }
 
 Arc next(const Arc& arc, const MaterialPair& pair) {
@@ -29,15 +29,15 @@ Arc next(const Arc& arc, const MaterialPair& pair) {
 }
 
 /// v − R w × n
-Vector slip(const Vector& v, const Vector& w) { return v - radius * w.cross(Vector(0, 0, 1)); }
+Vector slip(const Vector& v, const Vector& w) { return v - ball_radius * w.cross(Vector(0, 0, 1)); }
 
 /// ½ v² + ½ (2/5) R² w², of a unit mass.
 double energy(const Vector& v, const Vector& w) {
-  return 0.5 * v.squaredNorm() + 0.2 * radius * radius * w.squaredNorm();
+  return 0.5 * v.squaredNorm() + 0.2 * ball_radius * ball_radius * w.squaredNorm();
 }
 
 /// Numbers of size 1 to 10 that a few products and sums have rounded.
-constexpr double tolerance = 1e-14;
+constexpr double few_roundings = 1e-14;
 
 TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
   properties::Stream stream = properties::stream_from(1);
@@ -52,24 +52,24 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
     ASSERT_EQ(sliding.turning.phase, Phase::sliding);
     EXPECT_EQ(sliding.turning.plane, 3U);
     EXPECT_EQ(sliding.path.acceleration.z(), 0);
-    EXPECT_NEAR(sliding.path.acceleration.norm(), without_resistance.friction * g, tolerance);
+    EXPECT_NEAR(sliding.path.acceleration.norm(), without_resistance.friction * gravity, few_roundings);
     // Against the slip.
-    EXPECT_NEAR(sliding.path.acceleration.dot(u), -without_resistance.friction * g * u.norm(), 8 * tolerance);
-    EXPECT_NEAR(sliding.path.end - sliding.path.start, 2 * u.norm() / (7 * without_resistance.friction * g),
-                8 * tolerance);
+    EXPECT_NEAR(sliding.path.acceleration.dot(u), -without_resistance.friction * gravity * u.norm(), 8 * few_roundings);
+    EXPECT_NEAR(sliding.path.end - sliding.path.start, 2 * u.norm() / (7 * without_resistance.friction * gravity),
+                8 * few_roundings);
     EXPECT_EQ(sliding.turning.ending, Ending::slip);
     const Arc rolling = next(sliding, without_resistance);
     // Rolling from where friction has no arm about: (5/7) v + (2/7) R w × n.
-    const Vector rolls = (5.0 / 7) * v + (2.0 / 7) * radius * w.cross(Vector(0, 0, 1));
-    EXPECT_LE((rolling.path.velocity - rolls).norm(), 8 * tolerance);
+    const Vector rolls = (5.0 / 7) * v + (2.0 / 7) * ball_radius * w.cross(Vector(0, 0, 1));
+    EXPECT_LE((rolling.path.velocity - rolls).norm(), 8 * few_roundings);
     ASSERT_EQ(rolling.turning.phase, Phase::rolling);
-    EXPECT_LE(slip(rolling.path.velocity, rolling.turning.angular_velocity).norm(), tolerance);
+    EXPECT_LE(slip(rolling.path.velocity, rolling.turning.angular_velocity).norm(), few_roundings);
     EXPECT_EQ(rolling.turning.angular_velocity.z(), w.z());
     EXPECT_EQ(rolling.path.acceleration, Vector(0, 0, 0));
     EXPECT_EQ(rolling.path.end, never);
     // What friction took: (1/7) u² of a unit mass.
     EXPECT_NEAR(energy(v, w) - energy(rolling.path.velocity, rolling.turning.angular_velocity), u.squaredNorm() / 7,
-                32 * tolerance);
+                32 * few_roundings);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(LevelMotion, TopspinAccelerates) {
   // It rolls faster than it goes.
   const Arc arc = arc_of({1, 0, 0}, {0, 10, 0}, cloth);
   ASSERT_EQ(arc.turning.phase, Phase::sliding);
-  EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * g);
+  EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * gravity);
   EXPECT_LT(arc.turning.angular_acceleration.y(), 0);
   // Backspin turns a slow ball round.
   const Arc drawn = arc_of({1, 0, 0}, {0, -20, 0}, cloth);
@@ -86,15 +86,15 @@ TEST(LevelMotion, TopspinAccelerates) {
 
 TEST(LevelMotion, RollingResistanceStopsIt) {
   const double v = 1.5;
-  const Arc rolling = arc_of({0, v, 0}, Vector(-v / radius, 0, 0), cloth);
+  const Arc rolling = arc_of({0, v, 0}, Vector(-v / ball_radius, 0, 0), cloth);
   ASSERT_EQ(rolling.turning.phase, Phase::rolling);
   EXPECT_EQ(rolling.turning.ending, Ending::roll);
-  EXPECT_NEAR(rolling.path.end, v / (cloth.rolling_resistance * g), tolerance);
-  EXPECT_NEAR(position_at(rolling.path, rolling.path.end).y() - 2, v * v / (2 * cloth.rolling_resistance * g),
-              8 * tolerance);
+  EXPECT_NEAR(rolling.path.end, v / (cloth.rolling_resistance * gravity), few_roundings);
+  EXPECT_NEAR(position_at(rolling.path, rolling.path.end).y() - 2, v * v / (2 * cloth.rolling_resistance * gravity),
+              8 * few_roundings);
   // It rolls all the time.
   const double middle = 0.5 * rolling.path.end;
-  EXPECT_LE(slip(velocity_at(rolling.path, middle), angular_velocity_at(rolling, middle)).norm(), tolerance);
+  EXPECT_LE(slip(velocity_at(rolling.path, middle), angular_velocity_at(rolling, middle)).norm(), few_roundings);
   const Arc rests = next(rolling, cloth);
   EXPECT_EQ(rests.turning.phase, Phase::resting);
   EXPECT_EQ(rests.path.velocity, Vector(0, 0, 0));
@@ -109,8 +109,8 @@ TEST(LevelMotion, SpinDecays) {
     const Arc arc = arc_of({0, 0, 0}, {0, 0, spin}, cloth);
     ASSERT_EQ(arc.turning.phase, Phase::resting);
     EXPECT_EQ(arc.turning.ending, Ending::spin);
-    EXPECT_NEAR(arc.path.end, 4 / (2.5 * cloth.spinning_resistance * g / radius), tolerance);
-    EXPECT_NEAR(angular_velocity_at(arc, 0.5 * arc.path.end).z(), 0.5 * spin, tolerance);
+    EXPECT_NEAR(arc.path.end, 4 / (2.5 * cloth.spinning_resistance * gravity / ball_radius), few_roundings);
+    EXPECT_NEAR(angular_velocity_at(arc, 0.5 * arc.path.end).z(), 0.5 * spin, few_roundings);
     const Arc still = next(arc, cloth);
     EXPECT_EQ(still.turning.angular_velocity, Vector(0, 0, 0));
     EXPECT_EQ(still.turning.ending, Ending::none);
@@ -148,7 +148,7 @@ TEST(LevelMotion, PhasesEndOneAfterTheOther) {
 TEST(LevelMotion, WithoutFrictionSlidesForEver) {
   const Vector v{1, 2, 0};
   const Vector w{3, 4, 5};
-  const Arc arc = level_arc(floor_level, 0, cloth, false, radius, 0, {0, 0, radius}, v, w);
+  const Arc arc = level_arc(floor_level, 0, cloth, false, ball_radius, 0, {0, 0, ball_radius}, v, w);
   EXPECT_EQ(arc.turning.phase, Phase::sliding);
   EXPECT_EQ(arc.path.velocity, v);
   EXPECT_EQ(arc.turning.angular_velocity, w);
@@ -166,17 +166,17 @@ TEST(LevelMotion, IsTheSameOnEveryAxis) {
   const Arc arc = arc_of({1, 0.5, 0}, {2, -3, 4}, cloth);
   // x → y → z → x
   const auto turned = [](const Vector& x) { return Vector(x.z(), x.x(), x.y()); };
-  const Arc other =
-      level_arc({0, 1, g}, 3, cloth, true, radius, 0, turned({1, 2, radius}), turned({1, 0.5, 0}), turned({2, -3, 4}));
-  EXPECT_LE((other.path.acceleration - turned(arc.path.acceleration)).norm(), tolerance);
-  EXPECT_LE((other.turning.angular_acceleration - turned(arc.turning.angular_acceleration)).norm(), 8 * tolerance);
-  EXPECT_NEAR(other.path.end, arc.path.end, tolerance);
+  const Arc other = level_arc({0, 1, gravity}, 3, cloth, true, ball_radius, 0, turned({1, 2, ball_radius}),
+                              turned({1, 0.5, 0}), turned({2, -3, 4}));
+  EXPECT_LE((other.path.acceleration - turned(arc.path.acceleration)).norm(), few_roundings);
+  EXPECT_LE((other.turning.angular_acceleration - turned(arc.turning.angular_acceleration)).norm(), 8 * few_roundings);
+  EXPECT_NEAR(other.path.end, arc.path.end, few_roundings);
   // Turned by half a turn about x, up is down.
   const auto over = [](const Vector& x) { return Vector(x.x(), -x.y(), -x.z()); };
-  const Arc below =
-      level_arc({2, -1, g}, 3, cloth, true, radius, 0, over({1, 2, radius}), over({1, 0.5, 0}), over({2, -3, 4}));
-  EXPECT_LE((below.path.acceleration - over(arc.path.acceleration)).norm(), tolerance);
-  EXPECT_LE((below.turning.angular_acceleration - over(arc.turning.angular_acceleration)).norm(), 8 * tolerance);
+  const Arc below = level_arc({2, -1, gravity}, 3, cloth, true, ball_radius, 0, over({1, 2, ball_radius}),
+                              over({1, 0.5, 0}), over({2, -3, 4}));
+  EXPECT_LE((below.path.acceleration - over(arc.path.acceleration)).norm(), few_roundings);
+  EXPECT_LE((below.turning.angular_acceleration - over(arc.turning.angular_acceleration)).norm(), 8 * few_roundings);
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ inline void add_box(scene::Scene& scene, double size) {
 
 /// side³ spheres of mixed radii in a cube of that many cells of edge 1, each with a place of its own.
 [[nodiscard]] inline scene::Scene box_of_spheres(Model law, const scene::MaterialPair& pair, int side, double duration,
-                                                 std::uint64_t seed) {
-  properties::Stream stream = properties::stream_from(seed);
+                                                 std::uint64_t gas_seed) {
+  properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
   add_box(scene, side);
   for (int x = 0; x < side; ++x) {
@@ -103,8 +103,8 @@ inline void add_box(scene::Scene& scene, double size) {
 /// side³ boxes, tetrahedra and, where they are asked for, balls, in a cube of that many cells of edge 1: each turned
 /// any way within its own cell.
 [[nodiscard]] inline scene::Scene box_of_bodies(Model law, const scene::MaterialPair& pair, int side, double duration,
-                                                std::uint64_t seed, bool has_balls) {
-  properties::Stream stream = properties::stream_from(seed);
+                                                std::uint64_t gas_seed, bool has_balls) {
+  properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
   add_box(scene, side);
   for (int cell = 0; cell < side * side * side; ++cell) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "program.hpp"
 
+#include <atomic>
 #include <fstream>
 #include <iterator>
 
@@ -44,7 +45,7 @@ int wait_for(pid_t process) {
 }
 
 TemporaryDirectory::TemporaryDirectory() {
-  static int count = 0;
+  static std::atomic<int> count = 0;
   path_ = std::filesystem::temp_directory_path() /
           ("carom-test-" + std::to_string(getpid()) + '-' + std::to_string(count++));
   std::filesystem::create_directories(path_);

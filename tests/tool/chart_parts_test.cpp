@@ -60,7 +60,7 @@ TEST(ChartParts, LeaveOutWhatLeavesTheRangeOfAPrecision) {
   c.a.velocity = {0, -1, 0};
   c.a.principal_inertia.setConstant(1e37);
   c.b.position = {0, -1, 0};
-  const std::vector<Exactness> measured = measured_exactness(methods, std::vector{c}, 32, 1, AnswersOfCoulomb::found);
+  const std::vector<Exactness> measured = measured_exactness(methods, std::vector{c}, 32, {}, AnswersOfCoulomb::found);
   EXPECT_EQ(measured[0].cases, 0U);
   EXPECT_EQ(measured[1].cases, 1U);
 }

@@ -13,7 +13,6 @@
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
-#include <carom/properties/invariants/theorems.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/program.hpp"
@@ -71,18 +70,16 @@ TEST(Documents, FindStatementsByTheirWholeName) {
 TEST(Documents, TheoremsThatInvariantsNameAreProved) {
   // Of these the axioms are held against what is permitted, as well.
   const std::string listed = content_of(proofs + "theorems.txt");
-  for (const properties::Proved& proved : properties::proved_invariants()) {
-    EXPECT_NE(properties::invariant_named(proved.invariant), nullptr) << proved.invariant;
-    EXPECT_FALSE(proved.theorems.empty()) << proved.invariant;
-    EXPECT_EQ(properties::theorems_of(proved.invariant).data(), proved.theorems.data()) << "the name stands twice";
-    for (const properties::Theorem& theorem : proved.theorems) {
+  std::size_t count = 0;
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    for (const properties::Theorem& theorem : invariant.proof.theorems) {
+      ++count;
       EXPECT_TRUE(states(content_of(proofs + std::string(theorem.file)), theorem.name)) << theorem.name;
       const std::string_view file = theorem.file.substr(0, theorem.file.rfind('.'));
       EXPECT_NE(listed.find(fmt::format("\n{} {}\n", file, theorem.name)), std::string::npos) << theorem.name;
     }
   }
-  EXPECT_TRUE(properties::theorems_of("finite").empty());
-  EXPECT_TRUE(properties::theorems_of("no_such").empty());
+  EXPECT_GT(count, properties::all_invariants().size());
 }
 
 /// What stands between the first `begin` and the next `end`.
@@ -117,7 +114,7 @@ TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
     std::string in_text;
     std::string in_page;
     nlohmann::json in_record = nlohmann::json::array();
-    for (const properties::Theorem& theorem : properties::theorems_of(name)) {
+    for (const properties::Theorem& theorem : properties::invariant_named(name)->proof.theorems) {
       const char* comma = in_text.empty() ? "" : ", ";
       in_text += fmt::format("{}{} ({})", comma, theorem.name, theorem.file);
       in_page += fmt::format("{}[`{}`](../../properties/proofs/{})", comma, theorem.name, theorem.file);

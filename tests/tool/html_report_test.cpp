@@ -173,7 +173,7 @@ TEST_F(Markup, OfASubjectIsText) {
 
 TEST_F(Markup, AddsNothingToThePageInABrowser) {
   constexpr const char* browser = "/usr/bin/chromium";
-  ASSERT_EQ(access(browser, X_OK), 0) << "chromium is needed; `bash src/bootstrap.sh test` installs it";
+  ASSERT_EQ(access(browser, X_OK), 0) << "chromium is needed; `bash src/bootstrap.sh test all` installs it";
   const auto page = Markup::page();
   const TemporaryDirectory profile;
   const RunResult result =

@@ -27,11 +27,6 @@
 namespace carom::tests {
 namespace {
 
-template <class S>
-ReportedOutcome reported(const Outcome<S>& outcome) {
-  return map_outcome<long double>(outcome, [](const S& number) { return static_cast<long double>(number); });
-}
-
 template <class S, class Solve>
 ReportedOutcome solved_in_batch(const Collision& collision, const Solve& solve) {
   carom::impulse::ContactBatch<S> contacts(1);

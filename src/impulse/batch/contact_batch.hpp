@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/batch/contact_numbers.hpp>
 
 namespace carom::impulse {
@@ -84,14 +85,19 @@ class ContactBatch {
   [[nodiscard]] ContactArrays<S> arrays() { return detail::arrays_over<ContactArrays<S>>(memory_); }
   [[nodiscard]] ContactArrays<const S> arrays() const { return detail::arrays_over<ContactArrays<const S>>(memory_); }
   /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < contact_number_count.
-  [[nodiscard]] const S* begin_of(std::size_t k) const { return memory_.begin_of(k); }
+  [[nodiscard]] const S* begin_of(std::size_t k) const {
+    CAROM_EXPECTS(k < contact_number_count, k);
+    return memory_.begin_of(k);
+  }
 
   /// Precondition: i < size().
   [[nodiscard]] Contact<S> at(std::size_t i) const {
+    CAROM_EXPECTS(i < size(), i, size());
     return contact_of<S>([&](std::size_t k) { return memory_[k][i]; });
   }
   /// Precondition: i < size().
   void set(std::size_t i, const Contact<S>& contact) {
+    CAROM_EXPECTS(i < size(), i, size());
     write_contact(contact, [&](std::size_t k, const S& number) { memory_[k][i] = number; });
   }
 
@@ -108,10 +114,14 @@ class OutcomeBatch {
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] OutcomeArrays<S> arrays() { return detail::arrays_over<OutcomeArrays<S>>(memory_); }
   /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < outcome_number_count.
-  [[nodiscard]] S* begin_of(std::size_t k) { return memory_.begin_of(k); }
+  [[nodiscard]] S* begin_of(std::size_t k) {
+    CAROM_EXPECTS(k < outcome_number_count, k);
+    return memory_.begin_of(k);
+  }
 
   /// Precondition: i < size().
   [[nodiscard]] Outcome<S> at(std::size_t i) const {
+    CAROM_EXPECTS(i < size(), i, size());
     return outcome_of<S>([&](std::size_t k) { return memory_[k][i]; });
   }
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compiled once for each instruction set, named CAROM_INSTRUCTION_SET.
+
+// A check is a function left standing (below); solve.cpp checks for all.
+#undef CAROM_CHECK_PRECONDITIONS
+#define CAROM_CHECK_PRECONDITIONS 0
+
 #include <carom/impulse/batch/pack_kernels.hpp>
 #include <carom/impulse/batch/solve_packs.hpp>
 #include <carom/impulse/laws.hpp>

@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/batch/pack_kernels.hpp>
 #include <carom/impulse/batch/solve.hpp>
 
@@ -26,6 +27,16 @@ PackTask<S> task_of(ContactArrays<const S> contacts, OutcomeArrays<S> outcomes) 
 }
 
 template <class S>
+bool are_made_of_valid(const PackTask<S>& task) {
+  for (std::size_t i = 0; i < task.count; ++i) {
+    if (!is_made_of_valid(contact_of<S>([&](std::size_t k) { return task.contacts[k][i]; }))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class S>
 void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
   if (!is_available(set)) {
     throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
@@ -33,6 +44,7 @@ void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
   if (!determines_outcome(model)) {
     throw std::invalid_argument("carom::impulse::solve: the model says no law");
   }
+  CAROM_EXPECTS(are_made_of_valid(task), task.count);
 #ifdef CAROM_BATCH_HAS_avx512
   if (set == InstructionSet::avx512) {
     avx512::solve_packs(task, model);

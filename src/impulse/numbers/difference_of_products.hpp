@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <carom/impulse/products.hpp>
+#include <carom/impulse/numbers/products.hpp>
 
 /// Products of vectors of which each component has a relative error of its own, where those of products.hpp have one
 /// of |x| |y|.

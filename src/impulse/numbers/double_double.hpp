@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <carom/collision/expects.hpp>
+
 /// Numbers of about 106 bits as unevaluated sums of two doubles, after M. Joldes, J.-M. Muller, V. Popescu, "Tight and
 /// rigorous error bounds for basic building blocks of double-word arithmetic", ACM Trans. Math. Softw. 44 (2017), cited
 /// by algorithm. u = 2⁻⁵³. The bounds hold short of over- and underflow: the range is that of double, and below about
@@ -18,7 +20,10 @@ class DoubleDouble {
   DoubleDouble(double number) : high_(number) {}
 
   /// high + low. Precondition: |low| is at most half an ulp of high.
-  [[nodiscard]] static DoubleDouble of_parts(double high, double low) { return {high, low}; }
+  [[nodiscard]] static DoubleDouble of_parts(double high, double low) {
+    CAROM_EXPECTS(high + low == high || !std::isfinite(high), high, low);
+    return {high, low};
+  }
 
   [[nodiscard]] double high() const { return high_; }
   [[nodiscard]] double low() const { return low_; }
@@ -64,6 +69,7 @@ class DoubleDouble {
   /// SQRTDWtoDW of V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, ACM Trans. Math. Softw. 49 (2023):
   /// relative error below 25/8 u². Precondition: x ≥ 0.
   [[nodiscard]] friend DoubleDouble sqrt(const DoubleDouble& x) {
+    CAROM_EXPECTS(!(x.high_ < 0), x.high_);
     if (x.high_ == 0) {
       return {};
     }
@@ -85,6 +91,7 @@ class DoubleDouble {
 
   /// Algorithm 1, Fast2Sum: x + y exactly. Precondition: |x| ≥ |y|, or x is 0.
   static DoubleDouble fast_two_sum(double x, double y) {
+    CAROM_EXPECTS(!(std::abs(x) < std::abs(y)) || x == 0, x, y);
     const double s = x + y;
     return {s, y - (s - x)};
   }

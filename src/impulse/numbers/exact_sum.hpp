@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <carom/collision/expects.hpp>
+
 namespace carom::impulse {
 
 /// A sum of products of up to three doubles, without rounding, over- or underflow: a fixed-point number so long that it
@@ -20,6 +22,7 @@ class ExactSum {
 
   /// Adds x y z. Precondition: all are finite.
   void add(double x, double y, double z = 1) {
+    CAROM_EXPECTS(std::isfinite(x) && std::isfinite(y) && std::isfinite(z), x, y, z);
     const Parts a(x);
     const Parts b(y);
     const Parts c(z);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/report/chart/measurement.hpp>
 
 namespace carom::report {
@@ -35,6 +36,7 @@ std::span<const Model> charted_models() {
 }
 
 double quantile(const std::vector<double>& sorted, double share) {
+  CAROM_EXPECTS(!sorted.empty());
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
   const auto index = static_cast<std::size_t>(std::max(1.0, rank)) - 1;
   return sorted[std::min(index, sorted.size() - 1)];

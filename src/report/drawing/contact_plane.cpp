@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/report/drawing/contact_plane.hpp>
 
@@ -31,6 +32,7 @@ Direction any_orthogonal(const Direction& normal) {
 }  // namespace
 
 Plane contact_plane(const Collision& collision, const Vector3<double>& relative_velocity) {
+  CAROM_EXPECTS(collision.normal.allFinite() && !collision.normal.isZero(0), collision.normal);
   struct Candidate {
     Direction askew;
     std::string_view name;
@@ -56,6 +58,8 @@ Place projected(const Plane& plane, const Direction& vector) {
 }
 
 Outline outline(const Plane& plane, const Body& body) {
+  CAROM_EXPECTS(!body.immovable && body.mass > 0 && body.principal_inertia.minCoeff() > 0, body.mass,
+                body.principal_inertia);
   const Direction inertia = body.principal_inertia.cast<long double>();
   const Quaternion<long double> orientation = body.orientation.cast<long double>();
   // Of a uniform ellipsoid I_x = m (b² + c²) / 5, and so on: a² = 5 (I_y + I_z − I_x) / 2m. The squared outline is the

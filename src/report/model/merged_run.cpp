@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/merged_run.hpp>
 #include <carom/report/model/words.hpp>
@@ -98,6 +99,8 @@ void require_all_once(const std::vector<ReadShard>& shards) {
 
 /// Preconditions: the same subject, on the same families.
 void add(SubjectResult& sum, const SubjectResult& part) {
+  CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
+                part.subject.name);
   const auto cases = static_cast<double>(sum.cases());
   const auto more = static_cast<double>(part.cases());
   if (cases + more > 0) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/model.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/scene/json/fields.hpp>
@@ -314,6 +315,7 @@ json polyhedra_to_json(const Scene& scene) {
 Scene scene_from_json(const json& value) { return SceneReader(value).read(); }
 
 json scene_to_json(const Scene& scene) {
+  CAROM_EXPECTS(has_valid_fields(scene));
   json result = json::object();
   if (!scene.title.empty()) {
     result["title"] = scene.title;

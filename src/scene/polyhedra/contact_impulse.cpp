@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <type_traits>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/double_double.hpp>
@@ -55,6 +56,8 @@ Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& co
 }  // namespace
 
 Outcome<double> struck_bodies(Model law, Precision precision, const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  CAROM_EXPECTS(law != Model::any);
   switch (precision) {
     case Precision::binary32:
       return with_immovable_kept(struck_in<float>(law, collision), collision);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/contact_patch.hpp>
 #include <carom/scene/polyhedra/polygon_in_plane.hpp>
 
@@ -107,6 +108,7 @@ std::string_view name_of(ContactKind kind) {
 
 ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Placement& b, const Separation& separation,
                            double flatness) {
+  CAROM_EXPECTS(flatness > 0, flatness);
   const Plane plane = plane_across(separation.normal);
   const Front front_a = front_of(pair.a(), placed_vertices(pair.a(), a, b.position), plane, -1, flatness);
   const Front front_b = front_of(pair.b(), placed_vertices(pair.b(), b, b.position), plane, 1, flatness);
@@ -116,6 +118,7 @@ ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Plac
 }
 
 ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, const HalfSpace& b, double flatness) {
+  CAROM_EXPECTS(flatness > 0, flatness);
   const Plane plane = plane_across(b.normal);
   const Front front = front_of(a, placed_vertices(a, placement, placement.position), plane, -1, flatness);
   // Heights count from the shape's centre.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/scene/polyhedra/convex_shape.hpp>
 
@@ -6,7 +7,10 @@ namespace carom::scene {
 
 ConvexShape convex_shape(const PolyhedralBody& body) { return {body.shape, 0, body.radius}; }
 
-ConvexShape ball_shape(double radius) { return {{{Vector3<double>::Zero()}, {}, {}}, radius, 0}; }
+ConvexShape ball_shape(double radius) {
+  CAROM_EXPECTS(radius > 0, radius);
+  return {{{Vector3<double>::Zero()}, {}, {}}, radius, 0};
+}
 
 std::vector<Vector3<double>> placed_vertices(const ConvexShape& shape, const Placement& placement,
                                              const Vector3<double>& origin) {

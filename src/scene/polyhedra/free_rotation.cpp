@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
 
@@ -95,6 +96,7 @@ Vector3<double> world_rate(const RotationState& state) {
 }
 
 RotationState rotation_state(const Quaternion<double>& orientation, const Vector3<double>& world_rate) {
+  CAROM_EXPECTS(!orientation.isZero(0), orientation);
   const Quaternion<double> scaled = orientation / orientation.cwiseAbs().maxCoeff();
   const Quaternion<double> q = scaled / scaled.norm();
   return {q, impulse::rotation_matrix(q).transpose() * world_rate};
@@ -159,6 +161,8 @@ RotationPath::RotationPath(const Quaternion<double>& orientation)
 
 RotationPath::RotationPath(const Vector3<double>& principal_inertia, const RotationState& start, double duration)
     : duration_(duration), start_(start) {
+  CAROM_EXPECTS(principal_inertia.minCoeff() > 0, principal_inertia);
+  CAROM_EXPECTS(std::isfinite(duration) && duration >= 0, duration);
   start_.orientation /= start_.orientation.stableNorm();
   double a = 0;
   for (int i = 0; i < 3; ++i) {
@@ -245,6 +249,7 @@ BoundedRotation RotationPath::evaluate(const Step& step, double time) const {
 }
 
 BoundedRotation RotationPath::at(double time) const {
+  CAROM_EXPECTS(0 <= time && time <= duration_, time, duration_);
   if (!steps_.empty()) {
     const auto after = std::upper_bound(steps_.begin() + 1, steps_.end(), time,
                                         [](double t, const Step& step) { return t < step.start; });

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/motion.hpp>
 
 namespace carom::scene {
 
 BoundedRotation rotation_at(const Motion& motion, double time) {
+  CAROM_EXPECTS(motion.start <= time && time <= motion.end(), time, motion.start, motion.end());
   const double elapsed = std::min(time - motion.start, motion.rotation.duration());
   BoundedRotation rotation = motion.rotation.at(elapsed);
   if (motion.start != 0) {

@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/orientation.hpp>
 
 namespace carom::scene {
@@ -34,6 +35,7 @@ int exact_orientation(const Vector3<double>& a, const Vector3<double>& b, const 
 
 int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                 const Vector3<double>& d) {
+  CAROM_EXPECTS(a.allFinite() && b.allFinite() && c.allFinite() && d.allFinite(), a, b, c, d);
   const Vector3<double> x = b - a;
   const Vector3<double> y = c - a;
   const Vector3<double> z = d - a;
@@ -53,6 +55,7 @@ int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector
 }
 
 Vector3<int> normal_signs(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c) {
+  CAROM_EXPECTS(a.allFinite() && b.allFinite() && c.allFinite(), a, b, c);
   const RationalVector normal = cross(difference(b, a), difference(c, a));
   return {sgn(normal[0]), sgn(normal[1]), sgn(normal[2])};
 }

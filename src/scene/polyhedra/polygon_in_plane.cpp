@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/polygon_in_plane.hpp>
 
 namespace carom::scene {
@@ -110,6 +111,7 @@ PlanePolygon common_of_segments(const PlanePolygon& first, const PlanePolygon& s
 }
 
 PlanePoint centroid(const PlanePolygon& polygon) {
+  CAROM_EXPECTS(!polygon.empty());
   double area = 0;
   PlanePoint moment = PlanePoint::Zero();
   for (std::size_t i = 2; i < polygon.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/principal_axes.hpp>
 
 namespace carom::scene {
@@ -12,6 +13,10 @@ namespace {
 using impulse::DoubleDouble;
 
 DoubleDouble absolute(const DoubleDouble& x) { return x < DoubleDouble(0) ? -x : x; }
+
+[[maybe_unused]] double greatest_size(const Matrix3<DoubleDouble>& matrix) {
+  return matrix.cast<double>().cwiseAbs().maxCoeff();
+}
 
 /// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero: t² + 2 t θ − 1 = 0 (G. Golub, C.
 /// Van Loan, "Matrix Computations", §8.5.2).
@@ -48,6 +53,8 @@ void rotate(PrincipalAxes& result, Matrix3<DoubleDouble>& j, int p, int q) {
 }  // namespace
 
 PrincipalAxes principal_axes(Matrix3<DoubleDouble> inertia) {
+  CAROM_EXPECTS(inertia == inertia.transpose(), inertia);
+  CAROM_EXPECTS(0x1p-100 <= greatest_size(inertia) && greatest_size(inertia) <= 0x1p+100, greatest_size(inertia));
   PrincipalAxes result;
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::scene {
@@ -15,6 +16,10 @@ Eigen::Quaterniond unit(const Quaternion<double>& q) {
 }  // namespace
 
 std::variant<RigidBody, ShapeDefect> rigid_body(const Polyhedron& polyhedron) {
+  CAROM_EXPECTS(
+      polyhedron.position.allFinite() && polyhedron.velocity.allFinite() && polyhedron.angular_velocity.allFinite(),
+      polyhedron.position, polyhedron.velocity, polyhedron.angular_velocity);
+  CAROM_EXPECTS(polyhedron.orientation.allFinite() && !polyhedron.orientation.isZero(0), polyhedron.orientation);
   const auto hull = convex_polyhedron(polyhedron.vertices);
   if (const auto* defect = std::get_if<ShapeDefect>(&hull)) {
     return *defect;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/scene/polyhedra/open_gap.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
@@ -182,6 +183,9 @@ TimeOfContact at_rest(const Separation& separation, double begin, double horizon
 
 TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin, double horizon,
                               double tolerance) {
+  CAROM_EXPECTS(a.start <= begin && b.start <= begin && horizon <= a.end() && horizon <= b.end(), begin, horizon,
+                a.start, a.end(), b.start, b.end());
+  CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
   std::optional<Vector> way_out;  // how a direction turns that the shapes draw apart along
   // Directions that stand still, or turn with what may touch: a body's face, or an edge of each.
@@ -228,8 +232,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     // Faces and edges that touch in a part of themselves may need any direction: that in which they are apart soon.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
-      const std::optional<Separation> then =
-          pair.quick_separation(placement_at(a, time + later), placement_at(b, time + later));
+      const double soon = std::min(time + later, horizon);  // the sum may be rounded up
+      const std::optional<Separation> then = pair.quick_separation(placement_at(a, soon), placement_at(b, soon));
       const Vector across = then ? separation.normal.cross(then->normal) : Vector(Vector::Zero());
       const double sine = across.norm();
       if (sine > 0 && sine < 0.5) {
@@ -249,6 +253,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
 
 TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b, double begin,
                               double horizon, double tolerance) {
+  CAROM_EXPECTS(motion.start <= begin && horizon <= motion.end(), begin, horizon, motion.start, motion.end());
+  CAROM_EXPECTS(tolerance > 0, tolerance);
   Moving ground{};
   ground.vertices = {Vector::Zero()};
   ground.velocities = {Vector::Zero()};

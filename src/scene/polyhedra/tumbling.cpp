@@ -7,12 +7,14 @@
 
 #include <Eigen/Geometry>
 
+#include <carom/collision/expects.hpp>
 #include <carom/scene/least_speed.hpp>
 #include <carom/scene/polyhedra/contact_impulse.hpp>
 #include <carom/scene/polyhedra/contact_patch.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 #include <carom/scene/polyhedra/tumbling.hpp>
 #include <carom/scene/text_of.hpp>
+#include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
 namespace {
@@ -59,6 +61,7 @@ double balls_touch_from(const UncertainQuadratic& gap, double now) {
 }  // namespace
 
 Tumbling::Tumbling(Scene scene) : scene_(std::move(scene)) {
+  CAROM_EXPECTS(has_valid_fields(scene_));
   const std::size_t count = body_count(scene_);
   for (const Plane& plane : scene_.planes) {
     const double length = plane.normal.norm();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <type_traits>
 
+#include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/bullet_contact.hpp>
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/engines.hpp>
 
 namespace carom::subjects {
 

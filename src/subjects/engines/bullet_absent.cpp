@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/engines.hpp>
 
 namespace carom::subjects {
 

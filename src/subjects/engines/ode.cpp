@@ -2,8 +2,8 @@
 #include <string>
 #include <type_traits>
 
+#include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/engines.hpp>
 #include <carom/subjects/engines/ode_handles.hpp>
 #include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>

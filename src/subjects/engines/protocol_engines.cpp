@@ -4,10 +4,9 @@
 #include <system_error>
 #include <vector>
 
+#include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/adapters.hpp>
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/engines.hpp>
-#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects {
 namespace {

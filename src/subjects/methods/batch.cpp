@@ -42,7 +42,9 @@ template <class S>
 Method batch_method(Model model) {
   Method method;
   Subject& subject = method.subject;
-  subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_name<S>);
+  subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_type<S>.in_name);
+  method.form = MethodForm::batch;
+  method.scalar = scalar_type<S>;
   const std::string source(impulse::description_of(model).source);
   subject.summary =
       description_in_words(model) + (source.empty() ? "" : ", " + source) + ", in packs, one contact a lane";

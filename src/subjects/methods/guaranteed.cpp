@@ -34,6 +34,7 @@ Method guaranteed_method(Model model) {
           return impulse::guaranteed(posed.collision, posed.contact, seen_law);
         });
   });
+  method.form = MethodForm::guaranteed;
   return method;
 }
 

@@ -9,6 +9,14 @@
 
 namespace carom::subjects {
 
+template <>
+inline constexpr Solve3 solve3<impulse::EigenPartialPivLu>{"PartialPivLU of Eigen", "EigenPartialPivLu", 4, true};
+template <>
+inline constexpr Solve3 solve3<impulse::EigenFullPivLu>{"FullPivLU of Eigen", "EigenFullPivLu", 5, true};
+template <>
+inline constexpr Solve3 solve3<impulse::EigenColPivHouseholderQr>{"ColPivHouseholderQR of Eigen",
+                                                                  "EigenColPivHouseholderQr", 6, true};
+
 /// Solves that choose their pivots by size.
 template <class S>
 [[nodiscard]] std::vector<Method> pivoting_methods() {

@@ -23,6 +23,7 @@ std::vector<Method> refined_methods() {
                                                      Model::reflection},
                                                     reflection)};
   for (Method& method : methods) {
+    method.form = MethodForm::refined;
     method.subject.name.resize(method.subject.name.rfind('-'));
     // One step leaves an error of about (c κ 2⁻²⁴)²: some hundred ulps of binary64, far below one of binary32.
     method.subject.precision = Precision::binary32;

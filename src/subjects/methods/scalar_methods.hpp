@@ -31,6 +31,7 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
           return impulse::apply_impulse(contact, law(contact, impulse::normal_velocity(contact), see));
         });
   });
+  method.keeps_inertia_in_world = !std::is_same_v<Inertia, impulse::PrincipalInertia<S>>;
   return method;
 }
 
@@ -55,35 +56,48 @@ template <class S>
   return methods;
 }
 
+template <class Solve>
+inline constexpr Solve3 solve3 = recommended_solve;
+template <>
+inline constexpr Solve3 solve3<impulse::Adjugate>{"adjugate", "Adjugate", 1};
+template <>
+inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2};
+template <>
+inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
+
 /// The basis-free reflection with one of solve3.hpp, which is called `solve` in the summary.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
-  return solver_method<S>({name, "basis-free reflection, 3×3 solve by " + solve, Model::reflection},
-                          [](const impulse::Contact<S>& contact, const auto& see) {
-                            return impulse::apply_impulse(
-                                contact,
-                                impulse::reflection_impulse<Solve>(contact, impulse::normal_velocity(contact), see));
-                          });
+  Method method = solver_method<S>(
+      {name, "basis-free reflection, 3×3 solve by " + solve, Model::reflection},
+      [](const impulse::Contact<S>& contact, const auto& see) {
+        return impulse::apply_impulse(
+            contact, impulse::reflection_impulse<Solve>(contact, impulse::normal_velocity(contact), see));
+      });
+  method.solve = solve3<Solve>;
+  return method;
 }
 
 template <class S>
 [[nodiscard]] Method reflection_in_basis_method() {
   return expected_to_fail(
-      solver_method<S>(
-          {"reflection-in-basis", "reflection in the basis {N, T0, T1} as note §2 prints it", Model::reflection},
-          [](const impulse::Contact<S>& contact, const auto& see) {
-            return impulse::reflection_in_basis(contact, see);
-          }),
+      with_form(solver_method<S>({"reflection-in-basis", "reflection in the basis {N, T0, T1} as note §2 prints it",
+                                  Model::reflection},
+                                 [](const impulse::Contact<S>& contact, const auto& see) {
+                                   return impulse::reflection_in_basis(contact, see);
+                                 }),
+                MethodForm::in_basis),
       "fails near head-on");
 }
 
 template <class S>
 [[nodiscard]] Method reflection_in_stable_basis_method() {
-  return solver_method<S>(
-      {"reflection-in-stable-basis", "reflection in a basis {N, T0, T1} that does not depend on V⁻", Model::reflection},
-      [](const impulse::Contact<S>& contact, const auto& see) {
-        return impulse::reflection_in_stable_basis(contact, see);
-      });
+  return with_form(solver_method<S>({"reflection-in-stable-basis",
+                                     "reflection in a basis {N, T0, T1} that does not depend on V⁻", Model::reflection},
+                                    [](const impulse::Contact<S>& contact, const auto& see) {
+                                      return impulse::reflection_in_stable_basis(contact, see);
+                                    }),
+                   MethodForm::in_stable_basis);
 }
 
 template <class S>

@@ -18,25 +18,20 @@
 namespace carom::subjects {
 
 template <class S>
-inline constexpr std::string_view scalar_name = "double";
+inline constexpr ScalarType scalar_type{"double", "double", "double", 1};
 template <>
-inline constexpr std::string_view scalar_name<float> = "float";
+inline constexpr ScalarType scalar_type<float>{"float", "float", "float", 0};
 template <>
-inline constexpr std::string_view scalar_name<long double> = "long-double";
-
+inline constexpr ScalarType scalar_type<long double>{"long-double", "long double", "long double", 2};
 template <>
-inline constexpr std::string_view scalar_name<impulse::DoubleDouble> = "double-double";
+inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double",
+                                                               "carom::impulse::DoubleDouble", 3};
 
 /// What a subject that computes in S claims. A pair of doubles holds all that `extended` does.
 template <class S>
 inline constexpr Precision claimed_precision = precision_of<S>;
 template <>
 inline constexpr Precision claimed_precision<impulse::DoubleDouble> = Precision::extended;
-
-template <class S>
-[[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
-  return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
-}
 
 /// The outcome by `solve`, with the collision matrix that it solved with, where it formed one.
 template <class S, class Solve, class Input>
@@ -86,7 +81,8 @@ template <class S, class LayOut, class Solve>
 [[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
   Subject& subject = method.subject;
-  subject.name = std::move(facts.name) + '-' + std::string(scalar_name<S>);
+  subject.name = std::move(facts.name) + '-' + std::string(scalar_type<S>.in_name);
+  method.scalar = scalar_type<S>;
   subject.summary = std::move(facts.summary);
   subject.model = facts.model;
   subject.precision = claimed_precision<S>;
@@ -110,6 +106,11 @@ template <class S, class LayOut, class Solve>
 template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
 [[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
   return method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);
+}
+
+[[nodiscard]] inline Method with_form(Method method, MethodForm form) {
+  method.form = form;
+  return method;
 }
 
 /// The method, kept although it fails, for this reason.

@@ -30,6 +30,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include <carom/collision/expects.hpp>
 #include <carom/subjects/protocol/child.hpp>
 #include <carom/subjects/protocol/mark.hpp>
 
@@ -339,7 +340,7 @@ class ChildProcess::State {
 };
 
 ChildProcess::ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop)
-    : state_(std::make_unique<State>(words, limits, std::move(stop))) {}
+    : state_((CAROM_EXPECTS(!words.empty()), std::make_unique<State>(words, limits, std::move(stop)))) {}
 
 ChildProcess::~ChildProcess() = default;
 

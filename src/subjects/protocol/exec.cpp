@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/json/json.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
@@ -143,6 +144,7 @@ Session open_session(const std::vector<std::string>& words, const ExecOptions& o
 }  // namespace
 
 Subject exec_subject(const std::string& specification, const ExecOptions& options) {
+  CAROM_EXPECTS(specification.starts_with(exec_prefix), specification);
   Subject subject;
   subject.name = specification;
   subject.specification = specification;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/normal_velocity.hpp>
@@ -105,6 +106,7 @@ std::string matrix_text(const std::optional<Matrix3<long double>>& matrix, Preci
 std::string start_request() { return json{{"cmd", "start"}, {"protocol", version}}.dump() + '\n'; }
 
 std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling) {
+  CAROM_EXPECTS(spelling < spelling_count, spelling);
   constexpr std::array<const char*, spelling_count> orders{
       R"({{"cmd":"solve","id":{id},"collision":{collision}}})",
       R"({{"id":{id},"cmd":"solve","collision":{collision}}})",

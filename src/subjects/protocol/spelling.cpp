@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 
 namespace carom::subjects::protocol {
@@ -30,6 +31,7 @@ struct Decimal {
 
 /// Precondition: the number is finite.
 Decimal shortest_decimal(double number) {
+  CAROM_EXPECTS(std::isfinite(number), number);
   std::string shortest = fmt::format("{}", std::abs(number));  // "0.0015", "1500.0" or "1.5e-30"
   int exponent = 0;
   if (const std::size_t e = shortest.find('e'); e != std::string::npos) {
@@ -218,6 +220,7 @@ std::uint64_t hash_of(const Collision& collision) {
 }
 
 std::string spelt(const Collision& collision, unsigned spelling) {
+  CAROM_EXPECTS(spelling < spelling_count, spelling);
   return Writer(hash_of(collision) + spelling, spelling == 0).collision(collision);
 }
 

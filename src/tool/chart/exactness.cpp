@@ -11,7 +11,6 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/coulomb_case.hpp>
-#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/trial.hpp>
 #include <carom/properties/trial/unjudged.hpp>
@@ -132,17 +131,19 @@ std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double qu
 
 std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                   std::span<const Collision> collisions, double limit_ulps,
-                                                  unsigned jobs, AnswersOfCoulomb answers_of_coulomb) {
+                                                  const properties::Workers& workers,
+                                                  AnswersOfCoulomb answers_of_coulomb) {
   std::vector<std::vector<Answer>> answers;
   for (const subjects::Method& method : methods) {
     Session session = method.subject.open();
     answers.push_back(properties::answers_of(session, collisions));
   }
   // Cases outside, methods inside: the truth of a case is worked out once.
-  std::vector<std::vector<report::ExactnessBuilder>> parts(jobs, std::vector<report::ExactnessBuilder>(methods.size()));
+  std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
+                                                           std::vector<report::ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;
-  properties::in_parallel(jobs, jobs, [&](std::size_t thread) {
-    std::vector<report::ExactnessBuilder>& part = parts[thread];
+  workers.run(parts.size(), [&](std::size_t worker) {
+    std::vector<report::ExactnessBuilder>& part = parts[worker];
     for (std::size_t i = next++; i < collisions.size(); i = next++) {
       const oracles::ExactCase exact_case(collisions[i]);
       std::optional<CoulombCase> coulomb_case;

@@ -8,6 +8,7 @@
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/families/sweep.hpp>
+#include <carom/properties/gate/workers.hpp>
 #include <carom/report/chart/measurement.hpp>
 #include <carom/subjects/methods.hpp>
 
@@ -30,7 +31,7 @@ enum class AnswersOfCoulomb { found, left_out };
 /// cannot hold, or of which nothing is asked. So many threads at once.
 [[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                                 std::span<const Collision> collisions,
-                                                                double limit_ulps, unsigned jobs,
+                                                                double limit_ulps, const properties::Workers& workers,
                                                                 AnswersOfCoulomb answers_of_coulomb);
 
 }  // namespace carom::tool::chart

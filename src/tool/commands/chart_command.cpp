@@ -23,6 +23,7 @@
 #include "io/progress.hpp"
 #include "io/staged_output.hpp"
 #include "io/this_environment.hpp"
+#include "io/threads.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -80,7 +81,7 @@ std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
 }
 
 std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments, const std::vector<Method>& methods,
-                                                unsigned jobs) {
+                                                const properties::Workers& workers) {
   const std::vector<FamilyCases> families = families_of(arguments);
   // The clock first, and alone.
   std::vector<chart::TimedKernel> kernels;
@@ -98,7 +99,7 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   }
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::vector<Exactness> exactness = chart::measured_exactness(
-        methods, families[f].collisions, oracles::default_limit_ulps, jobs, chart::AnswersOfCoulomb::found);
+        methods, families[f].collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::found);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       result[m].families.push_back(
           {std::string(families[f].family->name), std::move(exactness[m]), times[m * families.size() + f]});
@@ -108,7 +109,8 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
 }
 
 std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
-                                                      const std::vector<Method>& methods, unsigned jobs) {
+                                                      const std::vector<Method>& methods,
+                                                      const properties::Workers& workers) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
@@ -127,7 +129,7 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
       const std::vector<Collision> collisions =
           chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
       const std::vector<Exactness> exactness = chart::measured_exactness(
-          methods, collisions, oracles::default_limit_ulps, jobs, chart::AnswersOfCoulomb::left_out);
+          methods, collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::left_out);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         measurement.lines[m].exactness.push_back(exactness[m]);
       }
@@ -163,14 +165,14 @@ std::vector<report::Plot> pictures_of(const report::Measurements& measurements) 
 int chart_methods(const ChartArguments& arguments) {
   const std::vector<Method> methods = methods_of(arguments.methods);
   StagedOutput staged(arguments.out);
-  const unsigned jobs = threads(arguments.jobs);
+  const properties::Workers workers = threads(arguments.jobs);
   const report::Measurements measurements{this_environment(),
                                           arguments.seed,
                                           arguments.cases,
                                           arguments.repetitions,
                                           oracles::default_limit_ulps,
-                                          measured_methods(arguments, methods, jobs),
-                                          measured_sweeps(arguments, methods, jobs)};
+                                          measured_methods(arguments, methods, workers),
+                                          measured_sweeps(arguments, methods, workers)};
   const std::string tables = report::tables_markdown(measurements);
   const std::filesystem::path& stage = staged.stage();
   write_file(stage / "tables.md", tables);

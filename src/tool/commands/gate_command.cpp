@@ -28,6 +28,7 @@
 #include "io/staged_output.hpp"
 #include "io/subject_argument.hpp"
 #include "io/this_environment.hpp"
+#include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "io/workflow_commands.hpp"
 
@@ -170,7 +171,7 @@ properties::GateOptions options_of(const GateArguments& arguments, const std::st
     }
   }
   options.yardstick = arguments.judged.yardstick();
-  options.jobs = threads(arguments.jobs);
+  options.workers = threads(arguments.jobs);
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;

@@ -7,7 +7,6 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/invariants/invariant.hpp>
-#include <carom/properties/invariants/theorems.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
@@ -38,9 +37,9 @@ json names_of(const std::vector<Model>& models) {
 
 /// The theorems of an invariant one after the other, each as `spelled`.
 template <class Spelled>
-std::string theorems_in_text(std::string_view invariant, const Spelled& spelled) {
+std::string theorems_in_text(const properties::Invariant& invariant, const Spelled& spelled) {
   std::string text;
-  for (const properties::Theorem& theorem : properties::theorems_of(invariant)) {
+  for (const properties::Theorem& theorem : invariant.proof.theorems) {
     text += (text.empty() ? "" : ", ") + spelled(theorem);
   }
   return text;
@@ -48,18 +47,18 @@ std::string theorems_in_text(std::string_view invariant, const Spelled& spelled)
 
 /// What it is proved of, where that is not all that it is claimed for: " of rough", else nothing.
 std::string proved_of(const properties::Invariant& invariant) {
-  const std::vector<Model> proved = properties::proved_models(invariant);
+  const std::vector<Model> proved = invariant.proved_models();
   return proved.size() == invariant.models.size() ? "" : " of " + joined(proved);
 }
 
 std::string shown_in_text(const properties::Invariant& invariant) {
-  const std::string theorems = theorems_in_text(
-      invariant.name, [](const properties::Theorem& t) { return fmt::format("{} ({})", t.name, t.file); });
+  const std::string theorems =
+      theorems_in_text(invariant, [](const properties::Theorem& t) { return fmt::format("{} ({})", t.name, t.file); });
   return theorems.empty() ? "tested, not proved" : fmt::format("proved{}: {}", proved_of(invariant), theorems);
 }
 
 std::string shown_in_markdown(const properties::Invariant& invariant) {
-  const std::string theorems = theorems_in_text(invariant.name, [](const properties::Theorem& t) {
+  const std::string theorems = theorems_in_text(invariant, [](const properties::Theorem& t) {
     return fmt::format("[`{}`](../../properties/proofs/{})", t.name, t.file);
   });
   return theorems.empty() ? "Tested" : fmt::format("Proved{}, and tested: {}", proved_of(invariant), theorems);
@@ -94,10 +93,9 @@ void print_markdown() {
       "[proofs.md](../internals/proofs.md) says on what they rest.\n\n"
       "| invariant | statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
-    fmt::print(
-        "| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement, joined(invariant.models),
-        invariant.domain,
-        properties::proved_models(invariant).empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
+    fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
+               joined(invariant.models), invariant.domain,
+               invariant.proved_models().empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n- {}.\n", invariant.name,
@@ -141,9 +139,9 @@ int list_invariants(const std::string& format) {
                       {"source", invariant.source},
                       {"domain", invariant.domain},
                       {"models", names_of(invariant.models)},
-                      {"proved_models", names_of(properties::proved_models(invariant))},
+                      {"proved_models", names_of(invariant.proved_models())},
                       {"theorems", json::array()}});
-      for (const properties::Theorem& theorem : properties::theorems_of(invariant.name)) {
+      for (const properties::Theorem& theorem : invariant.proof.theorems) {
         list.back()["theorems"].push_back({{"name", theorem.name}, {"file", theorem.file}});
       }
     } else {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -84,7 +83,5 @@ void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what) {
   constexpr int most = 1024;
   command.add_option("--jobs", jobs, what + " (default: one for each core)")->check(CLI::Range(1, most));
 }
-
-unsigned threads(unsigned jobs) { return jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()); }
 
 }  // namespace carom::tool

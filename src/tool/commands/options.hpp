@@ -32,9 +32,6 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what);
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what);
 
-/// As many as it says, or one for each core.
-[[nodiscard]] unsigned threads(unsigned jobs);
-
 /// The complaint if the text is no integer of 64 bits; empty if it is one. CLI11 itself wraps larger ones, and minus
 /// signs.
 [[nodiscard]] std::string is_count(const std::string& text);

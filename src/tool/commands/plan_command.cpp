@@ -12,6 +12,7 @@
 #include "commands/options.hpp"
 #include "io/interrupt.hpp"
 #include "io/progress.hpp"
+#include "io/threads.hpp"
 #include "plan/clock.hpp"
 #include "plan/contacts_of_file.hpp"
 #include "plan/plan_text.hpp"
@@ -41,7 +42,7 @@ int plan_contacts(const PlanArguments& arguments) {
   }
   properties::plan::PlanOptions options;
   options.demand = {law, arguments.limit_ulps, arguments.digits, arguments.exact_law};
-  options.jobs = threads(arguments.jobs);
+  options.workers = threads(arguments.jobs);
   options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
   options.progress = progress_line("contacts");
   options.stop = stop;

@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/gate/in_parallel.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 
 #include "commands/commands.hpp"
@@ -26,6 +25,7 @@
 #include "io/output_file.hpp"
 #include "io/progress.hpp"
 #include "io/staged_output.hpp"
+#include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
@@ -192,9 +192,8 @@ class LawRun {
 /// Each on a thread of its own, so many at once; of what they throw, the first law's is thrown on.
 void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
              Progress& progress) {
-  const unsigned jobs = threads(arguments.jobs);
   std::vector<std::exception_ptr> errors(runs.size());
-  properties::in_parallel(std::min(jobs, static_cast<unsigned>(runs.size())), runs.size(), [&](std::size_t k) {
+  threads(arguments.jobs).run(runs.size(), [&](std::size_t k) {
     try {
       runs[k]->run(arguments, stop, k, progress);
     } catch (...) {

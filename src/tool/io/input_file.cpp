@@ -102,7 +102,7 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
     }
   }
   const bool is_kept = out_of_range == OutOfRange::kept && properties::plan::is_out_of_range(read.one.collision);
-  const bool may_be_invalid = is_kept || (read.witness && read.witness->invariant == "invalid_refused");
+  const bool may_be_invalid = is_kept || (read.witness && read.witness->is_of_invalid());
   const std::vector<Defect> defects = validate(read.one.collision);
   if (!defects.empty() && !may_be_invalid) {
     fail(place, describe(defects));
@@ -111,6 +111,11 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
 }
 
 }  // namespace
+
+bool WitnessFacts::is_of_invalid() const {
+  const properties::Invariant* const known = properties::invariant_named(invariant);
+  return known != nullptr && known->is_of_invalid();
+}
 
 void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::function<void(const ReadCollision&)>& visit,
                         OfWitness of_witness) {

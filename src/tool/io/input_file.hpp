@@ -15,6 +15,9 @@ namespace carom::tool {
 struct WitnessFacts {
   std::string subject;  // as the command line names it
   std::string invariant;
+
+  /// Whether that speaks of invalid collisions.
+  [[nodiscard]] bool is_of_invalid() const;
 };
 
 /// A collision read from a file.

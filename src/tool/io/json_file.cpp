@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/collision/expects.hpp>
+
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -66,6 +68,7 @@ std::optional<JsonFile::Line> JsonFile::next_line_of_input() {
 }
 
 std::optional<JsonFile::Line> JsonFile::next_line() {
+  CAROM_EXPECTS(is_lines_, file_);
   if (read_.empty()) {
     return next_line_of_input();
   }

@@ -7,6 +7,8 @@
 #include <stop_token>
 #include <string>
 
+#include <carom/collision/expects.hpp>
+
 #include "io/bounded_input.hpp"
 
 namespace carom::tool {
@@ -35,7 +37,10 @@ class JsonFile {
   [[nodiscard]] std::optional<Line> next_line();
 
   /// Precondition: they are no lines.
-  [[nodiscard]] const std::string& whole() const { return whole_; }
+  [[nodiscard]] const std::string& whole() const {
+    CAROM_EXPECTS(!is_lines_, file_);
+    return whole_;
+  }
 
  private:
   [[nodiscard]] std::optional<Line> next_line_of_input();

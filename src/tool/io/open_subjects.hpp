@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/restarts.hpp>
 #include <carom/properties/trial/trial.hpp>
 

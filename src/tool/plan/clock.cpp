@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <carom/collision/expects.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "chart/timing.hpp"
@@ -24,6 +25,7 @@ const subjects::Method& method_named(const std::vector<subjects::Method>& method
 }  // namespace
 
 properties::plan::Clock clock_of(int repetitions) {
+  CAROM_EXPECTS(repetitions > 0, repetitions);
   static_assert(properties::plan::contacts_timed == chart::contacts_in_kernel, "each sample is one kernel");
   return [repetitions](std::span<const properties::plan::Timing> timings) {
     const std::vector<subjects::Method> methods = subjects::methods();

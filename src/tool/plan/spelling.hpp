@@ -23,7 +23,7 @@ struct SpelledCandidate {
 };
 
 /// The method of this subject; none where it is not to be chosen: its basis fails near head-on, whatever a file holds.
-/// Throws std::logic_error where the name is not one that a method has.
+/// Throws std::logic_error if no method has this name.
 [[nodiscard]] std::optional<SpelledCandidate> spelled(const Subject& subject);
 
 /// Every method that may be chosen.

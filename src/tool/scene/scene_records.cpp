@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
@@ -349,6 +350,7 @@ std::string scene_text(const SceneRun& run) {
 }
 
 json replay_record(const SceneRun& run) {
+  CAROM_EXPECTS(run.replayed().has_value());
   const scene::Scene& scene = run.scene();
   json record;
   record["title"] = scene.title;

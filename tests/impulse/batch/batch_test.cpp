@@ -27,7 +27,7 @@ std::vector<Collision> mixed_collisions(std::size_t count) {
   std::vector<Collision> collisions;
   for (std::uint64_t i = 0; collisions.size() < count; ++i) {
     const properties::Family& family = families[i % families.size()];
-    if (family.name != "invalid") {
+    if (family.is_valid) {
       collisions.push_back(properties::drawn_case(family, 20240607, i).collision);
     }
   }

@@ -262,6 +262,9 @@ TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
   for (const Equation& equation : affine_equations) {
     PerVector<bool> speaks_of{};
     for (const auto& [family, one] : unit::valid_cases(3)) {
+      if (one.collision.a.immovable || one.collision.b.immovable) {
+        continue;  // not all of them speak of it
+      }
       const PerVector<double> slopes = slopes_of(equation, one.collision);
       for (const OutcomeVector k : all_outcome_vectors) {
         speaks_of[k] = speaks_of[k] || slopes[k] != 0;

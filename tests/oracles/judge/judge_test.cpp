@@ -12,6 +12,7 @@
 #include <carom/oracles/judge/norm_at_most.hpp>
 
 #include "equality/wild.hpp"
+#include "support/effort.hpp"
 #include "support/exact.hpp"
 
 namespace carom::oracles {
@@ -224,7 +225,7 @@ void judge_extreme_collisions(int most) {
   yardstick.unit_roundoff = 0x1p-53;
   std::map<std::string, Counts> counts;
   properties::Stream stream = properties::stream_from(static_cast<std::uint64_t>(most));
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < unit::effort(60); ++i) {
     const ExactCase exact_case(extreme_collision(stream, most));
     const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()),
                                                          [](double x) { return static_cast<long double>(x); }));

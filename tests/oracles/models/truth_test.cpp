@@ -9,6 +9,7 @@
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/models/models.hpp>
 
+#include "support/effort.hpp"
 #include "support/exact.hpp"
 
 namespace carom::oracles {
@@ -36,7 +37,7 @@ TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
 }
 
 TEST(Truth, EqualsEliminationOnEveryFamily) {
-  for (const auto& [family, one] : unit::valid_cases(50)) {
+  for (const auto& [family, one] : unit::valid_cases(static_cast<std::uint64_t>(unit::effort(50)))) {
     if (family != "both_immovable") {
       expect_same_truth(one.collision, std::string(family));
     }

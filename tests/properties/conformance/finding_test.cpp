@@ -20,8 +20,8 @@ namespace {
 
 using properties::Status;
 
-Finding find(const Subject& subject, std::string_view invariant, const std::string& family, int cases = 20) {
-  for (const Statement& statement : statements(subject, {.cases = cases, .families = {family}})) {
+Finding find(const Subject& subject, std::string_view invariant, const std::string& family) {
+  for (const Statement& statement : statements(subject, {.families = {family}})) {
     if (statement.invariant->name == invariant) {
       return conformance::find(statement);
     }
@@ -64,11 +64,11 @@ TEST(Finding, IsASkipOfAnAbsentSubject) {
 TEST(Finding, ShowsTheShrunkWitnessInWords) {
   const Finding finding = find(bouncing_twice(), "restitution", "generic");
   EXPECT_EQ(finding.status, Status::violated);
-  expect_in(finding.text,
-            {"bouncing violates restitution in generic, case ", " of 20; shrunk:\n",
-             "  The normal velocity is reversed and multiplied by ε.\n", "    A: ", "    B: immovable, at (0, 0, 0)",
-             "restitution 1\n", "  answered\n", "  N·V⁺ and −ε N·V⁻: 2 and 1, apart by 1, allowed ",
-             "  for `carom replay FILE`: {\"a\":", "  seed: RC_PARAMS=\"seed=20240229\"\n"});
+  expect_in(finding.text, {"bouncing violates restitution in generic; shrunk:\n",
+                           "  The normal velocity is reversed and multiplied by ε.\n",
+                           "    A: mass 1, principal inertia (1, 1, 1), orientation (1, 0, 0, 0), at (0, 0, 0), ",
+                           "restitution 1\n", "  answered\n", "  N·V⁺ and −ε N·V⁻: 2 and 1, apart by 1, allowed ",
+                           "  for `carom replay FILE`: {\"a\":"});
 }
 
 TEST(Finding, IsTheSameAgain) {
@@ -84,13 +84,15 @@ TEST(Finding, NamesWhatASubjectThrew) {
   });
   const Finding finding = find(throwing, "push", "generic");
   EXPECT_EQ(finding.status, Status::violated);
-  expect_in(finding.text, {"the subject threw: no convergence", "    A: immovable, at (0, 0, 0)"});
+  expect_in(finding.text, {"the subject threw: no convergence", "    A: mass 1, "});
 }
 
 TEST(Finding, SaysWhereASubjectRemembers) {
-  const Subject tiring = subject("", Model::any, [calls = 0](const Collision& collision) mutable {
+  const Subject tiring = subject("", Model::any, [is_tired = false](const Collision& collision) mutable {
     Outcome<double> outcome = unchanged(collision);
-    if (++calls == 2) {
+    const Vector3<double> v = properties::relative_velocity(collision);
+    if (!is_tired && v.dot(collision.normal) > 1) {
+      is_tired = true;
       outcome.a.velocity[0] += 1;
       outcome.b.velocity[0] += 1;
     }
@@ -98,7 +100,7 @@ TEST(Finding, SaysWhereASubjectRemembers) {
   });
   const Finding finding = find(tiring, "separating_untouched", "separating");
   EXPECT_EQ(finding.status, Status::violated);
-  expect_in(finding.text, {"case 2 of 20", "it remembers earlier collisions"});
+  expect_in(finding.text, {"it remembers earlier collisions"});
 }
 
 /// Neither is a suite of a sound solver skipped as a whole: each invariant is tested in some family.
@@ -107,7 +109,7 @@ class SoundSuite : public testing::TestWithParam<Subject> {};
 TEST_P(SoundSuite, HoldsAndTestsEachInvariant) {
   std::set<std::string_view> untested;
   std::set<std::string_view> tested;
-  for (const Statement& statement : statements(GetParam(), {.cases = 5})) {
+  for (const Statement& statement : statements(GetParam())) {
     const Finding finding = conformance::find(statement);
     EXPECT_NE(finding.status, Status::violated) << finding.text;
     (finding.status == Status::holds ? tested : untested).insert(statement.invariant->name);
@@ -130,7 +132,7 @@ class MutantSuite : public testing::TestWithParam<mutants::Mutant> {};
 TEST_P(MutantSuite, FailsInTheTestsOfTheInvariantsThatSpeakOfTheDefect) {
   for (const std::string_view expected : GetParam().rejected_by) {
     bool failed = false;
-    for (const Statement& statement : statements(mutants::subject_of(GetParam()), {.cases = 150})) {
+    for (const Statement& statement : statements(mutants::subject_of(GetParam()))) {
       if (statement.invariant->name == expected && conformance::find(statement).status == Status::violated) {
         failed = true;
         break;

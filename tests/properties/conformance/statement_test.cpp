@@ -84,12 +84,11 @@ TEST(Statements, OfACallableLeaveOutWhatItHasNoPartIn) {
 TEST(Statements, FollowTheOptions) {
   const std::vector<Statement> all =
       statements(idle_callable(Model::frictionless),
-                 {.cases = 7, .limit_ulps = 64, .families = {"resting", "generic"}, .deviates = {"energy"}});
+                 {.limit_ulps = 64, .families = {"resting", "generic"}, .deviates = {"energy"}});
   EXPECT_EQ(families_of(all), (std::set<std::string_view>{"generic", "resting"}));
   EXPECT_FALSE(invariants_of(all).contains("energy"));
   EXPECT_TRUE(invariants_of(all).contains("restitution"));
   for (const Statement& statement : all) {
-    EXPECT_EQ(statement.cases, 7);
     EXPECT_EQ(statement.yardstick.limit_ulps, 64);
     EXPECT_EQ(statement.yardstick.unit_roundoff, unit_roundoff(Precision::binary64));
   }
@@ -107,11 +106,6 @@ TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
   EXPECT_TRUE(is_stated("energy", "resting"));
   EXPECT_TRUE(is_stated("restitution", "generic"));
   EXPECT_THROW((void)statements(idle_callable(Model::any), {.deviates = {"energy@generics"}}), std::invalid_argument);
-}
-
-TEST(Statements, TakeTheirCasesFromTheEnvironment) {
-  const Given given("CAROM_CASES", "3");
-  EXPECT_EQ(statements(idle_callable(Model::any)).at(0).cases, 3);
 }
 
 TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
@@ -135,13 +129,8 @@ TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
 
 TEST(Statements, RefuseWhatWouldTestNothing) {
   const Subject idle = idle_callable(Model::any);
-  EXPECT_THROW((void)statements(idle, {.cases = 0}), std::invalid_argument);
   EXPECT_THROW((void)statements(idle, {.families = {"generics"}}), std::invalid_argument);
   EXPECT_THROW((void)statements(idle, {.deviates = {"energies"}}), std::invalid_argument);
-  for (const char* text : {"0", "-1", "many", "", "10x"}) {
-    const Given given("CAROM_CASES", text);
-    EXPECT_THROW((void)statements(idle), std::invalid_argument) << text;
-  }
 }
 
 }  // namespace

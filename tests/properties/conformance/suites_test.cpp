@@ -12,7 +12,7 @@
 namespace carom::conformance {
 namespace {
 
-const Options few{.cases = 5, .families = {"generic", "near_head_on", "resting"}};
+const Options few{.families = {"generic", "near_head_on", "resting"}};
 
 CAROM_CONFORMANCE(Frictionless, subject("frictionless", Model::frictionless, impulse::frictionless<double>), few);
 

@@ -11,6 +11,8 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "io/threads.hpp"
+
 /// Where a subject stops beyond the claimed domain, and that this decides nothing.
 namespace carom::properties {
 namespace {
@@ -42,7 +44,7 @@ Subject stopping() {
 GateOptions options_of(const char* family, unsigned jobs) {
   GateOptions options;
   options.cases = 200;
-  options.jobs = jobs;
+  options.workers = tool::threads(jobs);
   options.families = {family_named(family)};
   options.beyond_domain = {family_named("impossible_moments"), family_named("far_contacts")};
   return options;

@@ -7,6 +7,8 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "io/threads.hpp"
+
 /// Runs that end before all cases were judged: at the first violation, and by a budget of time.
 namespace carom::properties {
 namespace {
@@ -14,7 +16,7 @@ namespace {
 GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
   GateOptions options;
   options.cases = of_each;
-  options.jobs = jobs;
+  options.workers = tool::threads(jobs);
   for (const Family& family : all_families()) {
     options.families.push_back(&family);
   }

@@ -18,7 +18,6 @@ JudgedRun run_of(bool filtered) {
   GateOptions options;
   options.cases = 8;
   options.yardstick.filtered = filtered;
-  options.jobs = 1;  // in this thread, of which the stages are counted
   for (const Family& family : all_families()) {
     options.families.push_back(&family);
   }

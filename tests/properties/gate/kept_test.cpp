@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 /// Each subject that is expected to fail fails. A solver that comes to be sound moves to the sound ones.

@@ -151,7 +151,7 @@ Question bit_for_bit(
 }
 
 bool differs_somewhere(const Examinee& examinee, const Question& question) {
-  const auto found = find_violation(examinee, question, {.cases = 20, .shrinks = false, .structured = false});
+  const auto found = find_violation(examinee, question, {.cases = 20, .structured = false});
   return found && found->find(bits_differ) != std::string::npos;
 }
 
@@ -162,15 +162,24 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_FALSE(found) << *found;
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
+
+  /// QR takes the sign of an entry of the matrix for that of a reflection. A mirror changes it, but not that of 0.
+  static void holds_but_by_qr(const Question& question) {
+    if (GetParam().name.find("_qr_") == std::string::npos) {
+      holds(question);
+    } else {
+      EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
+    }
+  }
 };
 
 /// A and B enter as x_A − x_B, which changes its sign, and x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
 /// Every product of an invariant expression changes its sign twice or not at all, every other entry its own sign.
-TEST_P(BitForBit, MirrorInX) { holds(bit_for_bit(moved_by(mirror_in_x))); }
-TEST_P(BitForBit, MirrorInY) { holds(bit_for_bit(moved_by(mirror_in_y))); }
-TEST_P(BitForBit, MirrorInZ) { holds(bit_for_bit(moved_by(mirror_in_z))); }
+TEST_P(BitForBit, MirrorInX) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_x))); }
+TEST_P(BitForBit, MirrorInY) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_y))); }
+TEST_P(BitForBit, MirrorInZ) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_z))); }
 
 /// Powers of two change exponents alone, short of over- and underflow, and the square root of an even power is one.
 TEST_P(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { holds(bit_for_bit(units_changed_by(4, -3, 1))); }
@@ -235,8 +244,8 @@ class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);
-  const auto against_x = find_violation(GetParam(), about_x, {.cases = 20, .shrinks = false, .structured = false});
-  const auto against_z = find_violation(GetParam(), about_z, {.cases = 20, .shrinks = false, .structured = false});
+  const auto against_x = find_violation(GetParam(), about_x, {.cases = 20, .structured = false});
+  const auto against_z = find_violation(GetParam(), about_z, {.cases = 20, .structured = false});
   EXPECT_TRUE(!against_x || !against_z) << *against_x << *against_z;
   EXPECT_TRUE(differs_somewhere(erratic(GetParam()), about_x));
   EXPECT_TRUE(differs_somewhere(erratic(GetParam()), about_z));

@@ -70,6 +70,7 @@ Examinee erratic(Examinee examinee) {
 }
 
 Examinee without_numbers(Examinee examinee) {
+  examinee.name += "_without_numbers";
   examinee.solve = [](const Collision&) -> ExactAnswer { return NotFinite{}; };
   return examinee;
 }

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "examination.hpp"
 
-#include <carom/properties/conformance/rapidcheck.hpp>
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include <carom/properties/trial/in_words.hpp>
+
+#include "support/cases.hpp"
 
 namespace carom::properties {
 namespace {
@@ -15,13 +22,9 @@ Case head_on_probe() {
   return probe;
 }
 
-bool has_responded(const Examinee& examinee, const JudgedCase& judged_case) {
-  if (!judged_case.is_valid() || judged_case.exact().approach() != oracles::Approach::colliding) {
-    return false;
-  }
-  const ExactAnswer answer = examinee.solve(judged_case.generated().collision);
+bool has_responded(const ExactAnswer& answer, const JudgedCase& judged_case) {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer);
-  if (outcome == nullptr) {
+  if (outcome == nullptr || !judged_case.is_valid() || judged_case.exact().approach() != oracles::Approach::colliding) {
     return false;
   }
   const auto before = unchanged(judged_case.exact().exact());
@@ -30,6 +33,55 @@ bool has_responded(const Examinee& examinee, const JudgedCase& judged_case) {
     responded = responded || *vectors(outcome->exact())[k] != *vectors(before)[k];
   }
   return responded;
+}
+
+std::vector<const Family*> families_of(const Examination& examination) {
+  std::vector<const Family*> families;
+  for (const Family& family : examination.families) {
+    if (examination.structured || family.name != "structured") {
+      families.push_back(&family);
+    }
+  }
+  return families;
+}
+
+/// The objection to an examinee that violates nothing.
+std::optional<std::string> why_nothing_was_tested(bool in_domain, bool responded) {
+  if (!in_domain) {
+    return "no case of a family was in the domain";
+  }
+  if (!responded) {
+    return "no colliding case of a family was answered with other velocities than before: nothing was tested";
+  }
+  return std::nullopt;
+}
+
+void put(const JudgedCase& judged_case, const Claimant& claimant, bool is_of_family, Seen& seen) {
+  const auto& [examinee, invariants] = claimant;
+  Claim claim{examinee.model, examinee.yardstick, {}};
+  std::copy_if(invariants.begin(), invariants.end(), std::back_inserter(claim.invariants),
+               [&](const Invariant* invariant) { return !seen.violated.contains(invariant); });
+  if (claim.invariants.empty()) {
+    return;
+  }
+  bool is_first = is_of_family;
+  const Judgement judgement = try_case(judged_case, claim, [&, &solve = examinee.solve](const Collision& collision) {
+    ExactAnswer answer = solve(collision);
+    if (std::exchange(is_first, false)) {
+      seen.responded = seen.responded || has_responded(answer, judged_case);
+    }
+    return answer;
+  });
+  if (judgement.skipped) {
+    seen.violated.insert(claim.invariants.begin(), claim.invariants.end());
+  }
+  for (const auto& [invariant, verdict] : judgement.verdicts) {
+    if (verdict.status == Status::violated) {
+      seen.violated.insert(invariant);
+    } else if (verdict.status == Status::holds && is_of_family) {
+      seen.in_domain.insert(invariant);
+    }
+  }
 }
 
 std::string text_of(const Verdict& verdict) {
@@ -62,36 +114,49 @@ std::optional<std::string> find_violation(const Examinee& examinee, const Questi
     const JudgedCase judged_case(one);
     Verdict verdict = question(examinee, judged_case);
     in_domain = in_domain || verdict.status == Status::holds;
-    responded = responded || has_responded(examinee, judged_case);
+    responded = responded || has_responded(examinee.solve(one.collision), judged_case);
     return verdict;
   };
   const Verdict of_probe = question(examinee, JudgedCase(head_on_probe()));
   if (of_probe.status == Status::violated) {
     return "on the head-on probe: " + text_of(of_probe);
   }
-  const rc::detail::TestParams parameters = rapidcheck_parameters(examination.cases, examination.shrinks);
-  for (const Family& family : examination.families) {
-    if (family.name == "structured" && !examination.structured) {
-      continue;
-    }
-    const auto found = counterexample(parameters, [&] {
-      const Verdict verdict = put(*cases_of(family));
+  for (const Family* family : families_of(examination)) {
+    for (std::uint64_t i = 0; i < examination.cases; ++i) {
+      const Case one = unit::case_of(family->name, i);
+      const Verdict verdict = put(one);
       if (verdict.status == Status::violated) {
-        RC_LOG() << text_of(verdict);
+        return "in the family " + std::string(family->name) + ": " + text_of(verdict) + in_words(one.collision, "");
       }
-      RC_ASSERT(verdict.status != Status::violated);
-    });
-    if (found) {
-      return "in the family " + std::string(family.name) + ": " + *found;
     }
   }
-  if (!in_domain) {
-    return "no case of a family was in the domain";
+  return why_nothing_was_tested(in_domain, responded);
+}
+
+std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination& examination) {
+  std::vector<Seen> seen(claimants.size());
+  const auto put_to_all = [&](const Case& one, bool is_of_family) {
+    const JudgedCase judged_case(one);
+    for (std::size_t i = 0; i < claimants.size(); ++i) {
+      put(judged_case, claimants[i], is_of_family, seen[i]);
+    }
+  };
+  put_to_all(head_on_probe(), false);
+  for (const Family* family : families_of(examination)) {
+    for (std::uint64_t i = 0; i < examination.cases; ++i) {
+      put_to_all(unit::case_of(family->name, i), true);
+    }
   }
-  if (!responded) {
-    return "no colliding case of a family was answered with other velocities than before: nothing was tested";
+  return seen;
+}
+
+std::optional<std::string> found_by(const Seen& seen, const Claimant& claimant, const Invariant& invariant,
+                                    const Examination& examination) {
+  if (seen.violated.contains(&invariant)) {
+    return find_violation(claimant.examinee, invariant_holds(invariant), examination)
+        .value_or("a violation that is not found again");
   }
-  return std::nullopt;
+  return why_nothing_was_tested(seen.in_domain.contains(&invariant), seen.responded);
 }
 
 }  // namespace carom::properties

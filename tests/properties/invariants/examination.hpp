@@ -3,8 +3,10 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <carom/properties/families/family.hpp>
 
@@ -19,8 +21,7 @@ using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
 [[nodiscard]] Question invariant_holds(const Invariant& invariant);
 
 struct Examination {
-  int cases = 0;        // of each family
-  bool shrinks = true;  // whether RapidCheck is to shrink what it finds
+  std::uint64_t cases = 0;  // of each family
   /// Whether `structured` is among the families: its sizes underflow in binary32 on the way, where a question about
   /// bits has nothing to ask.
   bool structured = true;
@@ -33,5 +34,26 @@ struct Examination {
 /// tested. The head-on collision counts for neither: families that draw nothing are noticed.
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
+
+/// An examinee, and the invariants that are asked about it.
+struct Claimant {
+  Examinee examinee;
+  std::vector<const Invariant*> invariants;
+};
+
+/// The results of a claimant's cases.
+struct Seen {
+  bool responded = false;  // a colliding case of a family was answered with other velocities than before
+  std::set<const Invariant*> in_domain = {};  // these held in some case of a family
+  std::set<const Invariant*> violated = {};   // these did not hold in some case; they are not asked again
+};
+
+/// Draws the cases of `find_violation` once, and puts each to all claimants. In the claimants' order.
+[[nodiscard]] std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination& examination);
+
+/// The return value of `find_violation` for one of the invariants of a claimant, if `examine` saw this of it. The cases
+/// are drawn again to shrink a violation.
+[[nodiscard]] std::optional<std::string> found_by(const Seen& seen, const Claimant& claimant,
+                                                  const Invariant& invariant, const Examination& examination);
 
 }  // namespace carom::properties

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "examination.hpp"
+#include "support/selected.hpp"
 
 /// Every invariant holds of every solver that claims it, on every family: within 32 ulps in floating point, and with
 /// nothing allowed in ℚ, where the same solver text makes each invariant an exact statement.
@@ -20,9 +23,11 @@ void PrintTo(const Claimed& claimed, std::ostream* out) {
   *out << claimed.invariant->statement << ' ' << claimed.examinee.name;
 }
 
-std::string name_of_test(const testing::TestParamInfo<Claimed>& test) {
-  return std::string(test.param.invariant->name) + '_' + test.param.examinee.name;
+std::string name_of(const Claimed& claimed) {
+  return std::string(claimed.invariant->name) + '_' + claimed.examinee.name;
 }
+
+std::string name_of_test(const testing::TestParamInfo<Claimed>& test) { return name_of(test.param); }
 
 std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   std::vector<Claimed> claimed;
@@ -39,53 +44,98 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   return claimed;
 }
 
-class Holds : public testing::TestWithParam<Claimed> {};
+/// The tests of a suite share one pass over the families, which judges what the selected ones ask about.
+class OnePass : public testing::TestWithParam<Claimed> {
+ protected:
+  /// `examinee_of` makes the examinee that is examined of the one that a test names.
+  template <class ExamineeOf>
+  static void examine_selected(const std::vector<Claimed>& all, std::uint64_t cases, const ExamineeOf& examinee_of) {
+    examination = {.cases = cases};
+    claimants.clear();
+    places.clear();
+    for (const Claimed& claimed : all) {
+      if (!unit::is_selected(name_of(claimed))) {
+        continue;
+      }
+      const Examinee examinee = examinee_of(claimed);
+      const auto known = std::find_if(claimants.begin(), claimants.end(),
+                                      [&](const Claimant& one) { return one.examinee.name == examinee.name; });
+      places[name_of(claimed)] = static_cast<std::size_t>(known - claimants.begin());
+      (known == claimants.end() ? claimants.emplace_back(Claimant{examinee, {}}) : *known)
+          .invariants.push_back(claimed.invariant);
+    }
+    seen = examine(claimants, examination);
+  }
 
-TEST_P(Holds, For) {
-  const auto found = find_violation(GetParam().examinee, invariant_holds(*GetParam().invariant), {.cases = 20});
-  EXPECT_FALSE(found) << *found;
-}
+  static Examinee itself(const Claimed& claimed) { return claimed.examinee; }
+
+  static void expect_no_violation(const Claimed& claimed) {
+    const std::size_t place = places.at(name_of(claimed));
+    const auto found = found_by(seen[place], claimants[place], *claimed.invariant, examination);
+    EXPECT_FALSE(found) << *found;
+  }
+
+  static inline Examination examination;
+  static inline std::vector<Claimant> claimants;
+  static inline std::map<std::string, std::size_t> places;  // of the claimant, by a test's name
+  static inline std::vector<Seen> seen;
+};
+
+class Holds : public OnePass {
+ protected:
+  static void SetUpTestSuite() { examine_selected(claimed_by(built_in_examinees()), 20, itself); }
+};
+
+TEST_P(Holds, For) { expect_no_violation(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, Holds, testing::ValuesIn(claimed_by(built_in_examinees())), name_of_test);
 
-class HoldsExactly : public testing::TestWithParam<Claimed> {};
+class HoldsExactly : public OnePass {
+ protected:
+  static void SetUpTestSuite() { examine_selected(claimed_by(exact_examinees()), 15, itself); }
+};
 
-TEST_P(HoldsExactly, For) {
-  const auto found = find_violation(GetParam().examinee, invariant_holds(*GetParam().invariant), {.cases = 15});
-  EXPECT_FALSE(found) << *found;
-}
+TEST_P(HoldsExactly, For) { expect_no_violation(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
 
-/// Whether the answer to the question is a violation in some case of a family.
-bool violates_somewhere(const Examinee& examinee, const Question& question) {
-  constexpr std::uint64_t cases = 15;
-  for (const Family& family : all_families()) {
-    for (std::uint64_t index = 0; index < cases; ++index) {
-      const JudgedCase judged_case(drawn_case(family, 1, index));
-      if (question(examinee, judged_case).status == Status::violated) {
-        return true;
+/// One examinee of each model in each arithmetic that is judged differently.
+std::vector<Examinee> one_of_each() {
+  std::vector<Examinee> examinees;
+  for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
+    for (const Model model : all_models) {
+      for (const Examinee& examinee : all) {
+        if (examinee.model == model) {
+          examinees.push_back(examinee);
+          break;
+        }
       }
     }
   }
-  return false;
+  return examinees;
 }
 
 /// The tests above, put to subjects that break the invariant.
-class NeverHolds : public testing::TestWithParam<Claimed> {};
+class NeverHolds : public OnePass {
+ protected:
+  static void SetUpTestSuite() {
+    examine_selected(claimed_by(one_of_each()), 15, [](const Claimed& claimed) {
+      return claimed.invariant->name == "finite" ? without_numbers(claimed.examinee) : erratic(claimed.examinee);
+    });
+  }
+};
 
 TEST_P(NeverHolds, ForASubjectThatObeysNoLaw) {
-  const auto& [invariant, examinee] = GetParam();
-  const bool is_finite = invariant->name == "finite";
-  EXPECT_TRUE(
-      violates_somewhere(is_finite ? without_numbers(examinee) : erratic(examinee), invariant_holds(*invariant)));
+  EXPECT_TRUE(seen[places.at(name_of(GetParam()))].violated.contains(GetParam().invariant));
 }
+
+INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
 /// A subject that returns its input keeps these, so that nothing is tested.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
-    const auto found = find_violation(idle(built_in_examinees().front()), invariant_holds(*invariant_named(name)),
-                                      {.cases = 5, .shrinks = false});
+    const auto found =
+        find_violation(idle(built_in_examinees().front()), invariant_holds(*invariant_named(name)), {.cases = 5});
     ASSERT_TRUE(found) << name;
     EXPECT_NE(found->find("nothing was tested"), std::string::npos) << *found;
   }
@@ -105,24 +155,6 @@ TEST(Examination, NoticesFamiliesThatDrawNothing) {
   EXPECT_NE(of_separating->find("nothing was tested"), std::string::npos) << *of_separating;
   EXPECT_EQ(found_in({family_named("elastic"), 1}), std::nullopt);
 }
-
-/// One examinee of each model in each arithmetic that is judged differently.
-std::vector<Examinee> one_of_each() {
-  std::vector<Examinee> examinees;
-  for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
-    for (const Model model : all_models) {
-      for (const Examinee& examinee : all) {
-        if (examinee.model == model) {
-          examinees.push_back(examinee);
-          break;
-        }
-      }
-    }
-  }
-  return examinees;
-}
-
-INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
 }  // namespace
 }  // namespace carom::properties

@@ -8,6 +8,7 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "io/threads.hpp"
 #include "support/cases.hpp"
 
 namespace carom::properties::plan {
@@ -49,7 +50,7 @@ PlanOptions options_for(Model law, std::optional<int> digits = std::nullopt) {
   PlanOptions options;
   options.demand.law = law;
   options.demand.digits = digits;
-  options.jobs = 2;
+  options.workers = tool::threads(2);
   return options;
 }
 
@@ -255,7 +256,7 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   PlanOptions options = options_for(Model::reflection, 6);
   const auto contacts = contacts_of("generic", 150);
   const Plan by_two = make_plan(contacts, some_candidates(), options);
-  options.jobs = 1;
+  options.workers = {};
   const Plan by_one = make_plan(contacts, some_candidates(), options);
   for (std::size_t c = 0; c < by_one.candidates.size(); ++c) {
     const Certificate& x = by_one.whole.candidates[c].certificate;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/oracles/models/models.hpp>
 #include <carom/oracles/numbers/quantities.hpp>
 #include <carom/properties/trial/trial.hpp>
 

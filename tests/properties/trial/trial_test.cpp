@@ -9,10 +9,11 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/search/witness.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/cases.hpp"
+#include "support/effort.hpp"
 
 namespace carom::properties {
 namespace {
@@ -36,7 +37,7 @@ Case extreme_case(Stream& stream, int most) {
 /// What the verdicts are is not the question.
 void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < unit::effort(20); ++i) {
     const Case one = extreme_case(stream, most);
     for (const char* name :
          {"frictionless-float", "reflection-double", "reflection-in-basis-long-double", "coulomb-double"}) {
@@ -54,7 +55,7 @@ void judge_to_the_end(int most) {
 /// the same of each outcome. Relations are left out: such numbers make long rationals.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < unit::effort(4); ++i) {
     const Case one = extreme_case(stream, most);
     for (const char* name : {"frictionless-double", "reflection-double"}) {
       Subject subject = subjects::subject_named(name).value();

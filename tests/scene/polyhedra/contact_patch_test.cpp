@@ -15,10 +15,10 @@ namespace {
 
 using unit::Vector;
 
-constexpr double gap = 1e-9;
+constexpr double small_gap = 1e-9;
 constexpr double flatness = 1e-7;
 const Quaternion<double> upright(1, 0, 0, 0);
-const HalfSpace floor_at_0{{0, 0, 1}, 0};
+const HalfSpace ground{{0, 0, 1}, 0};
 
 ConvexShape box(const Vector& size) { return convex_shape(unit::body_of(unit::box_points(size))); }
 
@@ -39,19 +39,19 @@ void expect_points(const std::vector<Vector>& found, const std::vector<Vector>& 
 }
 
 ContactPatch on_floor(const Quaternion<double>& orientation, double height) {
-  return contact_patch(box({2, 2, 2}), {orientation, {5, 7, height + gap}, 0, 0}, floor_at_0, flatness);
+  return contact_patch(box({2, 2, 2}), {orientation, {5, 7, height + small_gap}, 0, 0}, ground, flatness);
 }
 
 TEST(ContactPatch, OfACubeOnAFloorIsItsFaceItsEdgeOrItsCorner) {
   const ContactPatch face = on_floor(upright, 1);
   EXPECT_EQ(face.kind, ContactKind::face_face);
   expect_points(face.vertices, {{4, 6, 0}, {6, 6, 0}, {6, 8, 0}, {4, 8, 0}});
-  EXPECT_LE((face.point - Vector(5, 7, gap / 2)).norm(), 1e-14);
+  EXPECT_LE((face.point - Vector(5, 7, small_gap / 2)).norm(), 1e-14);
 
   const ContactPatch edge = on_floor(about(0, std::numbers::pi / 4), std::numbers::sqrt2);
   EXPECT_EQ(edge.kind, ContactKind::edge_face);
   expect_points(edge.vertices, {{4, 7, 0}, {6, 7, 0}});
-  EXPECT_LE((edge.point - Vector(5, 7, gap / 2)).norm(), 1e-14);
+  EXPECT_LE((edge.point - Vector(5, 7, small_gap / 2)).norm(), 1e-14);
 
   // The diagonal (1, 1, 1) down.
   const auto diagonal = Eigen::Quaterniond::FromTwoVectors(Vector(1, 1, 1), Vector(0, 0, -1));
@@ -67,46 +67,47 @@ ContactPatch between(const ConvexShape& a, const Placement& at_a, const ConvexSh
 
 TEST(ContactPatch, OfTwoFacesIsTheirOverlap) {
   const ContactPatch patch =
-      between(box({2, 2, 2}), {upright, {1.5, 1, 2 + gap}, 0, 0}, box({2, 4, 2}), {upright, {0, 0, 0}, 0, 0});
+      between(box({2, 2, 2}), {upright, {1.5, 1, 2 + small_gap}, 0, 0}, box({2, 4, 2}), {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(patch.kind, ContactKind::face_face);
   expect_points(patch.vertices, {{0.5, 0, 1}, {1, 0, 1}, {1, 2, 1}, {0.5, 2, 1}});
   EXPECT_LE((patch.point - Vector(0.75, 1, 1)).norm(), flatness);
   // Turned by an eighth, the overlap of two squares is an octagon.
-  const ContactPatch octagon = between(box({2, 2, 2}), {about(2, std::numbers::pi / 4), {0, 0, 2 + gap}, 0, 0},
+  const ContactPatch octagon = between(box({2, 2, 2}), {about(2, std::numbers::pi / 4), {0, 0, 2 + small_gap}, 0, 0},
                                        box({2, 2, 2}), {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(octagon.vertices.size(), 8U);
-  EXPECT_LE((octagon.point - Vector(0, 0, 1)).norm(), 2 * gap);
+  EXPECT_LE((octagon.point - Vector(0, 0, 1)).norm(), 2 * small_gap);
 }
 
 TEST(ContactPatch, OfEdgesIsTheirCrossingOrTheirSharedPart) {
   const Quaternion<double> along_x = about(0, std::numbers::pi / 4);
   const Quaternion<double> along_y = about(1, std::numbers::pi / 4);
-  const ContactPatch crossing = between(box({4, 2, 2}), {along_x, {0.5, 0.25, 2 * std::numbers::sqrt2 + gap}, 0, 0},
-                                        box({2, 4, 2}), {along_y, {0, 0, 0}, 0, 0});
+  const ContactPatch crossing =
+      between(box({4, 2, 2}), {along_x, {0.5, 0.25, 2 * std::numbers::sqrt2 + small_gap}, 0, 0}, box({2, 4, 2}),
+              {along_y, {0, 0, 0}, 0, 0});
   EXPECT_EQ(crossing.kind, ContactKind::edge_edge);
   expect_points(crossing.vertices, {{0, 0.25, std::numbers::sqrt2}});
 
   const ShapePair pair(box({4, 2, 2}), box({4, 2, 2}));
-  const Placement above{along_x, {3, 0, 2 * std::numbers::sqrt2 + gap}, 0, 0};
+  const Placement above{along_x, {3, 0, 2 * std::numbers::sqrt2 + small_gap}, 0, 0};
   const Placement below{along_x, {0, 0, 0}, 0, 0};
-  const ContactPatch shared = contact_patch(pair, above, below, {{0, 0, 1}, gap, gap}, flatness);
+  const ContactPatch shared = contact_patch(pair, above, below, {{0, 0, 1}, small_gap, small_gap}, flatness);
   EXPECT_EQ(shared.kind, ContactKind::edge_edge);
   expect_points(shared.vertices, {{1, 0, std::numbers::sqrt2}, {2, 0, std::numbers::sqrt2}});
 }
 
 TEST(ContactPatch, OfAnEdgeOverAFaceEndsWithTheFace) {
   const ContactPatch patch =
-      between(box({4, 2, 2}), {about(0, std::numbers::pi / 4), {1.5, 0, 1 + std::numbers::sqrt2 + gap}, 0, 0},
+      between(box({4, 2, 2}), {about(0, std::numbers::pi / 4), {1.5, 0, 1 + std::numbers::sqrt2 + small_gap}, 0, 0},
               box({2, 2, 2}), {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(patch.kind, ContactKind::edge_face);
   expect_points(patch.vertices, {{-0.5, 0, 1}, {1, 0, 1}});
 }
 
 TEST(ContactPatch, OfABallIsOnePoint) {
-  const ContactPatch on_box =
-      between(ball_shape(0.5), {upright, {0.25, 0.5, 1.5 + gap}, 0, 0}, box({2, 2, 2}), {upright, {0, 0, 0}, 0, 0});
+  const ContactPatch on_box = between(ball_shape(0.5), {upright, {0.25, 0.5, 1.5 + small_gap}, 0, 0}, box({2, 2, 2}),
+                                      {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(on_box.kind, ContactKind::vertex_face);
-  EXPECT_LE((on_box.point - Vector(0.25, 0.5, 1 + gap / 2)).norm(), 1e-14);
+  EXPECT_LE((on_box.point - Vector(0.25, 0.5, 1 + small_gap / 2)).norm(), 1e-14);
   const ContactPatch balls =
       between(ball_shape(0.5), {upright, {0, 3, 0}, 0, 0}, ball_shape(2.5), {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(balls.kind, ContactKind::vertex_vertex);
@@ -135,9 +136,9 @@ TEST(ContactPatch, LiesOnBothBodies) {
     for (const Vector& v : placed_vertices(b, at_b, Vector::Zero())) {
       highest = std::max(highest, v.z());
     }
-    at_a.position.z() -= separation(a, at_a, {{0, 0, 1}, highest}).gap - gap;
+    at_a.position.z() -= separation(a, at_a, {{0, 0, 1}, highest}).gap - small_gap;
     const Separation found = pair.separation(at_a, at_b);
-    if (found.gap > 2 * gap) {
+    if (found.gap > 2 * small_gap) {
       continue;  // beside each other
     }
     const ContactPatch patch = contact_patch(pair, at_a, at_b, found, flatness);

@@ -5,13 +5,15 @@
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
+#include "io/threads.hpp"
+
 namespace carom::subjects::protocol {
 namespace {
 
 properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jobs) {
   properties::GateOptions options;
   options.cases = 60;
-  options.jobs = jobs;
+  options.workers = tool::threads(jobs);
   options.relations_every = 1;
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);

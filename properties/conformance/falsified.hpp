@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <rapidcheck.h>
+
+namespace carom::conformance {
+
+/// Whether RapidCheck finds something against a property, which it knows by this name. Its text on a single property is
+/// kept back. At the end of the program it prints how to reproduce all failures.
+template <class Property>
+[[nodiscard]] bool falsified(const std::string& name, Property&& property) {
+  // RapidCheck reads RC_PARAMS once, prints the seed, and ends the program if it cannot: that is not kept back.
+  static const bool has_read_parameters = rc::check([] {});
+  std::ostringstream kept_back;
+  struct Usual {
+    std::streambuf* const buffer;
+    ~Usual() { std::cerr.rdbuf(buffer); }
+  } const usual{std::cerr.rdbuf(kept_back.rdbuf())};
+  return has_read_parameters && !rc::check(name, std::forward<Property>(property));
+}
+
+}  // namespace carom::conformance

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+
+#include <carom/properties/gate/witness.hpp>
+#include <carom/properties/search/shrink.hpp>
+#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/restarts.hpp>
+
+namespace carom::properties {
+namespace {
+
+/// Shrinking calls the subject and the judge this often at most for one witness.
+constexpr std::size_t most_shrink_calls = 4000;
+
+/// So long a subject may take to fail, all failures together: one that hangs is waited for each time.
+constexpr std::chrono::seconds longest_failing{5};
+
+/// What kind of answer is violated where there is nothing to compare: the detail up to its reason.
+std::string_view kind_of(const Verdict& verdict) {
+  const std::string_view detail = verdict.detail;
+  return verdict.left.empty() ? detail.substr(0, detail.find(':')) : std::string_view();
+}
+
+/// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
+Verdict single_verdict(const Judgement& judgement) {
+  return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
+}
+
+/// The family in which the invariant is violated most often shows it best.
+std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
+  std::size_t best = 0;
+  std::uint64_t most = 0;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    const auto found = result.families[f].counts.find(invariant);
+    const std::uint64_t violated = found == result.families[f].counts.end() ? 0 : found->second.violated;
+    if (violated > most) {
+      most = violated;
+      best = f;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Witness found_witness(const SubjectResult& result, const GateOptions& options, const std::string& invariant) {
+  const std::size_t family = family_of_witness(result, invariant);
+  const WorstViolation& worst = result.families[family].worst.at(invariant);
+  return {invariant,      std::string(options.families[family]->name),
+          worst.index,    worst.original,
+          worst.original, worst.verdict,
+          worst.answer,   worst.verdict,
+          worst.answer};
+}
+
+Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness) {
+  Claim only = claim;
+  only.invariants = {invariant_named(witness.invariant)};
+  Restarts restarts(most_shrink_calls, longest_failing);
+  Session session = open_restarting(subject, restarts);
+  bool is_over = false;
+  const auto verdict_on = [&](const Case& one) {
+    try {
+      return is_over ? Verdict{} : single_verdict(judge_in_session(only, session, one).judgement);
+    } catch (const SessionFailure&) {
+      is_over = true;  // what was found until then stands
+      return Verdict{};
+    }
+  };
+  witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
+  const Case simplest =
+      simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
+  only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
+  Restarts once(2);
+  Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
+  const AnswerAndJudgement shrunk = judge_in_session(only, fresh, simplest);
+  fresh.close();
+  if (single_verdict(shrunk.judgement).status == Status::violated) {
+    witness.shrunk = simplest;
+    witness.verdict = single_verdict(shrunk.judgement);
+    witness.answer = shrunk.answer;
+  }
+  return witness;
+}
+
+bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
+  // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
+  // is allowed.
+  const double worst = seriousness(found, found_on);
+  const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
+  // Nor, however little is allowed, one in which other digits are wrong than in the one found: of a thousandth all see
+  // that it is no rounding.
+  constexpr double plain = 0x1p-10;
+  const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
+  return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
+         kind_of(verdict) == kind_of(found);
+}
+
+Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
+                        const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
+  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
+  const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
+  if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
+    return one;
+  }
+  const auto still_fails = [&](const Collision& collision) {
+    const Verdict verdict = verdict_on({collision, one.convex_uniform});
+    return verdict.status == Status::violated && is_as_bad(verdict, collision, found, one.collision);
+  };
+  return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
+}
+
+AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one) {
+  const JudgedCase judged_case(one, claim.yardstick.filtered);
+  const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
+  const Trial trial(judged_case, claim, lift(answer));
+  const std::vector<Answer> replies =
+      trial.question_count() == 0 ? std::vector<Answer>{} : answers_of(session, trial.questions());
+  return {answer, trial.judge(replies)};
+}
+
+AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
+  Session session = subject.open();
+  AnswerAndJudgement judged = judge_in_session(claim, session, one);
+  session.close();
+  return judged;
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSL-1.0
+# The parts of Carom that can be had alone. Each is built and installed with the parts that it needs, and needs no other
+# packages than they do.
+
+set(CAROM_COMPONENTS all CACHE STRING
+    "What is built and installed: a list of impulse, judge, report, kit, scenes, program and proofs, or all but the proofs")
+
+# Of each part: the parts below it, the packages of CMake that its build looks for, and those that its users need.
+set(carom_parts impulse judge report kit scenes program)
+set(carom_impulse_packages "Eigen3 3.4")
+set(carom_impulse_packages_of_users "Eigen3 3.4")
+set(carom_judge_needs impulse)
+set(carom_judge_packages CGAL fmt nlohmann_json)
+set(carom_judge_packages_of_users CGAL fmt nlohmann_json)
+set(carom_report_needs judge)
+set(carom_report_packages pugixml)
+set(carom_report_packages_of_users pugixml)
+set(carom_kit_needs judge)
+set(carom_kit_packages_of_users GTest rapidcheck)
+set(carom_scenes_needs judge)
+set(carom_scenes_packages Boost fcl)
+set(carom_program_needs report scenes)
+set(carom_program_packages Boost CLI11 Threads PkgConfig benchmark)
+set(carom_program_packages_of_users Boost Threads)
+# The proofs are no C++, and need no package of CMake.
+
+# What is built, lower parts first.
+set(CAROM_BUILT)
+function(carom_build_component part)
+  if(NOT part IN_LIST carom_parts AND NOT part STREQUAL "proofs")
+    list(JOIN carom_parts ", " names)
+    message(FATAL_ERROR "CAROM_COMPONENTS is all, or a list of ${names} and proofs, not \"${CAROM_COMPONENTS}\"")
+  endif()
+  foreach(needed IN LISTS carom_${part}_needs)
+    carom_build_component(${needed})
+  endforeach()
+  list(APPEND CAROM_BUILT ${part})
+  list(REMOVE_DUPLICATES CAROM_BUILT)
+  set(CAROM_BUILT ${CAROM_BUILT} PARENT_SCOPE)
+endfunction()
+if("all" IN_LIST CAROM_COMPONENTS)
+  set(carom_wanted ${carom_parts})
+else()
+  set(carom_wanted ${CAROM_COMPONENTS})
+endif()
+foreach(part IN LISTS carom_wanted)
+  carom_build_component(${part})
+endforeach()
+
+# carom_component(PART): the libraries that the folder installs from here on belong to the part. A program and what it
+# reads belong to the install component `carom` instead.
+macro(carom_component part)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ${part})
+endmacro()

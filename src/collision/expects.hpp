@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// CAROM_EXPECTS(condition, values…) states a precondition. A checked build ends the program if it does not hold, and
+/// prints where it stands, the condition, and the values. Any other build compiles the condition, and evaluates
+/// nothing.
+///
+/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if nothing defines it and NDEBUG is not defined either. A
+/// check changes no result, no type and no layout. So a program may mix units that check with units that do not, as it
+/// may with `assert`: the linker then keeps one copy of an inline function, and that copy checks or does not.
+#ifndef CAROM_CHECK_PRECONDITIONS
+#ifdef NDEBUG
+#define CAROM_CHECK_PRECONDITIONS 0
+#else
+#define CAROM_CHECK_PRECONDITIONS 1
+#endif
+#endif
+
+#if CAROM_CHECK_PRECONDITIONS
+
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <type_traits>
+
+namespace carom::detail {
+
+/// The lanes of a pack are not asked: those that do not collide hold what is of no account. Nor is a comparison of
+/// numbers that are known to within an error, which may be undecided.
+template <class Condition>
+[[nodiscard]] constexpr bool holds(const Condition& condition) {
+  if constexpr (std::is_constructible_v<bool, const Condition&>) {
+    return static_cast<bool>(condition);
+  } else {
+    return true;
+  }
+}
+
+/// Prints what has a name, components or an operator<<; of anything else it says that there is a value.
+template <class T>
+void print_value(std::ostream& out, const T& value) {
+  if constexpr (requires { name_of(value); }) {
+    out << name_of(value);
+  } else if constexpr (requires {
+                         typename T::Scalar;
+                         value.coeff(0);
+                       }) {
+    out << '(';
+    for (decltype(value.size()) i = 0; i < value.size(); ++i) {
+      out << (i == 0 ? "" : ", ");
+      print_value(out, value.coeff(i));
+    }
+    out << ')';
+  } else if constexpr (requires { out << value; }) {
+    out << value;
+  } else {
+    out << '?';
+  }
+}
+
+template <class... Values>
+[[noreturn, gnu::cold, gnu::noinline]] void end_at_precondition(const char* file, int line, const char* function,
+                                                                const char* condition, const char* names,
+                                                                const Values&... values) {
+  std::ostream& out = std::cerr;
+  out.precision(std::numeric_limits<long double>::max_digits10);
+  out << file << ':' << line << ": " << function << ": violated precondition: " << condition;
+  if constexpr (sizeof...(values) > 0) {
+    out << "\n  " << names << ':';
+    ((out << ' ', print_value(out, values)), ...);
+  }
+  out << std::endl;
+  std::abort();
+}
+
+}  // namespace carom::detail
+
+#define CAROM_EXPECTS(condition, ...)                                                                             \
+  (::carom::detail::holds(condition)                                                                              \
+       ? static_cast<void>(0)                                                                                     \
+       : ::carom::detail::end_at_precondition(__FILE__, __LINE__, static_cast<const char*>(__func__), #condition, \
+                                              #__VA_ARGS__ __VA_OPT__(, ) __VA_ARGS__))
+
+#else
+
+#define CAROM_EXPECTS(condition, ...) static_cast<void>(sizeof((condition)))
+
+#endif

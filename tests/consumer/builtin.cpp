@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSL-1.0
+// A built-in subject by its name.
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+int main() {
+  carom::properties::GateOptions options;
+  options.cases = 20;
+  options.families = {carom::properties::family_named("generic")};
+  const auto subject = carom::subjects::subject_named("reflection-double");
+  return subject && carom::properties::run_gate({*subject}, options).results[0].is_sound() ? 0 : 1;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/collision/outcome.hpp>
+
+/// A stranger's solver with a defect that README.md's property finds: whether bodies approach is looked up in the
+/// velocities of their centres, and what turns towards the contact is missed.
+inline carom::Outcome<double> my_solver(const carom::Collision& c) {
+  carom::Outcome<double> after = carom::unchanged(c);
+  const double of_a = c.a.immovable ? 0 : 1 / c.a.mass;
+  const double of_b = c.b.immovable ? 0 : 1 / c.b.mass;
+  const double approach = c.normal.dot(c.a.velocity - c.b.velocity);
+  if (approach < 0 && of_a + of_b > 0) {
+    const double j = -(1 + c.restitution) * approach / (c.normal.squaredNorm() * (of_a + of_b));
+    after.a.velocity += c.normal * (j * of_a);
+    after.b.velocity -= c.normal * (j * of_b);
+  }
+  return after;
+}

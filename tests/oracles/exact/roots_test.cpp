@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/exact/roots.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+
+const Coefficients everywhere{Rational(1)};
+
+/// (x − r₀)(x − r₁)…
+Coefficients with_roots(const std::vector<Rational>& roots) {
+  Coefficients product = everywhere;
+  for (const Rational& root : roots) {
+    Coefficients next(product.size() + 1);
+    for (std::size_t i = 0; i < product.size(); ++i) {
+      next[i] -= root * product[i];
+      next[i + 1] += product[i];
+    }
+    product = next;
+  }
+  return product;
+}
+
+void expect_positive_roots(const std::vector<Rational>& expected, const Coefficients& polynomial,
+                           const Coefficients& side = everywhere) {
+  constexpr int bits = 60;
+  const std::vector<Rational> roots = positive_roots(polynomial, side, bits);
+  ASSERT_EQ(roots.size(), expected.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    EXPECT_LE(abs(Rational(roots[i] - expected[i])), expected[i].times_power_of_two(-bits)) << expected[i];
+  }
+}
+
+TEST(PositiveRoots, ComeInAscendingOrder) {
+  expect_positive_roots({ratio(1, 3), Rational(2), ratio(7, 3)},
+                        with_roots({Rational(2), ratio(7, 3), ratio(1, 3), Rational(-5)}));
+}
+
+TEST(PositiveRoots, AreToldApartHoweverNear) {
+  const Rational near = Rational(1) + Rational(1).times_power_of_two(-200);
+  expect_positive_roots({Rational(1), near}, with_roots({Rational(1), near, Rational(-1)}));
+}
+
+TEST(PositiveRoots, AreFoundHoweverFarApart) {
+  const Rational small = Rational(3).times_power_of_two(-900);
+  const Rational large = Rational(5).times_power_of_two(900);
+  expect_positive_roots({small, large}, with_roots({large, small}));
+}
+
+TEST(PositiveRoots, CountOnceIfTheyAreMultiple) {
+  expect_positive_roots({Rational(1), Rational(4)}, with_roots({Rational(1), Rational(1), Rational(4), Rational(4)}));
+}
+
+TEST(PositiveRoots, DoNotIncludeZero) {
+  expect_positive_roots({Rational(3)}, with_roots({Rational(0), Rational(0), Rational(3)}));
+}
+
+TEST(PositiveRoots, AreNoneOfAConstantOrOfASum) {
+  expect_positive_roots({}, {Rational(7)});
+  expect_positive_roots({}, {Rational(1), Rational(0), Rational(1)});
+  expect_positive_roots({}, {Rational(1), Rational(2), Rational(1)});
+}
+
+TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
+  expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
+}
+
+/// A root of both is on no side, however near the sides are.
+TEST(PositiveRoots, LieOnThePositiveSide) {
+  const Rational near = Rational(2) - Rational(1).times_power_of_two(-200);
+  const Coefficients polynomial = with_roots({Rational(1), Rational(2), Rational(4)});
+  expect_positive_roots({Rational(4)}, polynomial, with_roots({Rational(2)}));
+  expect_positive_roots({Rational(2), Rational(4)}, polynomial, with_roots({near}));
+  expect_positive_roots({}, polynomial, {Rational(0)});
+  expect_positive_roots({}, polynomial, {Rational(-1), Rational(0)});
+}
+
+/// √2 within 2⁻²⁰⁰ of itself: (√2 (1 ± 2⁻²⁰⁰))² surrounds 2.
+TEST(PositiveRoots, AreAsNearAsAsked) {
+  constexpr int bits = 200;
+  const std::vector<Rational> roots = positive_roots({Rational(-2), Rational(0), Rational(1)}, everywhere, bits);
+  ASSERT_EQ(roots.size(), 1U);
+  const Rational error = Rational(1).times_power_of_two(-bits);
+  const Rational below = roots[0] * (1 - error);
+  const Rational above = roots[0] * (1 + error);
+  EXPECT_LE(below * below, 2);
+  EXPECT_GE(above * above, 2);
+}
+
+}  // namespace
+}  // namespace carom::oracles

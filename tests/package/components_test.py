@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSL-1.0
+"""components_test.py WORK SOURCE [COMPONENT…]: builds and installs each component in a bare Debian of its own, in which
+the packages of src/package/needs.txt are and no others, and uses it from a project outside. All components, if none is
+named. Ends in 77 if this machine cannot make a bare Debian."""
+
+import pathlib
+import re
+import sys
+import time
+
+from bare_debian import SKIPPED, BareDebian, Unavailable
+
+# What each component is used for, from /consumer: the arguments of cmake, and the programs that have to end with 0.
+USES = {
+    "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
+    "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
+    "kit": ("", ["env 'RC_PARAMS=seed=1 max_success=10' /tmp/consumer/sound_test"]),
+    "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene"]),
+    "proofs": (None, ["carom-proved </dev/null"]),
+    "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5"]),
+}
+
+
+def needs(source, component):
+    """The Debian packages of the component and of those below it, which src/cmake/components.cmake names."""
+    packages = set()
+    rows = (source / "src/cmake/components.cmake").read_text(encoding="utf-8")
+    below = re.search(rf"set\(carom_{component}_needs (.*)\)", rows)
+    for part in below[1].split() if below else []:
+        packages |= needs(source, part)
+    for line in (source / "src/package/needs.txt").read_text(encoding="utf-8").splitlines():
+        name, *rest = line.split()
+        packages |= set(rest) if name == component else set()
+    return packages
+
+
+def try_component(work, source, component):
+    """What went wrong; nothing if all went well."""
+    debian = BareDebian(work / "base", work / component)
+    debian.binds |= {"/source": source, "/consumer": source / "tests/consumer"}
+    consumer = "/consumer/conformance" if component == "kit" else "/consumer"
+    arguments, programs = USES[component]
+    commands = [
+        f"apt-get update && apt-get install -y --no-install-recommends g++ cmake ninja-build {' '.join(sorted(needs(source, component)))}",
+        f"cmake -S /source -B /tmp/build -G Ninja -DCAROM_COMPONENTS={component} -DCAROM_UNITY=ON && cmake --build /tmp/build",
+        "cmake --install /tmp/build --prefix /usr",
+    ]
+    if arguments is not None:
+        commands.append(f"cmake -S {consumer} -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug {arguments} "
+                        "&& cmake --build /tmp/consumer")
+    commands += programs
+    log_file = work / f"{component}.log"
+    try:
+        for command in commands:
+            began = time.monotonic()
+            with open(log_file, "w", encoding="utf-8") as log:
+                status = debian.run(["/bin/sh", "-ec", command], log=log)
+            if status != 0:
+                return f"{command}\nended in {status}\n" + log_file.read_text(encoding="utf-8", errors="replace")[-3000:]
+            print(f"{component}: {time.monotonic() - began:6.1f} s  {command}", flush=True)
+    finally:
+        debian.remove()
+    return ""
+
+
+def main(work, source, components):
+    unknown = set(components) - set(USES)
+    if unknown:
+        print(f"components_test: there is no component {', '.join(unknown)}; there are {', '.join(USES)}", file=sys.stderr)
+        return 2
+    failures = 0
+    for component in components or USES:
+        try:
+            wrong = try_component(work, source, component)
+        except Unavailable as why:
+            print(f"components_test: skipped: {why}", file=sys.stderr)
+            return SKIPPED
+        if wrong:
+            print(f"components_test: {component}: {wrong}", file=sys.stderr)
+            failures += 1
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    sys.exit(main(*(pathlib.Path(word).resolve() for word in sys.argv[1:3]), sys.argv[3:]))

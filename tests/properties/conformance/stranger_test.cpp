@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/three_properties.hpp>
+#include <carom/rapidcheck.hpp>
+
+#include "consumer/conformance/my_solver.hpp"
+
+/// A stranger's solver has a defect, and knows nothing of Carom.
+namespace carom {
+namespace {
+
+bool fails(const Collision& collision) { return !properties::non_penetrating_post_velocity(my_solver, collision); }
+
+/// As RapidCheck shrinks: to the first simpler value that fails as well, and on from there.
+Collision shrunk(rc::Shrinkable<Collision> failing) {
+  auto shrinks = failing.shrinks();
+  while (auto next = shrinks.next()) {
+    if (fails(next->value())) {
+      failing = *next;
+      shrinks = failing.shrinks();
+    }
+  }
+  return failing.value();
+}
+
+/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`. An orientation
+/// (w, 0, 0, 0) is none.
+int numbers_to_write(const Collision& collision) {
+  int count = 0;
+  for_each_number(
+      [&](const FieldPath& path, const double& number) {
+        const bool is_unit = (number == 1 && (path.field == "mass" || path.field == "principal_inertia")) ||
+                             (path.field == "orientation" && path.component == 0);
+        count += number == 0 || is_unit ? 0 : 1;
+      },
+      collision);
+  return count;
+}
+
+/// The solver is wrong if a spin turns one body into the other. That takes one component of each of N, r and w, and
+/// every other number may be 0 or a unit.
+constexpr int most_numbers = 3;
+
+TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    rc::Random random(seed);
+    for (int size = 0; size <= 100; ++size) {
+      const rc::Shrinkable<Collision> drawn = gen::any_family()(random.split(), size);
+      if (fails(drawn.value())) {
+        const Collision simple = shrunk(drawn);
+        ++found;
+        EXPECT_LE(numbers_to_write(simple), most_numbers) << rc::toString(simple);
+        for_each_number(
+            [&](const FieldPath& path, const double& number) {
+              EXPECT_LE(std::abs(number), 8) << path.text() << rc::toString(simple);
+              EXPECT_EQ(number * 64, std::round(number * 64)) << path.text() << rc::toString(simple);
+            },
+            simple);
+        break;
+      }
+    }
+  }
+  EXPECT_EQ(found, 20);
+}
+
+}  // namespace
+}  // namespace carom

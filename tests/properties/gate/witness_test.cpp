@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/witness.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Verdict violated(double residual, double allowed) {
+  Verdict verdict;
+  verdict.status = Status::violated;
+  verdict.residual = residual;
+  verdict.allowed = allowed;
+  return verdict;
+}
+
+Collision moving(double speed) {
+  Collision collision;
+  collision.a.velocity = {0, -speed, 0};
+  collision.b.angular_velocity = {0, 0, speed / 4};
+  return collision;
+}
+
+TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
+  EXPECT_EQ(seriousness(violated(3, 0.5), moving(1)), 6);
+  EXPECT_EQ(seriousness(violated(0x1p-50, 0), moving(2)), 4);
+  EXPECT_LT(seriousness(violated(4e-29, 0), moving(1)), 1e-12);
+  EXPECT_EQ(seriousness(violated(0x1p-52, 0), moving(0)), 2);
+  EXPECT_EQ(seriousness(violated(0, 0), moving(1)), infinity) << "no number tells: the outcome is not finite, say";
+  EXPECT_EQ(seriousness(Verdict{}, moving(1)), 0);
+  Verdict of_large_outcome = violated(0.125, 0);
+  of_large_outcome.left = {0, 0x1p20};
+  of_large_outcome.right = {0, 0x1p20 + 0.125};
+  EXPECT_LT(seriousness(of_large_outcome, moving(1)), 0x1p53 * 0x1p-22);
+}
+
+/// A subject that is grossly wrong where A moves along x, and off by rounding everywhere else, where nothing is
+/// allowed.
+Verdict wrong_where_a_moves_along_x(const Case& one) {
+  return one.collision.a.velocity[0] != 0 ? violated(2.74, 1e-15) : violated(4e-29, 0);
+}
+
+TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
+  const Invariant& restitution = *invariant_named("restitution");
+  int shrunk_cases = 0;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Case found = unit::case_of("generic", i);
+    if (found.collision.a.velocity[0] == 0) {
+      continue;
+    }
+    const Case simplest =
+        simplest_violation(found, restitution, wrong_where_a_moves_along_x(found), wrong_where_a_moves_along_x, 4000);
+    EXPECT_NE(simplest.collision.a.velocity[0], 0) << i;
+    shrunk_cases += simplest.collision.b.velocity.isZero(0) ? 1 : 0;
+  }
+  EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
+}
+
+/// A subject whose outcome loses all digits where A moves along x, and its last one everywhere else; where it loses
+/// one, less is allowed by far.
+Verdict loses_all_digits_where_a_moves_along_x(const Case& one) {
+  const bool loses_all = one.collision.a.velocity[0] != 0;
+  Verdict verdict = loses_all ? violated(1, 1e-9) : violated(1e-16, 1e-30);
+  verdict.left = {1};
+  verdict.right = {loses_all ? 2 : 1 + 1e-16};
+  return verdict;
+}
+
+TEST(SimplestViolation, LosesTheDigitsThatTheOneFoundLost) {
+  const auto verdict_on = loses_all_digits_where_a_moves_along_x;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Case found = unit::case_of("generic", i);
+    if (found.collision.a.velocity[0] != 0) {
+      const Case simplest =
+          simplest_violation(found, *invariant_named("homogeneous"), verdict_on(found), verdict_on, 4000);
+      EXPECT_NE(simplest.collision.a.velocity[0], 0) << i;
+    }
+  }
+}
+
+/// What is harmless from the first is simplified all the same.
+TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
+  const Case found = unit::case_of("generic", 1);
+  const auto rounding = [](const Case&) { return violated(4e-29, 0); };
+  const Case simplest = simplest_violation(found, *invariant_named("restitution"), rounding(found), rounding, 4000);
+  EXPECT_TRUE(simplest.collision.b.angular_velocity.isZero(0));
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace carom::unit {
+
+/// Whether this process runs a test of the present suite with a parameter of this name: the filter and the shard leave
+/// some out. A pass over many cases that the tests of a suite share does only what these need. To be called in
+/// SetUpTestSuite.
+[[nodiscard]] inline bool is_selected(std::string_view parameter) {
+  const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();
+  for (int i = 0; i < suite.total_test_count(); ++i) {
+    const testing::TestInfo& test = *suite.GetTestInfo(i);
+    const std::string_view name = test.name();
+    if (test.should_run() && name.substr(name.rfind('/') + 1) == parameter) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace carom::unit
