@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
 # Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
-#   packages  install what is missing (sudo where not root)
-#   build     packages, then the program at build/carom; this where no COMMAND is given
-#   package   build, then the Debian packages in build/package: carom, and libcarom-PART-dev for each component
+#   packages  install what is missing for all components (sudo if you are not root)
+#   build     the program at build/carom, without scenes, and the packages that it needs; this is done if you name no COMMAND
+#   package   the Debian packages in build/package: carom, carom-scene, and libcarom-PART-dev for each component
 #   package-test  package, then all of them into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
 #   component-test  [COMPONENT…]: configures, builds, installs and uses each component in a bare Debian 12 with its own packages alone, as root
 #   ci-test   [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian 12, as root. NAME is one
 #             of action, github, gitlab, script and container; all of them take an hour on two cores
 #   gate      build, then `build/carom gate ARG…`
 #   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
-#   scenes    build, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
+#   scenes    build carom-scene, too, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
 #   quick     build the tests of single parts that take least, and run them: the first answer to an edit
 #   test      build, then the tests that a change needs (`ctest ARG…`): of the heavy ones a share of their cases
 #   test all  all tests, with all of their cases, the proofs, the browser, the installed libraries, every instruction set
@@ -32,8 +32,15 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -t packages < <(sed '/^#/d; /^proofs /d; s/^[a-z]* //' src/package/needs.txt | tr ' ' '\n' | sort -u)
-packages+=(g++ cmake ninja-build gnuplot-nox)
+# packages_of COMPONENT…: what they need of Debian
+packages_of() {
+  local component
+  for component in "$@"; do sed -n "s/^$component //p" src/package/needs.txt | tr ' ' '\n'; done | sort -u
+}
+
+program=(impulse judge report program) # `carom` and what is below it
+mapfile -t packages < <(packages_of "${program[@]}" kit scenes)
+tools=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
@@ -41,12 +48,12 @@ jobs=$(nproc 2>/dev/null || echo 2)
 # install_packages [PACKAGE…]: what is missing of these and of what every build needs
 install_packages() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    echo "bootstrap: this system has no apt. Install what Debian calls ${packages[*]}," >&2
+    echo "bootstrap: this system has no apt. Install what Debian calls ${tools[*]} ${packages[*]}," >&2
     echo "bootstrap: and for the engines ${engines[*]}; going on with what is there." >&2
     return
   fi
   local missing=() package
-  for package in "${packages[@]}" "${engines[@]}" "$@"; do
+  for package in "${tools[@]}" "${packages[@]}" "${engines[@]}" "$@"; do
     dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return
@@ -63,9 +70,9 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# configure PRESET: with the choices of CMakePresets.json, in the directory that it names
+# configure PRESET [ARG…]: with the choices of CMakePresets.json, in the directory that it names
 configure() {
-  cmake --preset "$1" -Wno-dev --log-level=WARNING >/dev/null
+  cmake --preset "$1" -Wno-dev --log-level=WARNING "${@:2}" >/dev/null
 }
 
 # The tests start these programs: the examples' interpreters, and a reader of the schema.
@@ -86,7 +93,7 @@ install_all_test_programs() {
 # What checks the proofs, and builds the oracle that is extracted of them.
 install_proof_checker() {
   local of_proofs
-  read -ra of_proofs < <(sed -n 's/^proofs //p' src/package/needs.txt)
+  mapfile -t of_proofs < <(packages_of proofs)
   install_packages "${of_proofs[@]}"
 }
 
@@ -99,12 +106,24 @@ install_replay() {
     echo "bootstrap: npm cannot install what replays of scenes are bundled from; the program will write none" >&2
 }
 
-# build TARGET [PRESET]
+# build TARGET [PRESET]: of all components
 build() {
   install_packages
   install_replay
-  configure "${2:-default}"
+  configure "${2:-default}" -DCAROM_COMPONENTS=all
   cmake --build build --parallel "$jobs" --target "$1" >&2
+}
+
+# The program alone, without scenes. A build of all components stays one.
+build_program() {
+  if grep -qsx 'CAROM_COMPONENTS:STRING=all' build/CMakeCache.txt; then
+    build carom_programs
+    return
+  fi
+  mapfile -t packages < <(packages_of "${program[@]}")
+  install_packages
+  configure default -DCAROM_COMPONENTS=program
+  cmake --build build --parallel "$jobs" --target carom_programs >&2
 }
 
 # run_tests DIRECTORY [ARG…]: one more at a time than there are processors, since some wait for programs that hang.
@@ -184,7 +203,7 @@ command=${1:-build}
 [ $# -gt 0 ] && shift
 case "$command" in
 packages) install_packages ;;
-build) build carom_programs ;;
+build) build_program ;;
 package)
   install_packages dpkg-dev file
   build carom_package everything
@@ -204,13 +223,13 @@ ci-test)
   exec python3 tests/package/ci_test.py . build/tests/package/ci "$@"
   ;;
 gate)
-  build carom_programs
+  build_program
   exec build/carom gate "$@"
   ;;
 engines)
   command -v npm >/dev/null || install_packages nodejs npm
   (cd src/subjects/engines/npm && npm ci --no-audit --no-fund >&2)
-  build carom_programs
+  build_program
   exec build/carom gate --engines "$@"
   ;;
 scenes)

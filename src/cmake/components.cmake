@@ -3,10 +3,10 @@
 # packages than they do.
 
 set(CAROM_COMPONENTS all CACHE STRING
-    "What is built and installed: a list of impulse, judge, report, kit, scenes, program and proofs, or all but the proofs")
+    "What is built and installed: a list of impulse, judge, report, kit, program, scenes and proofs, or all but the proofs")
 
 # Of each part: the parts below it, the packages of CMake that its build looks for, and those that its users need.
-set(carom_parts impulse judge report kit scenes program)
+set(carom_parts impulse judge report kit program scenes)
 set(carom_impulse_packages "Eigen3 3.4")
 set(carom_impulse_packages_of_users "Eigen3 3.4")
 set(carom_judge_needs impulse)
@@ -17,11 +17,11 @@ set(carom_report_packages pugixml)
 set(carom_report_packages_of_users pugixml)
 set(carom_kit_needs judge)
 set(carom_kit_packages_of_users GTest rapidcheck)
-set(carom_scenes_needs judge)
-set(carom_scenes_packages Boost fcl)
-set(carom_program_needs report scenes)
+set(carom_program_needs report)
 set(carom_program_packages Boost CLI11 Threads PkgConfig benchmark)
 set(carom_program_packages_of_users Boost Threads)
+set(carom_scenes_needs program)
+set(carom_scenes_packages fcl)
 # The proofs are no C++, and need no package of CMake.
 
 # What is built, lower parts first.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
-# Debian packages: `carom`, the program with what it reads and its documentation, and libcarom-PART-dev, the libraries of
-# each component. The target carom_package builds what is in them, and writes them to build/package.
+# Debian packages: `carom`, the program with what it reads and its documentation; `carom-scene`, its commands that run
+# scenes; libcarom-PART-dev, the libraries of each component. The target carom_package builds what is in them, and writes
+# them to build/package.
 
 set(CAROM_PACKAGE_CONTACT "Carom <carom@localhost>" CACHE STRING "Whom the packages name as their maintainer")
 
@@ -76,6 +77,15 @@ macro(carom_package)
     set(CPACK_DEBIAN_CAROM_PACKAGE_SUGGESTS "nodejs, npm, python3") # engines that npm has, and examples
     set(CPACK_COMPONENT_CAROM_DESCRIPTION
         "Judges solvers of rigid-body collision impulses against exact arithmetic: a gate for continuous integration.")
+  endif()
+  if("scenes" IN_LIST CAROM_BUILT)
+    list(APPEND CPACK_COMPONENTS_ALL carom-scene)
+    set(CPACK_DEBIAN_CAROM-SCENE_PACKAGE_NAME carom-scene)
+    set(CPACK_DEBIAN_CAROM-SCENE_PACKAGE_SECTION science)
+    set(CPACK_DEBIAN_CAROM-SCENE_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_CAROM-SCENE_PACKAGE_DEPENDS "carom (= ${PROJECT_VERSION})")
+    set(CPACK_DEBIAN_CAROM-SCENE_PACKAGE_RECOMMENDS gnuplot-nox) # for pictures
+    set(CPACK_COMPONENT_CAROM-SCENE_DESCRIPTION "The commands of carom that run scenes of many bodies.")
   endif()
   include(CPack)
 

@@ -22,7 +22,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "subjects/engines/formulas/formulas.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {

@@ -20,7 +20,7 @@
 
 #include "mutants/catalogue.hpp"
 #include "mutants/rejection.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {

@@ -22,7 +22,7 @@
 #include <carom/oracles/models/coulomb.hpp>
 #include <carom/properties/families/family.hpp>
 
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {

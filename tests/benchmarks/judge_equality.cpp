@@ -24,7 +24,7 @@
 #include "agreement.hpp"
 #include "mutants/catalogue.hpp"
 #include "planted.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 #include "wild.hpp"
 
 namespace carom::benchmarks {

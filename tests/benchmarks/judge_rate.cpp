@@ -15,9 +15,8 @@
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include <carom/report/model/exit_status.hpp>
-
 #include "io/threads.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {

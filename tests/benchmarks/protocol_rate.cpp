@@ -10,7 +10,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 
 namespace carom::benchmarks {
 namespace {

@@ -19,7 +19,7 @@
 #include "measurements.hpp"
 #include "peak.hpp"
 #include "plain_note.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "support/exit_status.hpp"
 #include "workload.hpp"
 
 namespace carom::benchmarks {

@@ -14,13 +14,12 @@
 #include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/laws.hpp>
 
-#include "chart/gnuplot.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "io/gnuplot.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::figures {
 namespace {
 
-using tool::chart::Picture;
 using Point = std::vector<double>;  // the tangential and the normal component of an impulse
 
 Collision shown() {
@@ -67,16 +66,16 @@ std::vector<Point> path_of(Model model) {
   return path;
 }
 
-Picture picture_of(Model model, std::string_view title) {
-  Picture picture("impulse-space-" + std::string(name_of(model)), 620, 560, 15);
-  const tool::chart::Panel panel{{-6, 3, false, 60, 600}, {-0.5, 7, false, 55, 505}};
+report::Plot picture_of(Model model, std::string_view title) {
+  report::Plot picture("impulse-space-" + std::string(name_of(model)), 620, 560, 15);
+  const report::Panel panel{{-6, 3, false, 60, 600}, {-0.5, 7, false, 55, 505}};
   picture.begin(panel, title, "tangential component of F [N s]", "normal component of F [N s]");
   picture.add("set xtics 1\nset ytics 1");
   const auto line = [&](std::vector<Point> points, std::string_view style) {
     picture.curve(points, fmt::format("using 1:2 with lines {}", style));
   };
   const auto mark = [&](const Point& point, std::string_view text, std::string_view colour, double left, double up) {
-    const tool::chart::Pixel at = panel.place_of(point[0], point[1]);
+    const report::Pixel at = panel.place_of(point[0], point[1]);
     picture.write(text, {at.x + left, at.y + up}, colour, "left");
   };
   const Collision c = shown();
@@ -89,27 +88,27 @@ Picture picture_of(Model model, std::string_view title) {
   Collision smoother = c;
   smoother.friction = 0.5;
   const Point on_cone = impulse_by(model, smoother);
-  mark({-2.75, 0.85}, "the cone, μ = 1", tool::chart::grey, 0, 0);
-  mark({0.35, 3.2}, "N·V⁺ = −ε N·V⁻", tool::chart::green, 0, 0);
-  mark({-5.9, 4.4}, "N·V⁺ = 0", tool::chart::sky_blue, 0, 0);
-  mark(stops_approach, "P_I", tool::chart::black, 10, -8);
-  mark(stops_point, "P_II", tool::chart::black, 10, 4);
-  mark(answer, "F", tool::chart::vermillion, 10, 16);
+  mark({-2.75, 0.85}, "the cone, μ = 1", report::grey, 0, 0);
+  mark({0.35, 3.2}, "N·V⁺ = −ε N·V⁻", report::green, 0, 0);
+  mark({-5.9, 4.4}, "N·V⁺ = 0", report::sky_blue, 0, 0);
+  mark(stops_approach, "P_I", report::black, 10, -8);
+  mark(stops_point, "P_II", report::black, 10, 4);
+  mark(answer, "F", report::vermillion, 10, 16);
   if (has_friction) {
-    mark(on_cone, "F at μ = 1/2", tool::chart::purple, 10, 16);
+    mark(on_cone, "F at μ = 1/2", report::purple, 10, 16);
   }
-  line({{-6, 6}, {0, 0}, {3, 3}}, fmt::format("lw 2 lc rgb '{}'", tool::chart::grey));
-  line({{-6, 6}, {3, 1.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", tool::chart::green));
-  line({{-6, 5}, {3, 0.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", tool::chart::sky_blue));
+  line({{-6, 6}, {0, 0}, {3, 3}}, fmt::format("lw 2 lc rgb '{}'", report::grey));
+  line({{-6, 6}, {3, 1.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", report::green));
+  line({{-6, 5}, {3, 0.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", report::sky_blue));
   if (has_friction) {
-    line({{-3.5, 7}, {0, 0}, {3, 6}}, fmt::format("lw 1.5 dt 3 lc rgb '{}'", tool::chart::purple));
+    line({{-3.5, 7}, {0, 0}, {3, 6}}, fmt::format("lw 1.5 dt 3 lc rgb '{}'", report::purple));
   }
-  line(path_of(model), fmt::format("lw 3 lc rgb '{}'", tool::chart::vermillion));
+  line(path_of(model), fmt::format("lw 3 lc rgb '{}'", report::vermillion));
   picture.curve({stops_approach, stops_point},
-                fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", tool::chart::black));
-  picture.curve({answer}, fmt::format("using 1:2 with points pt 7 ps 1.3 lc rgb '{}'", tool::chart::vermillion));
+                fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", report::black));
+  picture.curve({answer}, fmt::format("using 1:2 with points pt 7 ps 1.3 lc rgb '{}'", report::vermillion));
   if (has_friction) {
-    picture.curve({on_cone}, fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", tool::chart::purple));
+    picture.curve({on_cone}, fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", report::purple));
   }
   picture.end();
   return picture;
@@ -128,7 +127,7 @@ int run(int argc, char** argv) {
   };
   const std::filesystem::path directory = argv[1];
   std::filesystem::create_directories(directory / "gnuplot");
-  tool::chart::draw(pictures, directory);
+  tool::draw(pictures, directory);
   return 0;
 }
 

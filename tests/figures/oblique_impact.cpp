@@ -20,8 +20,8 @@
 #include <carom/impulse/rough.hpp>
 #include <carom/impulse/solve3.hpp>
 
-#include "chart/gnuplot.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "io/gnuplot.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::figures {
 namespace {
@@ -109,32 +109,31 @@ std::vector<std::vector<double>> curve_of(const Law& law) {
   return points;
 }
 
-tool::chart::Picture picture_of(const std::vector<Angles>& measured) {
-  namespace chart = tool::chart;
-  chart::Picture picture("oblique-impact", 900, 620, 16);
-  const chart::Panel panel{{0, 90, false, 80, 870}, {-20, 90, false, 70, 560}};
+report::Plot picture_of(const std::vector<Angles>& measured) {
+  report::Plot picture("oblique-impact", 900, 620, 16);
+  const report::Panel panel{{0, 90, false, 80, 870}, {-20, 90, false, 70, 560}};
   picture.begin(panel, "A 5 mm sphere of aluminium oxide on glass at 3.9 m/s: ε = 0.98, μ = 0.092",
                 "angle of incidence of the contact patch [degrees]", "angle of its rebound [degrees]");
   picture.add("set xtics 10\nset ytics 10");
   const auto text = [&](std::string_view words, double x, double y, std::string_view colour) {
     picture.write(words, panel.place_of(x, y), colour);
   };
-  text("rough, e_t = 0.34", 4, 62, chart::vermillion);
-  text("rough, e_t = 0, which is coulomb here", 4, 56, chart::blue);
-  text("rough, e_t = −1: no friction", 4, 50, chart::grey);
-  text("measured, ± 1°: D. Gorham, A. Kharaz 2000", 4, 68, chart::black);
+  text("rough, e_t = 0.34", 4, 62, report::vermillion);
+  text("rough, e_t = 0, which is coulomb here", 4, 56, report::blue);
+  text("rough, e_t = −1: no friction", 4, 50, report::grey);
+  text("measured, ± 1°: D. Gorham, A. Kharaz 2000", 4, 68, report::black);
   const auto curve = [&](double restitution, std::string_view colour) {
     picture.curve(curve_of([=](double incidence) { return rough_rebound(incidence, restitution); }),
                   fmt::format("using 1:2 with lines lw 3 lc rgb '{}'", colour));
   };
-  curve(-1, chart::grey);
-  curve(0, chart::blue);
-  curve(shown, chart::vermillion);
+  curve(-1, report::grey);
+  curve(0, report::blue);
+  curve(shown, report::vermillion);
   std::vector<std::vector<double>> points;
   for (const Angles& angles : measured) {
     points.push_back({angles.incidence, angles.rebound});
   }
-  picture.curve(points, fmt::format("using 1:2:(1) with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb '{}'", chart::black));
+  picture.curve(points, fmt::format("using 1:2:(1) with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb '{}'", report::black));
   picture.end();
   return picture;
 }
@@ -161,10 +160,10 @@ int run(int argc, char** argv) {
   }
   fmt::print("\nlargest difference: {:.2f}° with e_t = {}, {:.2f}° with 0, least with {}, {:.2f}°\n",
              difference_at(shown), shown, difference_at(0), best, difference_at(best));
-  const tool::chart::Picture picture = picture_of(measured);
+  const report::Plot picture = picture_of(measured);
   const std::filesystem::path directory = argv[2];
   std::filesystem::create_directories(directory / "gnuplot");
-  tool::chart::draw({&picture, 1}, directory);
+  tool::draw({&picture, 1}, directory);
   return 0;
 }
 

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "chart/gnuplot.hpp"
-#include <carom/report/model/exit_status.hpp>
+#include "io/gnuplot.hpp"
+#include "support/exit_status.hpp"
 
 namespace carom::figures {
 namespace {
@@ -42,26 +42,25 @@ Rows read_rows(const std::filesystem::path& file) {
   return rows;
 }
 
-tool::chart::Picture picture_of(const Rows& rows) {
-  namespace chart = tool::chart;
-  chart::Picture picture("scene-events", 900, 520, 16);
+report::Plot picture_of(const Rows& rows) {
+  report::Plot picture("scene-events", 900, 520, 16);
   double most = 0;
   for (const std::vector<double>& row : rows) {
     most = std::max(most, row[3]);
   }
-  const chart::Panel panel{{80, 160'000, true, 90, 870}, {0, 1.1 * most / 1000, false, 70, 460}};
+  const report::Panel panel{{80, 160'000, true, 90, 870}, {0, 1.1 * most / 1000, false, 70, 460}};
   picture.begin(panel, "A gas of elastic spheres at volume fraction 0.2", "spheres",
                 "thousand events a second of a core");
-  picture.add(chart::power_tics(panel.x, 'x') + "\nset ytics 100");
-  picture.write("median of the rounds, their least and most", panel.place_of(1000, 1.03 * most / 1000), chart::blue);
+  picture.add(report::power_tics(panel.x, 'x') + "\nset ytics 100");
+  picture.write("median of the rounds, their least and most", panel.place_of(1000, 1.03 * most / 1000), report::blue);
   Rows medians;
   Rows ranges;
   for (const std::vector<double>& row : rows) {
     medians.push_back({row[0], row[1] / 1000});
     ranges.push_back({row[0], row[1] / 1000, row[2] / 1000, row[3] / 1000});
   }
-  picture.curve(medians, fmt::format("using 1:2 with lines lw 3 lc rgb '{}'", chart::blue));
-  picture.curve(ranges, fmt::format("using 1:2:3:4 with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb '{}'", chart::blue));
+  picture.curve(medians, fmt::format("using 1:2 with lines lw 3 lc rgb '{}'", report::blue));
+  picture.curve(ranges, fmt::format("using 1:2:3:4 with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb '{}'", report::blue));
   picture.end();
   return picture;
 }
@@ -70,10 +69,10 @@ int run(int argc, char** argv) {
   if (argc != 3) {
     throw std::invalid_argument("expected two arguments, the figures and the directory to write to");
   }
-  const tool::chart::Picture picture = picture_of(read_rows(argv[1]));
+  const report::Plot picture = picture_of(read_rows(argv[1]));
   const std::filesystem::path directory = argv[2];
   std::filesystem::create_directories(directory / "gnuplot");
-  tool::chart::draw({&picture, 1}, directory);
+  tool::draw({&picture, 1}, directory);
   return 0;
 }
 

@@ -8,10 +8,10 @@
 
 #include <carom/collision/validate.hpp>
 
-#include "io/usage_error.hpp"
+#include "input.hpp"
 #include "io/input_file.hpp"
 #include "io/json_file.hpp"
-#include "input.hpp"
+#include "io/usage_error.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {

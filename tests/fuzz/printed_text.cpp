@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/subjects/protocol/command_line.hpp>
 #include <carom/collision/json/text.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 
 #include "input.hpp"
 #include "target.hpp"

@@ -237,27 +237,6 @@ std::vector<std::string> licence_offences(const std::string& path, const std::st
   return line == comment + ' ' + tag ? std::vector<std::string>{} : std::vector{path + ": does not begin with " + tag};
 }
 
-std::vector<std::string> long_functions(const std::string& path, const std::string& text, std::size_t most_lines) {
-  std::vector<std::string> offences;
-  for (const std::string indent : {"", "  "}) {
-    std::istringstream lines(text);
-    std::size_t head = 0;  // the last line that stands as far left as the closing brace will
-    std::size_t number = 0;
-    for (std::string line; std::getline(lines, line);) {
-      ++number;
-      const bool begins_here = begins_with(line, indent) && line.size() > indent.size() &&
-                               std::string_view(" #}").find(line[indent.size()]) == std::string_view::npos;
-      if (begins_here) {
-        head = number;
-      } else if (line == indent + '}' && number - head + 1 > most_lines) {
-        offences.push_back(path + ':' + std::to_string(head) + ": a function of " + std::to_string(number - head + 1) +
-                           " lines");
-      }
-    }
-  }
-  return offences;
-}
-
 std::vector<std::string> top_level_offences(const std::vector<std::string>& names) {
   const std::set<std::string> house{"CMakeLists.txt", "CMakePresets.json", "README.md", "docs",
                                     "oracles",        "properties",        "src",       "tests"};

@@ -17,11 +17,6 @@ namespace carom::layout {
 /// The offence of a source file whose first comment does not name BSL-1.0. Other files have none.
 [[nodiscard]] std::vector<std::string> licence_offences(const std::string& path, const std::string& text);
 
-/// The functions of a formatted file that have more lines than so many; those of a namespace and those of a class in
-/// one.
-[[nodiscard]] std::vector<std::string> long_functions(const std::string& path, const std::string& text,
-                                                      std::size_t most_lines);
-
 /// What is missing at the top, and what should not be there. Dot-files and names that begin with "build" are nobody's
 /// business.
 [[nodiscard]] std::vector<std::string> top_level_offences(const std::vector<std::string>& names);

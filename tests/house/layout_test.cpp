@@ -128,21 +128,6 @@ TEST(LayoutChecker, FindsARoomOfTheProgramThatNamesOneAboveIt) {
   EXPECT_EQ(offence_of("src/tool/plan/clock.cpp", "#include \"io/progress.hpp\""), "");
 }
 
-TEST(LayoutChecker, FindsALongFunction) {
-  const std::string body = "  one();\n  two();\n";
-  for (const char* head :
-       {"int f() {", "int f(int x,\n      int y) const {", "auto f() -> int {", "int X::f() noexcept {"}) {
-    const std::string text = head + ('\n' + body) + "}\n";
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    EXPECT_EQ(long_functions("x.cpp", text, lines - 1).size(), 1U) << head;
-    EXPECT_EQ(long_functions("x.cpp", text, lines), Offences{}) << head;
-  }
-  EXPECT_EQ(long_functions("x.cpp", "struct X {\n  void f() {\n    one();\n    two();\n  }\n};\n", 3).size(), 1U);
-  EXPECT_EQ(
-      long_functions("x.cpp", "namespace x {\nstruct Y {\n  int a;\n  int b;\n  int c;\n};\n}  // namespace x\n", 3),
-      Offences{});
-}
-
 TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {
   EXPECT_EQ(offence_of("src/collision/json/json.hpp", "#include <nlohmann/json.hpp>"), "");
   EXPECT_EQ(offence_of("src/impulse/contact.hpp", "#include <Eigen/Geometry>"), "");
@@ -217,20 +202,6 @@ TEST(Layout, KeepsTheArrowsBetweenTheFolders) {
   for (const SourceFile& file : source_files(top)) {
     const Offences more = include_offences(file.path, file.text);
     offences.insert(offences.end(), more.begin(), more.end());
-  }
-  EXPECT_EQ(joined(offences), "");
-}
-
-TEST(Layout, KeepsFunctionsOfTheProgramShort) {
-  constexpr std::size_t most_lines = 80;
-  constexpr std::size_t most_lines_of_main = 60;
-  Offences offences;
-  for (const SourceFile& file : source_files(top)) {
-    if (file.path.starts_with("src/tool/") || file.path.starts_with("src/report/")) {
-      const bool is_main = file.path == "src/tool/main.cpp";
-      const Offences more = long_functions(file.path, file.text, is_main ? most_lines_of_main : most_lines);
-      offences.insert(offences.end(), more.begin(), more.end());
-    }
   }
   EXPECT_EQ(joined(offences), "");
 }

@@ -87,7 +87,7 @@ TEST_F(Chart, SummaryNamesEveryMethod) {
   for (const char* name : {"reflection-double", "reflection-in-basis-double", "fails in"}) {
     EXPECT_NE(picture.find(name), std::string::npos) << name;
   }
-  EXPECT_NE(run().output.find("`reflection-in-basis-double`"), std::string::npos);
+  EXPECT_NE(run().output.find("| reflection-in-basis-double |"), std::string::npos);
   EXPECT_EQ(run().output, content_of(out() / "tables.md"));
 }
 

@@ -56,7 +56,8 @@ std::string printable_line(std::string text, std::size_t longest) {
 
 std::string quoted(const std::string& word) {
   const auto is_plain = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || std::string_view("-._/").find(letter) != std::string_view::npos;
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string_view("-._/").find(letter) != std::string_view::npos;
   };
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
     return word;

@@ -64,7 +64,7 @@ JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, b
   subject.digits = {result.digits_at_least(0.5), result.digits_at_least(0.99), result.digits_at_least(1)};
   for (const properties::Witness& witness : result.witnesses) {
     subject.violations.push_back({witness.invariant, result.count(witness.invariant).violated, witness.family,
-                                  witness.index, witness_path({}, result.subject, witness.invariant).string()});
+                                  witness.index, witness_path("", result.subject, witness.invariant)});
   }
   subject.not_claimed = not_claimed_by(result.subject);
   subject.result = std::move(result);
@@ -164,14 +164,14 @@ std::string file_name_of(std::string name) {
   return name;
 }
 
-std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
-                                   const std::string& invariant) {
-  return directory / "witnesses" / (file_name_of(subject.name) + '.' + invariant + ".json");
+std::string witness_path(const std::string& directory, const Subject& subject, const std::string& invariant) {
+  const char* separator = directory.empty() || directory.back() == '/' ? "" : "/";
+  return directory + separator + "witnesses/" + file_name_of(subject.name) + '.' + invariant + ".json";
 }
 
-std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+std::string replay_command(const std::string& witness_file, const Subject& subject,
                            const oracles::Yardstick& yardstick) {
-  std::string command = fmt::format("carom replay {} --subject {}", quoted(witness_file.string()),
+  std::string command = fmt::format("carom replay {} --subject {}", quoted(witness_file),
                                     quoted(subject.specification.empty() ? subject.name : subject.specification));
   if (yardstick.limit_ulps != oracles::default_limit_ulps) {
     command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);

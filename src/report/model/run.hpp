@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -136,11 +135,11 @@ struct Overall {
 [[nodiscard]] std::string file_name_of(std::string name);
 
 /// The file of a witness: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
-[[nodiscard]] std::filesystem::path witness_path(const std::filesystem::path& directory, const Subject& subject,
-                                                 const std::string& invariant);
+[[nodiscard]] std::string witness_path(const std::string& directory, const Subject& subject,
+                                       const std::string& invariant);
 
 /// The command for a POSIX shell that replays the witness in that file with the same verdict.
-[[nodiscard]] std::string replay_command(const std::filesystem::path& witness_file, const Subject& subject,
+[[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
                                          const oracles::Yardstick& yardstick);
 
 /// The witnesses of a subject, the one that tells most first.

@@ -576,7 +576,7 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
 }
 
 json witness_record(const properties::Witness& witness, const Subject& subject, const Settings& settings,
-                    const std::filesystem::path& witness_file) {
+                    const std::string& witness_file) {
   const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
   json record = Json<properties::Witness>::write(witness);
   Writer of_subject;

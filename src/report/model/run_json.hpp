@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ struct ReadShard {
 
 /// A witness as one file, with what replays it.
 [[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
-                                            const Settings& settings, const std::filesystem::path& witness_file);
+                                            const Settings& settings, const std::string& witness_file);
 
 /// What witness_record wrote. Throws FormatError, also if it is of another invariant.
 [[nodiscard]] properties::Witness witness_from(const nlohmann::json& record, const std::string& invariant);

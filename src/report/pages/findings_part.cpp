@@ -85,7 +85,7 @@ void add_diagnosis(Document& document, const Run& run, std::size_t s) {
 }  // namespace
 
 std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
-                        const std::filesystem::path& out_directory) {
+                        const std::string& out_directory) {
   const Subject& of = subject.result.subject;
   return replay_command(witness_path(out_directory, of, witness.invariant), of, run.settings.yardstick);
 }

@@ -66,7 +66,7 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
       } else {
         add(test, "skipped", {{"message", message}}, failure_text(witness));
       }
-      add(test, "system-out", {}, "witness: " + witness_path({}, result.subject, witness.invariant).string());
+      add(test, "system-out", {}, "witness: " + witness_path("", result.subject, witness.invariant));
     }
   }
 }

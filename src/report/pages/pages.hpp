@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +18,7 @@ namespace carom::report {
 [[nodiscard]] std::string run_markdown(const Run& run, const std::string& out_directory);
 
 /// report.html: one page that needs nothing else, neither script nor network, and is well-formed XML as well.
-[[nodiscard]] std::string run_html(const Run& run, const std::filesystem::path& out_directory);
+[[nodiscard]] std::string run_html(const Run& run, const std::string& out_directory);
 
 /// The subjects of a run as a table in Markdown.
 [[nodiscard]] std::string subjects_markdown(const Run& run);

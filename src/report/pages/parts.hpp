@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -53,7 +52,7 @@ enum class Subjects { counting, all };
 [[nodiscard]] Document violations_part(const Run& run);
 
 /// Every witness in full, with its picture.
-[[nodiscard]] Document witnesses_part(const Run& run, const std::filesystem::path& out_directory);
+[[nodiscard]] Document witnesses_part(const Run& run, const std::string& out_directory);
 
 /// The anchor of a witness. `subject`: its place in the run.
 [[nodiscard]] std::string witness_anchor(std::size_t subject, const std::string& invariant);
@@ -66,6 +65,6 @@ enum class Subjects { counting, all };
 
 /// The command that replays the witness.
 [[nodiscard]] std::string replay_line(const Run& run, const JudgedSubject& subject, const properties::Witness& witness,
-                                      const std::filesystem::path& out_directory);
+                                      const std::string& out_directory);
 
 }  // namespace carom::report

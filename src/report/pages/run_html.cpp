@@ -68,7 +68,7 @@ Document environment_part(const Run& run) {
 
 }  // namespace
 
-std::string run_html(const Run& run, const std::filesystem::path& out_directory) {
+std::string run_html(const Run& run, const std::string& out_directory) {
   Page page{
       "Carom: " + summary_of(run),
       "Carom: collision impulses against exact arithmetic",

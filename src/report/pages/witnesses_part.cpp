@@ -196,8 +196,7 @@ Details drawn_case(const Witness& witness, const std::string& replay) {
   return details;
 }
 
-Section witness_section(const Run& run, std::size_t s, const Witness& witness,
-                        const std::filesystem::path& out_directory) {
+Section witness_section(const Run& run, std::size_t s, const Witness& witness, const std::string& out_directory) {
   const JudgedSubject& subject = run.subjects[s];
   const properties::SubjectResult& result = subject.result;
   const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
@@ -232,7 +231,7 @@ std::string witness_anchor(std::size_t subject, const std::string& invariant) {
   return fmt::format("witness-{}-{}", subject, invariant);
 }
 
-Document witnesses_part(const Run& run, const std::filesystem::path& out_directory) {
+Document witnesses_part(const Run& run, const std::string& out_directory) {
   Document document;
   for (const bool counts : {true, false}) {
     for (std::size_t s = 0; s < run.subjects.size(); ++s) {

@@ -5,8 +5,8 @@
 
 #include <unistd.h>
 
-#include <carom/subjects/engines/adapters.hpp>
 #include <carom/collision/json/text.hpp>
+#include <carom/subjects/engines/adapters.hpp>
 
 namespace carom::subjects {
 namespace {

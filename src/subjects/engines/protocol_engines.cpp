@@ -4,6 +4,7 @@
 #include <system_error>
 #include <vector>
 
+#include <carom/collision/json/text.hpp>
 #include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/adapters.hpp>
 #include <carom/subjects/engines/claims.hpp>

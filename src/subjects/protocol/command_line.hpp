@@ -12,7 +12,4 @@ namespace carom::subjects::protocol {
 /// letters. Throws std::invalid_argument where a quotation is not closed.
 [[nodiscard]] std::vector<std::string> split_words(std::string_view text);
 
-/// The word as a POSIX shell and split_words read it back.
-[[nodiscard]] std::string quoted(const std::string& word);
-
 }  // namespace carom::subjects::protocol

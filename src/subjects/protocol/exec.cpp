@@ -7,11 +7,11 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/json/text.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
-#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

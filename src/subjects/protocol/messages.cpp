@@ -9,11 +9,11 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/json/text.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/normal_velocity.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
-#include <carom/collision/json/text.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <csignal>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <carom/collision/json/text.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 #include <carom/report/model/version.hpp>
 
@@ -42,15 +47,12 @@ std::string meant_words(const CLI::App& app) {
   return lines;
 }
 
-}  // namespace
-
-int run_command_line(int argc, const char* const* argv) {
+int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
   CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
   app.set_version_flag("--version", report::version);
   app.require_subcommand(0, 1);
   Chosen chosen;
-  for (const auto add : {add_gate, add_lists, add_chart, add_scene, add_plan, add_compare, add_merge, add_table,
-                         add_badge, add_replay}) {
+  for (const auto add : commands) {
     add(app, chosen);
   }
   try {
@@ -75,6 +77,36 @@ int run_command_line(int argc, const char* const* argv) {
     throw UsageError("standard output cannot be written");
   }
   return status;
+}
+
+/// What is wrong may be told in words of a file or a program. Where it cannot be written, the exit status says it.
+void complain(const std::string& what) {
+  if (has_run_out_of_memory()) {
+    std::fputs(out_of_memory, stderr);  // whatever came of it
+    return;
+  }
+  constexpr std::size_t longest = 20'000;
+  std::fputs(fmt::format("carom: {}\n", carom::printable(what, longest)).c_str(), stderr);
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
+  // Output that cannot be written is an error to tell, and not the end of a program that has reports to write.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run_command(argc, argv, commands);
+  } catch (const std::bad_alloc&) {
+    std::fputs(out_of_memory, stderr);
+  } catch (const std::system_error& error) {
+    complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
+  } catch (const std::exception& error) {
+    complain(error.what());
+  } catch (...) {
+    complain("ended by what is no exception");
+  }
+  return exit_usage;
 }
 
 }  // namespace carom::tool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -21,15 +22,15 @@ using Chosen = std::function<int()>;
 void add_gate(CLI::App& app, Chosen& chosen);
 void add_lists(CLI::App& app, Chosen& chosen);  // subjects, invariants, families, features
 void add_chart(CLI::App& app, Chosen& chosen);
-void add_scene(CLI::App& app, Chosen& chosen);
-void add_plan(CLI::App& app, Chosen& chosen);
+void add_plan(CLI::App& app, Chosen& chosen);  // of collisions
 void add_compare(CLI::App& app, Chosen& chosen);
 void add_merge(CLI::App& app, Chosen& chosen);
 void add_table(CLI::App& app, Chosen& chosen);
 void add_badge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 
-/// Runs the command that the command line names: the exit status.
-[[nodiscard]] int run_command_line(int argc, const char* const* argv);
+/// A program with these commands: its exit status, also if a command throws. Whatever is wrong stands on standard
+/// error.
+[[nodiscard]] int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands);
 
 }  // namespace carom::tool

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "commands/plan_command.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -8,13 +10,11 @@
 
 #include <carom/collision/json/text.hpp>
 
-#include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "io/interrupt.hpp"
 #include "io/progress.hpp"
 #include "io/threads.hpp"
 #include "plan/clock.hpp"
-#include "plan/contacts_of_file.hpp"
 #include "plan/plan_text.hpp"
 #include "plan/spelling.hpp"
 
@@ -32,9 +32,9 @@ struct PlanArguments {
   std::string format = "text";
 };
 
-int plan_contacts(const PlanArguments& arguments) {
+int plan_contacts(const PlanArguments& arguments, const plan::ContactsOfScene& contacts_of_scene) {
   const std::stop_token stop = stop_on_interrupt();
-  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file, stop);
+  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file, contacts_of_scene, stop);
   const Model law = arguments.law.empty() ? recorded.law.value_or(Model::rough) : *model_named(arguments.law);
   std::vector<properties::plan::Candidate> candidates;
   for (plan::SpelledCandidate& one : plan::spelled_candidates()) {
@@ -59,7 +59,7 @@ int plan_contacts(const PlanArguments& arguments) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, Chosen& chosen) {
+void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts_of_scene) {
   const auto arguments = std::make_shared<PlanArguments>();
   std::vector<std::string> laws;
   for (const Model model : all_models) {
@@ -89,7 +89,11 @@ void add_plan(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   add_jobs(*command, arguments->jobs, "Threads that judge");
   add_format(*command, arguments->format, {"text", "markdown", "json"});
-  command->callback([&chosen, arguments] { chosen = [arguments] { return plan_contacts(*arguments); }; });
+  command->callback([&chosen, arguments, contacts_of_scene = std::move(contacts_of_scene)] {
+    chosen = [arguments, contacts_of_scene] { return plan_contacts(*arguments, contacts_of_scene); };
+  });
 }
+
+void add_plan(CLI::App& app, Chosen& chosen) { add_plan_with(app, chosen, {}); }
 
 }  // namespace carom::tool

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "commands/scene_command.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -17,7 +19,6 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 
-#include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
@@ -293,7 +294,7 @@ void add_scene(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<SceneArguments>();
   CLI::App* command = app.add_subcommand(
       "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
-  command->add_option("FILE", arguments->file, "A scene (docs/reference/schemas/arguments->schema.json)")->required();
+  command->add_option("FILE", arguments->file, "A scene (docs/reference/schemas/scene.schema.json)")->required();
   command->add_option("--laws", arguments->laws, "Laws to run it under, separated by commas (default: the scene's)")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -1,87 +1,36 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "plan/contacts_of_file.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
 
-#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/collision/json/json.hpp>
 
 #include "io/input_file.hpp"
 #include "io/json_file.hpp"
 #include "io/usage_error.hpp"
-#include "scene/scene_file.hpp"
 
 namespace carom::tool::plan {
 namespace {
 
-using properties::plan::ClassedCollision;
-
-std::string class_of(const scene::Scene& scene, const scene::Event& event) {
-  const auto material = [&](std::size_t body) { return scene.materials[material_of(scene, body)]; };
-  const bool is_of_sphere = is_sphere(scene, event.a.body);
-  if (event.b) {
-    const bool is_with_sphere = is_sphere(scene, event.b->body);
-    const char* const kinds = is_of_sphere && is_with_sphere     ? "spheres"
-                              : !is_of_sphere && !is_with_sphere ? "polyhedra"
-                                                                 : "sphere and polyhedron";
-    return fmt::format("{}: {} and {}", kinds, material(event.a.body), material(event.b->body));
-  }
-  return fmt::format("{} and plane: {} and {}", is_of_sphere ? "sphere" : "polyhedron", material(event.a.body),
-                     scene.materials[scene.planes[event.plane].material]);
-}
-
-/// Every `stride`-th, so that they stay few: once there are twice as many as wanted, every second one is left out.
-class Sampled {
- public:
-  void add(ClassedCollision contact) {
-    if (seen_++ % stride_ == 0) {
-      contacts_.push_back(std::move(contact));
-    }
-    if (contacts_.size() == 2 * most_contacts_of_scene) {
-      for (std::size_t k = 0; k < most_contacts_of_scene; ++k) {
-        contacts_[k] = std::move(contacts_[2 * k]);
-      }
-      contacts_.resize(most_contacts_of_scene);
-      stride_ *= 2;
-    }
-  }
-  [[nodiscard]] std::vector<ClassedCollision> take() { return std::move(contacts_); }
-
- private:
-  std::size_t seen_ = 0;
-  std::size_t stride_ = 1;
-  std::vector<ClassedCollision> contacts_;
-};
-
-RecordedContacts contacts_of_scene(const scene::Scene& scene, const std::string& file, const std::stop_token& stop) {
-  Sampled contacts;
+bool is_scene(const std::string& text) {
   try {
-    scene::SceneLoop simulation(scene);
-    while (const scene::Event* event = simulation.advance()) {
-      if (stop.stop_requested()) {
-        throw UsageError(fmt::format("{}: stopped by the user at t = {} s", file, event->time));
-      }
-      if (event->has_impulse) {
-        contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});
-      }
-    }
-  } catch (const scene::SceneError& error) {
-    throw UsageError(fmt::format("{}: {}", file, error.what()));
+    const nlohmann::json json = parse_json(text);
+    return json.is_object() && json.contains("duration");
+  } catch (const FormatError&) {
+    return false;  // JSON Lines, or what whoever reads it says better
   }
-  RecordedContacts recorded{contacts.take(), scene.law};
-  if (recorded.contacts.empty()) {
-    throw UsageError(fmt::format("{}: nothing collides in this scene", file));
-  }
-  return recorded;
 }
 
 }  // namespace
 
-RecordedContacts contacts_of_file(const std::string& file, const std::stop_token& stop) {
+RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene& contacts_of_scene,
+                                  const std::stop_token& stop) {
   JsonFile read_file(file, stop);
   if (!read_file.is_lines() && is_scene(read_file.whole())) {
-    return contacts_of_scene(scene_of(read_file.whole(), file), file, stop);
+    if (!contacts_of_scene) {
+      throw UsageError(fmt::format("{}: this is a scene; carom-scene, which plans scenes, is not installed", file));
+    }
+    return contacts_of_scene(read_file.whole(), file, stop);
   }
   RecordedContacts recorded;
   for_each_collision(read_file, OutOfRange::kept, [&](const ReadCollision& read) {

@@ -12,15 +12,6 @@
 
 namespace carom::tool {
 
-bool is_scene(const std::string& text) {
-  try {
-    const nlohmann::json json = parse_json(text);
-    return json.is_object() && json.contains("duration");
-  } catch (const FormatError&) {
-    return false;  // JSON Lines, or what whoever reads it says better
-  }
-}
-
 scene::Scene scene_of(const std::string& text, const std::string& file) {
   try {
     scene::Scene scene = scene::scene_from_json(parse_json(text));

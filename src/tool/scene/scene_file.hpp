@@ -7,9 +7,6 @@
 
 namespace carom::tool {
 
-/// Whether a text is a scene rather than collisions: one object that has a duration.
-[[nodiscard]] bool is_scene(const std::string& text);
-
 /// The scene that a text holds; without a title it has the file's name. Throws UsageError that names the file, the
 /// place in it, and what was expected.
 [[nodiscard]] scene::Scene scene_of(const std::string& text, const std::string& file);

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/subjects/protocol/messages.hpp>
 #include <carom/collision/json/text.hpp>
+#include <carom/subjects/protocol/messages.hpp>
 
 namespace carom::subjects::protocol {
 namespace {

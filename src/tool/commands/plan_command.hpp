@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "commands/commands.hpp"
+#include "plan/contacts_of_file.hpp"
+
+namespace carom::tool {
+
+/// The command `plan`. Without `contacts_of_scene` it refuses scenes.
+void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts_of_scene);
+
+}  // namespace carom::tool

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "commands/scene_program.hpp"
+
+#include <string_view>
+
+#include <unistd.h>
+
+#include <carom/subjects/engines/adapters.hpp>
+
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+
+void become_scene_program(int argc, char** argv) noexcept {
+  const std::string_view command = argc > 1 ? argv[1] : "";
+  const std::filesystem::path directory = subjects::program_directory();
+  if (!directory.empty() && (command == "scene" || command == "plan")) {
+    execv((directory / "carom-scene").c_str(), argv);  // it returns if the program is not there
+  }
+}
+
+void add_missing_scene(CLI::App& app, Chosen& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
+  command->allow_extras();
+  command->callback([&chosen] {
+    chosen = []() -> int {
+      throw UsageError("scene: the program carom-scene does not stand beside this one; install Carom's scenes");
+    };
+  });
+}
+
+}  // namespace carom::tool
