@@ -26,13 +26,14 @@ if(NOT output STREQUAL printed)
 endif()
 run(${WORK}/build/batch)
 run(${WORK}/build/judge)
+run(${WORK}/build/report)
 run(${WORK}/build/builtin)
 run(${WORK}/build/scene)
 run(${WORK}/installed/bin/carom subjects)
 
 # Every library is a component, and what there is not is said. Bounds in the headers of oracles and scenes rest on each
 # product being rounded by itself; no other library, the kit among them, changes how its user is compiled.
-set(components collision impulse batch collision_json messages oracles properties judge protocol subjects plan scene scene_json
+set(components collision impulse batch collision_json messages oracles properties judge report protocol subjects plan scene scene_json
                scene_polyhedra scene_properties kit conformance)
 list(JOIN components "," names)
 run(${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/components -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
@@ -40,7 +41,7 @@ run(${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/components -G Ninja -D
 foreach(component IN LISTS components)
   file(READ ${WORK}/components/${component}.options options)
   set(expected "")
-  if(component MATCHES "^(scene.*|oracles|properties|judge|plan)$")
+  if(component MATCHES "^(scene.*|oracles|properties|judge|report|plan)$")
     set(expected "-ffp-contract=off")
   endif()
   list(REMOVE_DUPLICATES options)

@@ -15,10 +15,12 @@ from bare_debian import SKIPPED, BareDebian, Unavailable
 USES = {
     "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
+    "report": ("-DCOMPONENTS=report", ["/tmp/consumer/report"]),
     "kit": ("", ["env 'RC_PARAMS=seed=1 max_success=10' /tmp/consumer/sound_test"]),
-    "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene"]),
+    "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5",
+                                         "carom scene x 2>&1 | grep carom-scene"]),
+    "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene", "carom scene /source/docs/examples/scenes/cradle.json"]),
     "proofs": (None, ["carom-proved </dev/null"]),
-    "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5"]),
 }
 
 

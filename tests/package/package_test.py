@@ -48,6 +48,8 @@ def check_program(system):
                   "is not installed: cp -r /usr/share/carom/npm ~/carom-engines && npm ci --prefix ~/carom-engines && "
                   "export CAROM_ENGINES=~/carom-engines")
     system.expect("apt-get install -y --no-install-recommends gnuplot-nox python3")
+    system.expect("carom scene x", "carom-scene does not stand beside this one", status=2)
+    system.expect("apt-get install -y --no-install-recommends /packages/carom-scene_*.deb")
     system.expect("carom scene /usr/share/carom/examples/scenes/cradle.json --out /tmp/scene && ls /tmp/scene", "report.html")
     system.expect("carom gate frictionless-double --cases 5 --out /tmp/report && carom badge /tmp/report/report.json", '"1 sound"')
     system.expect(f"carom gate 'exec:python3 {EXAMPLE}' --cases 50", "sound")
@@ -55,13 +57,13 @@ def check_program(system):
     system.expect(f"test -e {PAGES}/docs/examples/solver.py && test -e {PAGES}/docs/reference/schemas/report.schema.json")
     for page in ("README.md", "copyright", "licences/BSL-1.0.txt", "licences/README.md", "docs/guide/ci.md"):
         system.expect(f"test -s {PAGES}/{page}")
-    system.expect("apt-get purge -y carom && ! find / -xdev -path /packages -prune -o -name '*carom*' -print | grep /usr", status=0)
+    system.expect("apt-get purge -y carom carom-scene && ! find / -xdev -path /packages -prune -o -name '*carom*' -print | grep /usr", status=0)
 
 
 def check_libraries(system):
     system.expect("apt-get install -y --no-install-recommends /packages/libcarom-*-dev_*.deb g++ cmake ninja-build")
     system.expect("cmake -S /consumer -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug && cmake --build /tmp/consumer")
-    for program in ("solve", "batch", "judge", "builtin", "scene"):
+    for program in ("solve", "batch", "judge", "report", "builtin", "scene"):
         system.expect(f"/tmp/consumer/{program}")
 
 

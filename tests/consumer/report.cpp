@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSL-1.0
+// The report as a library: what the gate found, as a page, and as JSON that is read back.
+#include <carom/impulse/frictionless.hpp>
+#include <carom/properties/conformance/subject.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/report/model/run_json.hpp>
+#include <carom/report/pages/pages.hpp>
+
+int main() {
+  const auto solver = [](const carom::impulse::Contact<double>& contact) {
+    return carom::impulse::frictionless(contact);
+  };
+  carom::properties::GateOptions options;
+  options.cases = 20;
+  options.families = {carom::properties::family_named("generic")};
+  const auto found =
+      carom::properties::run_gate({carom::conformance::subject("mine", carom::Model::frictionless, solver)}, options);
+  const carom::report::Run run = carom::report::run_of(found, {true}, {}, {}, {}, false);
+  const carom::report::Run read = carom::report::run_from(carom::report::report_record(run));
+  return run.exit_status() == 0 && read.exit_status() == 0 &&
+                 carom::report::run_html(run, "").find("mine") != std::string::npos
+             ? 0
+             : 1;
+}
