@@ -9,6 +9,7 @@
 
 #include <rapidcheck.h>
 
+#include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/search/simpler_cases.hpp>

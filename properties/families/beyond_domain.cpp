@@ -3,10 +3,11 @@
 #include <cmath>
 #include <vector>
 
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
-#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {

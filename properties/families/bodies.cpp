@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/polyhedron.hpp>
-#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {
@@ -119,49 +120,6 @@ Collision two_bodies(Stream& stream, MakeBody make_body) {
 
 }  // namespace
 
-Vector3<double> relative_velocity(const Collision& collision) {
-  const auto of_contact_point = [&](const Body& body) {
-    const Vector3<double> lever_arm = collision.point - body.position;
-    return Vector3<double>(body.velocity + cross(body.angular_velocity, lever_arm));
-  };
-  return of_contact_point(collision.a) - of_contact_point(collision.b);
-}
-
-void set_relative_velocity(Collision& collision, const Vector3<double>& wanted) {
-  const Vector3<double> change = wanted - relative_velocity(collision);
-  if (collision.a.immovable) {
-    collision.b.velocity -= change;
-  } else {
-    collision.a.velocity += change;
-  }
-}
-
-void make_approaching(Collision& collision) {
-  if (dot(collision.normal, relative_velocity(collision)) > 0) {
-    collision.normal = negated(collision.normal);
-  }
-}
-
-bool is_approaching(const Collision& collision) { return dot(collision.normal, relative_velocity(collision)) < 0; }
-
-bool reverse_if_separating(Collision& collision) {
-  if (dot(collision.normal, relative_velocity(collision)) <= 0) {
-    return false;
-  }
-  for (Body* body : {&collision.a, &collision.b}) {
-    body->velocity = negated(body->velocity);
-    body->angular_velocity = negated(body->angular_velocity);
-  }
-  return true;
-}
-
-void make_immovable(Body& body) {
-  Body fixed;
-  fixed.immovable = true;
-  fixed.position = body.position;
-  body = fixed;
-}
-
 Case general_bodies(Stream& stream) { return {two_bodies(stream, general_body), false}; }
 
 Case sprinkled_bodies(Stream& stream) {
@@ -210,13 +168,6 @@ Case touching_spheres(Stream& stream) {
   }
   set_friction(stream, c);
   return spheres;
-}
-
-Vector3<double> orthogonal(const Vector3<double>& vector) {
-  if (vector[0] != 0 || vector[1] != 0) {
-    return {-vector[1], vector[0], 0};
-  }
-  return {0, -vector[2], vector[1]};
 }
 
 }  // namespace carom::properties

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
 
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
 #include <carom/properties/families/published.hpp>
-#include <carom/properties/families/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 
 namespace carom::properties {

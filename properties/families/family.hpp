@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/families/adjustment.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/adjustment.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
 

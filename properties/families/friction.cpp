@@ -2,9 +2,10 @@
 #include <array>
 #include <cmath>
 
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
-#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {

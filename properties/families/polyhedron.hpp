@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
 

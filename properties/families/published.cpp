@@ -2,8 +2,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/published.hpp>
-#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {

@@ -2,11 +2,12 @@
 #include <array>
 #include <cmath>
 
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/sweep.hpp>
-#include <carom/properties/families/vectors.hpp>
 
 namespace carom::properties {
 namespace {

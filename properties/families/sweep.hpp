@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
 

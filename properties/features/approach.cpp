@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/features/groups.hpp>
 #include <carom/properties/features/places.hpp>
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <carom/properties/families/bodies.hpp>
-#include <carom/properties/families/vectors.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/places.hpp>
 #include <carom/properties/features/seldom.hpp>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 /// What scenes are made of and random numbers are not: special values, relations between fields, sizes. Faults live in
 /// these, since they are what code branches on.

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/features/groups.hpp>
 #include <carom/properties/features/places.hpp>
 

@@ -70,10 +70,94 @@ Feature of_length(const char* name, const char* statement, const char* why, doub
           std::move(limits)};
 }
 
+std::vector<Feature> of_components() {
+  constexpr auto special = FeatureKind::special_value;
+  return {{"normal_in_plane",
+           special,
+           "the normal has one component that is zero",
+           "scenes in a plane; r × N loses terms",
+           {},
+           0,
+           [](const Collision& c) { return nonzero_components(c.normal) == 2; },
+           [](Stream& stream, Collision& c) {
+             const int zero = stream.integer(0, 2);
+             for (int i = 0; i < 3; ++i) {
+               c.normal[i] = i == zero ? 0 : (c.normal[i] == 0 ? size_of(c.normal) : c.normal[i]);
+             }
+           },
+           {.kinds_of = {"normal's components"}}},
+          {"normal_ties",
+           special,
+           "two components of the normal are equal but for the sign, the third is not",
+           "the least or the largest component of two: which axis a basis is built from",
+           {},
+           0,
+           [](const Collision& c) {
+             const V n = c.normal.cwiseAbs();
+             return has_ties(c.normal) && !(n[0] == n[1] && n[1] == n[2]);
+           },
+           [](Stream& stream, Collision& c) {
+             const int from = stream.integer(0, 2);
+             if (c.normal[from] == 0) {
+               c.normal[from] = size_of(c.normal);
+             }
+             c.normal[(from + 1) % 3] = stream.chance(2) ? c.normal[from] : -c.normal[from];
+             if (std::abs(c.normal[(from + 2) % 3]) == std::abs(c.normal[from])) {
+               c.normal[(from + 2) % 3] *= 0.5;
+             }
+           },
+           {.kinds_of = {"normal's ties"}}},
+          {"normal_diagonal",
+           special,
+           "the three components of the normal are equal but for the sign",
+           "no component is the largest: |n| ≥ 1/√3 by a rounding or not",
+           {},
+           0,
+           [](const Collision& c) {
+             const V n = c.normal.cwiseAbs();
+             return n[0] == n[1] && n[1] == n[2];
+           },
+           [](Stream& stream, Collision& c) {
+             const double size = size_of(c.normal);
+             for (int i = 0; i < 3; ++i) {
+               c.normal[i] = stream.chance(2) ? size : -size;
+             }
+           },
+           {.kinds_of = {"normal's direction", "normal's components", "normal's ties"}}},
+          {"normal_unit",
+           special,
+           "the normal has length 1 but for rounding, and is no axis",
+           "what engines hand over",
+           {},
+           0,
+           [](const Collision& c) {
+             return std::abs(squared_length(c.normal) - 1) <= 0x1p-50 && nonzero_components(c.normal) > 1;
+           },
+           [](Stream& stream, Collision& c) {
+             if (nonzero_components(c.normal) == 1) {
+               c.normal = stream.direction();
+               c.normal[0] = 0.5;
+               c.normal[1] += c.normal[1] == 0 ? 1 : 0;
+             }
+             c.normal /= length(c.normal);
+           },
+           {.kinds_of = {"unit normal", "normal's length"}}}};
+}
+
+std::vector<Feature> of_lengths() {
+  return {of_length("normal_long", "the normal is 10 to 10⁶ long", "‖N‖ = 1 taken on trust (failure case 11)", 10, 1e6,
+                    5, 18, {.kinds_of = {"normal's length"}}),
+          of_length("normal_very_long", "the normal is 10¹⁰ long or longer", "N·N, N·K N overflow in binary32", 1e10,
+                    1e300, 40, 100, {.kinds_of = {"normal's length"}}),
+          of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "guards against a zero normal", 1e-6, 0.1, -18,
+                    -5, {.kinds_of = {"normal's length"}}),
+          of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "guards against a zero normal", 1e-300,
+                    1e-10, -100, -40, {.kinds_of = {"normal's length"}})};
+}
+
 }  // namespace
 
 std::vector<Feature> of_normal() {
-  constexpr auto special = FeatureKind::special_value;
   std::vector<Feature> features;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
@@ -81,86 +165,9 @@ std::vector<Feature> of_normal() {
       features.push_back(near_axis(axis, sign));
     }
   }
-  features.push_back({"normal_in_plane",
-                      special,
-                      "the normal has one component that is zero",
-                      "scenes in a plane; r × N loses terms",
-                      {},
-                      0,
-                      [](const Collision& c) { return nonzero_components(c.normal) == 2; },
-                      [](Stream& stream, Collision& c) {
-                        const int zero = stream.integer(0, 2);
-                        for (int i = 0; i < 3; ++i) {
-                          c.normal[i] = i == zero ? 0 : (c.normal[i] == 0 ? size_of(c.normal) : c.normal[i]);
-                        }
-                      },
-                      {.kinds_of = {"normal's components"}}});
-  features.push_back({"normal_ties",
-                      special,
-                      "two components of the normal are equal but for the sign, the third is not",
-                      "the least or the largest component of two: which axis a basis is built from",
-                      {},
-                      0,
-                      [](const Collision& c) {
-                        const V n = c.normal.cwiseAbs();
-                        return has_ties(c.normal) && !(n[0] == n[1] && n[1] == n[2]);
-                      },
-                      [](Stream& stream, Collision& c) {
-                        const int from = stream.integer(0, 2);
-                        if (c.normal[from] == 0) {
-                          c.normal[from] = size_of(c.normal);
-                        }
-                        c.normal[(from + 1) % 3] = stream.chance(2) ? c.normal[from] : -c.normal[from];
-                        if (std::abs(c.normal[(from + 2) % 3]) == std::abs(c.normal[from])) {
-                          c.normal[(from + 2) % 3] *= 0.5;
-                        }
-                      },
-                      {.kinds_of = {"normal's ties"}}});
-  features.push_back({"normal_diagonal",
-                      special,
-                      "the three components of the normal are equal but for the sign",
-                      "no component is the largest: |n| ≥ 1/√3 by a rounding or not",
-                      {},
-                      0,
-                      [](const Collision& c) {
-                        const V n = c.normal.cwiseAbs();
-                        return n[0] == n[1] && n[1] == n[2];
-                      },
-                      [](Stream& stream, Collision& c) {
-                        const double size = size_of(c.normal);
-                        for (int i = 0; i < 3; ++i) {
-                          c.normal[i] = stream.chance(2) ? size : -size;
-                        }
-                      },
-                      {.kinds_of = {"normal's direction", "normal's components", "normal's ties"}}});
-  features.push_back({"normal_unit",
-                      special,
-                      "the normal has length 1 but for rounding, and is no axis",
-                      "what engines hand over",
-                      {},
-                      0,
-                      [](const Collision& c) {
-                        return std::abs(squared_length(c.normal) - 1) <= 0x1p-50 && nonzero_components(c.normal) > 1;
-                      },
-                      [](Stream& stream, Collision& c) {
-                        if (nonzero_components(c.normal) == 1) {
-                          c.normal = stream.direction();
-                          c.normal[0] = 0.5;
-                          c.normal[1] += c.normal[1] == 0 ? 1 : 0;
-                        }
-                        c.normal /= length(c.normal);
-                      },
-                      {.kinds_of = {"unit normal", "normal's length"}}});
-  features.push_back(of_length("normal_long", "the normal is 10 to 10⁶ long",
-                               "‖N‖ = 1 taken on trust (failure case 11)", 10, 1e6, 5, 18,
-                               {.kinds_of = {"normal's length"}}));
-  features.push_back(of_length("normal_very_long", "the normal is 10¹⁰ long or longer",
-                               "N·N, N·K N overflow in binary32", 1e10, 1e300, 40, 100,
-                               {.kinds_of = {"normal's length"}}));
-  features.push_back(of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "guards against a zero normal", 1e-6,
-                               0.1, -18, -5, {.kinds_of = {"normal's length"}}));
-  features.push_back(of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "guards against a zero normal",
-                               1e-300, 1e-10, -100, -40, {.kinds_of = {"normal's length"}}));
+  for (const std::vector<Feature>& more : {of_components(), of_lengths()}) {
+    features.insert(features.end(), more.begin(), more.end());
+  }
   return features;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/families/stream.hpp>
-#include <carom/properties/families/vectors.hpp>
+#include <carom/properties/draws/stream.hpp>
+#include <carom/properties/draws/vectors.hpp>
 
 /// Geometry in binary64, for predicates and for what makes them true.
 namespace carom::properties::features {

@@ -6,8 +6,8 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/families/bodies.hpp>
-#include <carom/properties/families/vectors.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/quantities.hpp>
 
 namespace carom::properties {

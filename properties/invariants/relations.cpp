@@ -5,7 +5,8 @@
 #include <utility>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/invariants/groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

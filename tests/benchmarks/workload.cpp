@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
+#include <carom/properties/draws/stream.hpp>
 #include <carom/properties/families/bodies.hpp>
-#include <carom/properties/families/stream.hpp>
 
 namespace carom::benchmarks {
 

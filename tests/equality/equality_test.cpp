@@ -22,8 +22,10 @@ TEST(JudgeEquality, OfBuiltInSubjects) {
       examined.emplace_back(subject);
     }
   }
+  constexpr int full = 50;
+  const std::uint64_t cases = unit::effort(full) == full ? full : 1;  // a case of all subjects takes 0.2 s
   Agreement agreement;
-  compare_on_families(examined, static_cast<std::uint64_t>(unit::effort(50)), Relations::judged, agreement);
+  compare_on_families(examined, cases, Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");
   EXPECT_GT(agreement.verdicts, 10000U);
   for (const properties::Invariant& invariant : properties::all_invariants()) {

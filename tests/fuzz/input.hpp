@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 namespace carom::fuzz {
 

@@ -12,7 +12,7 @@
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/superposition.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 /// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///

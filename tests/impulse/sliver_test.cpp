@@ -16,6 +16,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/families/bodies.hpp>
 
 #include "support/cases.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/motion.hpp>
 
 #include "support/exact.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/exact_time.hpp>
 #include <carom/scene/quick_look.hpp>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
 

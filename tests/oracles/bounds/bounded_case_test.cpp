@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/filters/bounded_case.hpp>
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 #include "support/exact.hpp"
 

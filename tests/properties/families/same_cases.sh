@@ -54,7 +54,7 @@ draw() {
   mkdir -p "$work/$name"
   # The shell that compiles has the folder as $0, and the file as $1 before the command.
   # shellcheck disable=SC2016
-  printf '%s\0' "$source"/properties/{families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
+  printf '%s\0' "$source"/properties/{draws,families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
     "$source"/tests/properties/families/same_cases{,_main}.cpp |
     xargs -0 -P "$(nproc)" -I{} sh -c 'out=$0/$(basename "$1").o && shift && exec "$@" -o "$out"' "$work/$name" {} \
       "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" -c {}

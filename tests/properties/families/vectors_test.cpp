@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/vectors.hpp>
+#include <carom/properties/draws/vectors.hpp>
 
 /// Of numbers that show the order: 2⁵³ + 1 is 2⁵³, and what is fused or added the other way round gives another number.
 namespace carom::properties {

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/mass_properties.hpp>
 
 /// The bodies that these tests turn, let fall and hold against each other.

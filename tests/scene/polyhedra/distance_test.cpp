@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/distance.hpp>
 
 #include "distance_by_features.hpp"

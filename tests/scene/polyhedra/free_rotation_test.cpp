@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
 
 #include "bodies.hpp"

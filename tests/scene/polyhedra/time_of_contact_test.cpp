@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 
 #include "distance_by_features.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <carom/collision/vector.hpp>
-#include <carom/properties/families/adjustment.hpp>
+#include <carom/properties/draws/adjustment.hpp>
 
 namespace carom::properties {
 

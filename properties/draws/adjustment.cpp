@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/families/adjustment.hpp>
+#include <carom/properties/draws/adjustment.hpp>
 
 namespace carom::properties {
 

@@ -57,4 +57,7 @@ struct Columns {
 /// singular the numbers are not finite.
 [[nodiscard]] Vector3<double> solution(const Columns& m, const Vector3<double>& v);
 
+/// A vector orthogonal to this one, exactly: two components exchanged, one negated. Never zero for a nonzero vector.
+[[nodiscard]] Vector3<double> orthogonal(const Vector3<double>& vector);
+
 }  // namespace carom::properties

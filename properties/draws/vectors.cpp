@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <carom/properties/families/vectors.hpp>
+#include <carom/properties/draws/vectors.hpp>
 
 #ifdef __FAST_MATH__
 #error "families are drawn by IEEE arithmetic: compile them without -ffast-math"
@@ -97,6 +97,13 @@ Vector3<double> solution(const Columns& m, const Vector3<double>& v) {
   const double y = (rows[1][3] - rows[1][2] * z) / rows[1][1];
   const double x = ((rows[0][3] - rows[0][1] * y) - rows[0][2] * z) / rows[0][0];
   return {x, y, z};
+}
+
+Vector3<double> orthogonal(const Vector3<double>& vector) {
+  if (vector[0] != 0 || vector[1] != 0) {
+    return {-vector[1], vector[0], 0};
+  }
+  return {0, -vector[2], vector[1]};
 }
 
 }  // namespace carom::properties

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <carom/properties/families/stream.hpp>
+#include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
 namespace {
