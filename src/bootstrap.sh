@@ -42,6 +42,7 @@ program=(impulse judge report program) # `carom` and what is below it
 mapfile -t packages < <(packages_of "${program[@]}" kit scenes)
 tools=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
+compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # that build the families, too
 judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
 
@@ -82,12 +83,13 @@ install_test_programs() {
   install_packages "${programs[@]}" "$@"
 }
 
-# The same for all tests: a browser for the report, and what checks the proofs.
+# The same for all tests: a browser for the report, what checks the proofs, and compilers that have to draw the same cases.
 install_all_test_programs() {
   local browser=()
   command -v chromium >/dev/null || browser=(chromium)
   install_test_programs "${browser[@]}"
   install_proof_checker
+  (install_packages "${compilers[@]}") || echo "bootstrap: SameCases will be skipped" >&2
 }
 
 # What checks the proofs, and builds the oracle that is extracted of them.
@@ -313,7 +315,7 @@ fuzz)
   exit "$status"
   ;;
 same-cases)
-  install_packages clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user
+  install_packages "${compilers[@]}"
   exec bash tests/properties/families/same_cases.sh . build-same-cases "$@"
   ;;
 coverage)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/bodies.hpp>
 #include <carom/properties/families/friction.hpp>
@@ -10,50 +10,6 @@
 
 namespace carom::properties {
 namespace {
-
-double restitution(Stream& stream) {
-  switch (stream.integer(0, 3)) {
-    case 0:
-      return 0;
-    case 1:
-      return 1;
-    default:
-      return stream.unit();
-  }
-}
-
-void set_velocities(Stream& stream, Body& body, double size) {
-  const double speed = stream.power_of_two(-3, 3);
-  body.velocity = stream.vector() * speed;
-  body.angular_velocity = stream.vector() * (speed / size);
-}
-
-/// Principal moments of a body with these second moments: I_x = m (S_y + S_z), and so on.
-Vector3<double> moments(double mass, const Vector3<double>& s) {
-  return Vector3<double>{s[1] + s[2], s[0] + s[2], s[0] + s[1]} * mass;
-}
-
-double mass(Stream& stream) {
-  const double octave = stream.power_of_two(-6, 6);
-  return octave * (1 + stream.unit());
-}
-
-Body general_body(Stream& stream, const Vector3<double>& point) {
-  Body body;
-  const double size = stream.power_of_two(-3, 3);
-  body.mass = mass(stream);
-  Vector3<double> second_moments;
-  for (int i = 0; i < 3; ++i) {
-    const double semi_axis = size * stream.between(0.5, 1);
-    second_moments[i] = semi_axis * semi_axis / 5;
-  }
-  body.principal_inertia = stream.plainly() ? Vector3<double>(Vector3<double>::Constant(body.mass * size * size))
-                                            : moments(body.mass, second_moments);
-  body.orientation = stream.quaternion();
-  body.position = plus(point, stream.vector(), -size);
-  set_velocities(stream, body, size);
-  return body;
-}
 
 PrincipalShape random_ellipsoid(Stream& stream) {
   const Vector3<double> direction = stream.direction();
@@ -97,30 +53,17 @@ SizedShape convex_shape(Stream& stream) {
 Body convex_body(Stream& stream, const Vector3<double>& point) {
   Body body;
   const auto [shape, size] = convex_shape(stream);
-  body.mass = mass(stream);
-  body.principal_inertia = moments(body.mass, shape.second_moments);
+  body.mass = drawn_mass(stream);
+  body.principal_inertia = principal_moments(body.mass, shape.second_moments);
   body.orientation = stream.quaternion();
   body.position = point - turned(body.orientation, shape.point);
   set_velocities(stream, body, size);
   return body;
 }
 
-template <class MakeBody>
-Collision two_bodies(Stream& stream, MakeBody make_body) {
-  Collision collision;
-  const double distance = stream.power_of_two(-2, 2);
-  collision.point = stream.vector() * distance;
-  collision.a = make_body(stream, collision.point);
-  collision.b = make_body(stream, collision.point);
-  collision.normal = stream.direction();
-  collision.restitution = restitution(stream);
-  make_approaching(collision);
-  return collision;
-}
-
 }  // namespace
 
-Case general_bodies(Stream& stream) { return {two_bodies(stream, general_body), false}; }
+Case general_bodies(Stream& stream) { return {general_collision(stream), false}; }
 
 Case sprinkled_bodies(Stream& stream) {
   Case bodies = general_bodies(stream);
@@ -150,7 +93,7 @@ Case touching_spheres(Stream& stream) {
   for (Body* body : {&c.a, &c.b}) {
     const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
-    body->mass = mass(stream);
+    body->mass = drawn_mass(stream);
     // A plain ball has more of its mass outside.
     const bool is_uniform = !stream.plainly();
     spheres.convex_uniform = spheres.convex_uniform && is_uniform;
@@ -160,7 +103,7 @@ Case touching_spheres(Stream& stream) {
     body->position = plus(c.point, c.normal, body == &c.a ? distance : -distance);
     set_velocities(stream, *body, std::sqrt(squared_radius));
   }
-  c.restitution = restitution(stream);
+  c.restitution = drawn_restitution(stream);
   if (dot(c.normal, relative_velocity(c)) > 0) {
     // Turning the normal alone would leave A on the wrong side of it.
     c.a.velocity = negated(c.a.velocity);

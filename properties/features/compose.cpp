@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/places.hpp>
@@ -152,7 +152,7 @@ void make_parallels_exact(Stream& stream, Collision& c) {
 }
 
 Collision composed(Stream& stream) {
-  Collision c = general_bodies(stream).collision;
+  Collision c = general_collision(stream);
   draw_magnitudes(stream, c);
   draw_surface(stream, c, c.a);
   draw_surface(stream, c, c.b);
@@ -191,7 +191,7 @@ Collision structured_collision(Stream& stream) {
     }
     stream.note_drawn_again();
   }
-  return general_bodies(stream).collision;
+  return general_collision(stream);
 }
 
 void sprinkle(Stream& stream, Collision& collision) {

@@ -5,6 +5,7 @@
 # builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs it. The first thousand cases
 # of each family have to be those of first_thousand.txt, and the first CASES (20000 where nothing is said) those of the
 # first build. A build needs its compiler; those for other machines need what src/bootstrap.sh same-cases installs.
+# Exit status: 0 all builds draw the same cases, 1 one does not, 77 they do, but one could not be built.
 set -euo pipefail
 
 source=$(cd "$1" && pwd)
@@ -40,9 +41,9 @@ foreign_libraries() {
   # Where one of several sources is out of date, the others may have it all.
   APT_CONFIG=$apt/apt.conf apt-get update -qq || true
   for arch in "${foreign[@]}"; do
-    (cd "$apt" && APT_CONFIG=apt.conf apt-get download -qq "libgmp-dev:$arch" "libmpfr-dev:$arch")
+    (cd "$apt" && APT_CONFIG=apt.conf apt-get download -qq "libgmp-dev:$arch" "libmpfr-dev:$arch") || return
     for package in "$apt"/lib*_"$arch".deb; do
-      dpkg-deb --extract "$package" "$work/$arch"
+      dpkg-deb --extract "$package" "$work/$arch" || return
     done
   done
 }
@@ -68,12 +69,17 @@ draw() {
 
 status=0
 first=
+# not_built NAME REASON
+not_built() {
+  echo "$1: NOT BUILT, $2"
+  [ "$status" -eq 1 ] || status=77
+}
+
 # agree NAME RUNNER COMPILER [OPTION…]: draws, and compares.
 agree() {
   local name=$1
   if ! command -v "$3" >/dev/null || { [ -n "$2" ] && ! command -v "$2" >/dev/null; }; then
-    echo "$name: NOT BUILT, there is no ${2:+$2 or }$3"
-    status=1
+    not_built "$name" "there is no ${2:+$2 or }$3"
     return
   fi
   draw "$@"
@@ -97,9 +103,12 @@ agree without-packets "" g++ -O2 -DEIGEN_DONT_VECTORIZE
 agree native "" g++ -O3 -march=native
 agree clang "" clang++ -O2
 agree clang-native "" clang++ -O3 -march=native
-foreign_libraries
-mapfile -t options < <(cross i386 i386-linux-gnu)
-agree x86-32 "" i686-linux-gnu-g++ -O2 -msse2 -mfpmath=sse "${options[@]}"
-mapfile -t options < <(cross arm64 aarch64-linux-gnu)
-agree aarch64 qemu-aarch64 aarch64-linux-gnu-g++ -O2 "${options[@]}"
+if foreign_libraries; then
+  mapfile -t options < <(cross i386 i386-linux-gnu)
+  agree x86-32 "" i686-linux-gnu-g++ -O2 -msse2 -mfpmath=sse "${options[@]}"
+  mapfile -t options < <(cross arm64 aarch64-linux-gnu)
+  agree aarch64 qemu-aarch64 aarch64-linux-gnu-g++ -O2 "${options[@]}"
+else
+  not_built "x86-32 and aarch64" "GMP and MPFR for them cannot be downloaded"
+fi
 exit "$status"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/stream.hpp>
+
+/// Bodies of any inertia, and what other bodies are drawn from. SI units throughout.
+namespace carom::properties {
+
+/// 0, 1, or between them.
+[[nodiscard]] double drawn_restitution(Stream& stream);
+
+/// From 2⁻⁶ kg to 2⁷ kg.
+[[nodiscard]] double drawn_mass(Stream& stream);
+
+/// Draws both velocities of a body of this size. The surface turns about as fast as the centre moves.
+void set_velocities(Stream& stream, Body& body, double size);
+
+/// Principal moments of a body with these second moments per mass: I_x = m (S_y + S_z), and so on.
+[[nodiscard]] Vector3<double> principal_moments(double mass, const Vector3<double>& second_moments);
+
+/// Two bodies that `make_body(stream, contact point)` draws, approaching at a contact with any normal.
+template <class MakeBody>
+[[nodiscard]] Collision two_bodies(Stream& stream, MakeBody make_body) {
+  Collision collision;
+  const double distance = stream.power_of_two(-2, 2);
+  collision.point = stream.vector() * distance;
+  collision.a = make_body(stream, collision.point);
+  collision.b = make_body(stream, collision.point);
+  collision.normal = stream.direction();
+  collision.restitution = drawn_restitution(stream);
+  make_approaching(collision);
+  return collision;
+}
+
+/// Two bodies of general inertia, the contact within about one body's size of both, approaching.
+[[nodiscard]] Collision general_collision(Stream& stream);
+
+}  // namespace carom::properties
