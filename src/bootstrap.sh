@@ -1,52 +1,52 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
-# Everything from a fresh Debian 12 machine on: bash src/bootstrap.sh [COMMAND] [ARG…], where COMMAND is one of
-#   packages  install what is missing for all components (sudo if you are not root)
-#   build     the program at build/carom, without scenes, and the packages that it needs; this is done if you name no COMMAND
-#   package   the Debian packages in build/package: carom, carom-scene, and libcarom-PART-dev for each component
-#   package-test  package, then all of them into a bare Debian 12 made by debootstrap, as root, where they have to do what they should
-#   component-test  [COMPONENT…]: configures, builds, installs and uses each component in a bare Debian 12 with its own packages alone, as root
-#   ci-test   [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian 12, as root. NAME is one
-#             of action, github, gitlab, script and container; all of them take an hour on two cores
-#   gate      build, then `build/carom gate ARG…`
-#   engines   build, install the engines that npm has, then `build/carom gate --engines ARG…`
-#   scenes    build carom-scene, too, then run every scene of docs/examples/scenes into build/scenes, and print a line with each verdict
-#   quick     build the tests of single parts that take least, and run them: the first answer to an edit
-#   test      build, then the tests that a change needs (`ctest ARG…`): of the heavy ones a share of their cases
-#   test all  all tests, with all of their cases, the proofs, the browser, the installed libraries, every instruction set
-#   proofs    build, then check the proofs, print each theorem with the axioms that it rests on, and hold the oracle that is
-#             extracted of them against ours on 10,000 collisions: six minutes on two cores
-#   bench     build, then print what solvers, batches, judge and gate take; exit status 1 if a solver takes more than four times
-#             as long as the note in plain C++, or a batch longer than that
-#   compare   REVISION: the benchmarks of that revision and of this tree in turn, and their ratios
-#   sanitize  the tests with assertions, under AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
-#   tsan      the tests that start programs and threads, under ThreadSanitizer, in build-tsan
-#   fuzz      [SECONDS]: each target of tests/fuzz so long, 30 where nothing is said, by clang's libFuzzer, in build-fuzz
-#   same-cases [CASES]: builds the families by other compilers and for other instruction sets, also of 32-bit x86 and of 64-bit
-#             Arm under qemu, in build-same-cases, and compares every bit of what they draw
-#   coverage  the tests, and which share of the lines of each folder they run, in build-coverage
-#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and ask whether the tests notice,
-#             in build-mutation; `mutation --help` says what its figures mean
-#   lint      clang-format, shellcheck, and clang-tidy of all files, in build-lint-all
-#   lint FILE…  clang-tidy of these alone, in build-lint; `lint change` takes those that differ from HEAD
+# Builds and checks Carom from a fresh Debian 12 on: bash src/bootstrap.sh [COMMAND] [ARG…]. The default COMMAND is build.
+#   packages  install the missing packages of all components (with sudo if you are not root)
+#   build     install the packages that the program needs, and build it at build/carom, without scenes
+#   package   build the Debian packages in build/package: carom, carom-scene, and libcarom-PART-dev for each component
+#   package-test  package, then install and test every package in a bare Debian 12 made by debootstrap, as root
+#   component-test  [COMPONENT…]: configure, build, install and use each component in a bare Debian 12, with its packages only, as root
+#   ci-test   [NAME…]: run the scripts of docs/guide/ci.md unchanged in a bare Debian 12, as root. NAME is action, github, gitlab,
+#             script or container. All of them take an hour on two cores
+#   gate      build, then run `build/carom gate ARG…`
+#   engines   build, install the npm engines, then run `build/carom gate --engines ARG…`
+#   scenes    build carom-scene too, run every scene of docs/examples/scenes into build/scenes, and print one verdict a line
+#   quick     build and run the fastest unit tests: the first answer to an edit
+#   test      build, then run the tests that a change needs (`ctest ARG…`); the heavy tests run a sample of their cases
+#   test all  run all tests with all their cases, the proofs, the browser, the installed libraries and every instruction set
+#   proofs    build, check the proofs, print the axioms of each theorem, and compare the oracle that is extracted from the proofs
+#             with the C++ oracle on 10,000 collisions. It takes six minutes on two cores
+#   bench     build, then print the times of solvers, batches, judge and gate. The exit status is 1 if a solver takes more than
+#             four times as long as the note's plain C++, or if a batch is slower than the plain C++
+#   compare   REVISION: run the benchmarks of that revision and of this tree in turn, and print the ratios
+#   sanitize  run the tests with assertions, AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
+#   tsan      run the tests that start programs and threads under ThreadSanitizer, in build-tsan
+#   fuzz      [SECONDS]: run each target of tests/fuzz for that long (default 30) with clang's libFuzzer, in build-fuzz
+#   same-cases [CASES]: build the families with other compilers and instruction sets, including 32-bit x86 and 64-bit Arm under
+#             qemu, in build-same-cases, and compare every bit of the cases that they draw
+#   coverage  run the tests and print the share of the lines of each folder that they run, in build-coverage
+#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and check that the tests notice,
+#             in build-mutation; `mutation --help` explains its figures
+#   lint      run clang-format, shellcheck, and clang-tidy on all files, in build-lint-all
+#   lint FILE…  run clang-tidy on these files only, in build-lint; `lint change` takes the files that differ from HEAD
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# packages_of COMPONENT…: what they need of Debian
+# packages_of COMPONENT…: the Debian packages that the components need
 packages_of() {
   local component
   for component in "$@"; do sed -n "s/^$component //p" src/package/needs.txt | tr ' ' '\n'; done | sort -u
 }
 
-program=(impulse judge report program) # `carom` and what is below it
+program=(impulse judge report program) # `carom` and the components below it
 mapfile -t packages < <(packages_of "${program[@]}" kit scenes)
 tools=(g++ cmake ninja-build gnuplot-nox)
-engines=(libbullet-dev libode-dev) # the gate reports an engine as absent where these are not there
-compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # that build the families, too
-judged='/all$|generate|^gate/' # of the benchmarks of the judge; those of each subject and family take four minutes more
+engines=(libbullet-dev libode-dev) # the gate reports an engine as absent if its package is not installed
+compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # these build the families, too
+judged='/all$|generate|^gate/' # of the judge's benchmarks; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
 
-# install_packages [PACKAGE…]: what is missing of these and of what every build needs
+# install_packages [PACKAGE…]: installs the missing packages among these and those that every build needs
 install_packages() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "bootstrap: this system has no apt. Install what Debian calls ${tools[*]} ${packages[*]}," >&2
@@ -71,19 +71,20 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# configure PRESET [ARG…]: with the choices of CMakePresets.json, in the directory that it names
+# configure PRESET [ARG…]: applies a preset of CMakePresets.json in the directory that the preset names
 configure() {
   cmake --preset "$1" -Wno-dev --log-level=WARNING "${@:2}" >/dev/null
 }
 
-# The tests start these programs: the examples' interpreters, and a reader of the schema.
+# Installs the programs that the tests start: the interpreters of the examples, and a reader of the schema.
 install_test_programs() {
   local programs=(python3 python3-jsonschema python3-yaml)
   command -v node >/dev/null || programs+=(nodejs)
   install_packages "${programs[@]}" "$@"
 }
 
-# The same for all tests: a browser for the report, what checks the proofs, and compilers that have to draw the same cases.
+# Installs the programs of all tests: those above, a browser for the report, the proof checker, and the compilers that must
+# draw the same cases.
 install_all_test_programs() {
   local browser=()
   command -v chromium >/dev/null || browser=(chromium)
@@ -92,14 +93,14 @@ install_all_test_programs() {
   (install_packages "${compilers[@]}") || echo "bootstrap: SameCases will be skipped" >&2
 }
 
-# What checks the proofs, and builds the oracle that is extracted of them.
+# Installs the proof checker and the compiler of the oracle that is extracted from the proofs.
 install_proof_checker() {
   local of_proofs
   mapfile -t of_proofs < <(packages_of proofs)
   install_packages "${of_proofs[@]}"
 }
 
-# The page of replays is bundled from packages of npm; without them all else is built.
+# Installs the npm packages of the replay page. Without them, everything else is built.
 install_replay() {
   local folder=src/tool/replay
   [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && return
@@ -108,7 +109,7 @@ install_replay() {
     echo "bootstrap: npm cannot install what replays of scenes are bundled from; the program will write none" >&2
 }
 
-# build TARGET [PRESET]: of all components
+# build TARGET [PRESET]: configures all components and builds TARGET
 build() {
   install_packages
   install_replay
@@ -116,7 +117,7 @@ build() {
   cmake --build build --parallel "$jobs" --target "$1" >&2
 }
 
-# The program alone, without scenes. A build of all components stays one.
+# Builds the program without scenes. A build directory that has all components keeps them.
 build_program() {
   if grep -qsx 'CAROM_COMPONENTS:STRING=all' build/CMakeCache.txt; then
     build carom_programs
@@ -128,17 +129,18 @@ build_program() {
   cmake --build build --parallel "$jobs" --target carom_programs >&2
 }
 
-# run_tests DIRECTORY [ARG…]: one more at a time than there are processors, since some wait for programs that hang.
+# run_tests DIRECTORY [ARG…]: runs one test more than there are processors, because some tests wait for programs that
+# hang.
 run_tests() {
   exec ctest --test-dir "$1" --output-on-failure --parallel "$((jobs + 1))" "${@:2}"
 }
 
-# Of what is ours, the files whose names match.
+# Lists Carom's own files whose names match.
 sources() {
   find src oracles properties tests docs/examples .ci .github -name node_modules -prune -o -type f "$@" -print
 }
 
-# clang-tidy reads the whole tree many files at a time, and a few files each by itself.
+# clang-tidy reads unity files if it checks the whole tree, and single files if FILEs are named.
 lint() {
   local status=0 files preset=lint-all checks='-bugprone-suspicious-include'
   if [ "${1:-}" = change ]; then
@@ -149,7 +151,7 @@ lint() {
   if [ $# -gt 0 ]; then
     preset=lint checks=''
   else
-    set -- '^(?!.*/replay_page\.cpp$)' # the one source that is generated
+    set -- '^(?!.*/replay_page\.cpp$)' # the only generated source
   fi
   mapfile -t files < <(sources -name '*.[ch]pp')
   clang-format --dry-run --Werror "${files[@]}" || status=1
@@ -160,7 +162,7 @@ lint() {
   return "$status"
 }
 
-# Clang's libFuzzer, which Debian has in a package of its own, with the version in its name.
+# Debian packages clang's libFuzzer separately, with the version in the package's name.
 install_fuzzer() {
   install_packages clang
   echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
@@ -170,7 +172,7 @@ install_fuzzer() {
   install_packages "libclang-rt-${version%%.*}-dev"
 }
 
-# fuzz_one TARGET SECONDS: what it finds out stays in build-fuzz/found/TARGET, findings in build-fuzz/findings.
+# fuzz_one TARGET SECONDS: keeps new inputs in build-fuzz/found/TARGET and findings in build-fuzz/findings.
 fuzz_one() {
   local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") known options
   for known in corpora regressions; do
@@ -188,7 +190,8 @@ fuzz_one() {
   fi
 }
 
-# run_scene FILE [ARG…]: into build/scenes/NAME, and its verdict in a line. A million impulses of the gas are judged in part.
+# run_scene FILE [ARG…]: writes to build/scenes/NAME and prints the verdict in one line. It judges every 100th of the
+# gas's impulses.
 run_scene() {
   local file=$1 name options=()
   shift

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// Many contacts at once, with carom::batch: balls of 2 kg that meet a fixed floor at 1, 2, 3 … m/s, ε = 1/2.
+// Solves many contacts at once with carom::batch: balls of 2 kg hit a fixed floor at 1, 2, 3, … m/s, with ε = 1/2.
 #include <cstddef>
 #include <iostream>
 
 #include <carom/impulse/batch/solve.hpp>
 
-// NOLINTNEXTLINE(bugprone-exception-escape): it ends where there is no memory
+// NOLINTNEXTLINE(bugprone-exception-escape): the program ends if memory runs out
 int main() {
   constexpr std::size_t balls = 1000;
   carom::impulse::ContactBatch<double> contacts(balls);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""A response by the law of reflection, which shows its collision matrix. It speaks Carom's line protocol. No packages."""
+"""A collision response by the law of reflection. It shows its collision matrix, speaks Carom's line protocol, and needs no packages."""
 import json
 import math
 import sys
@@ -20,7 +20,7 @@ def plus(a, b, factor=1.0):
 
 
 def unit(v):
-    """v/‖v‖; divided by the largest component first, so that no square over- or underflows."""
+    """v/‖v‖. Divides by the largest component first, so that no square overflows or underflows."""
     largest = max(abs(x) for x in v)
     scaled = [x / largest for x in v]
     length = math.sqrt(sum(x * x for x in scaled))
@@ -43,7 +43,7 @@ class Body:
         self.spin = vector(record["angular_velocity"])
         self.lever_arm = plus(vector(point), vector(record["position"]), -1)
         self.inverse_mass = 0.0
-        self.turns = []  # of each axis e of the body: e, e × r and 1/I. An impulse F has the torque (e × r)·F about e
+        self.turns = []  # for each body axis e: e, e × r and 1/I. An impulse F has the torque (e × r)·F about e
         if not record.get("immovable", False):
             self.inverse_mass = 1 / float(record["mass"])
             moments = vector(record["principal_inertia"])
@@ -55,7 +55,7 @@ class Body:
         return plus(self.velocity, cross(self.spin, self.lever_arm))
 
     def spin_by(self, impulse):
-        """J⁻¹ (r × F): about each axis of the body divided by its moment."""
+        """J⁻¹ (r × F): the torque about each body axis, divided by its moment."""
         change = [0.0, 0.0, 0.0]
         for axis, turn, inverse_moment in self.turns:
             change = plus(change, axis, dot(turn, impulse) * inverse_moment)
@@ -75,7 +75,7 @@ def collision_matrix(bodies):
 
 
 def solved(k, b, least):
-    """K⁻¹ b by K = L D Lᵀ. No pivot is less than `least`, a bound of the eigenvalues, but by rounding."""
+    """K⁻¹ b by K = L D Lᵀ. `least` is a lower bound of the eigenvalues and replaces a pivot that rounding makes smaller."""
     d0 = max(k[0][0], least)
     l10, l20 = k[1][0] / d0, k[2][0] / d0
     d1 = max(k[1][1] - l10 * k[1][0], least)
@@ -89,7 +89,7 @@ def solved(k, b, least):
 
 
 def change_at_contact(bodies, impulse):
-    """K F, by what the bodies do, not by K."""
+    """K F, computed from the motion of the bodies, not from K."""
     change = [0.0, 0.0, 0.0]
     for body in bodies:
         change = plus(change, impulse, body.inverse_mass)
@@ -98,7 +98,7 @@ def change_at_contact(bodies, impulse):
 
 
 def solve(record):
-    """The bodies after the impulse, and the matrix that it was solved with; None where there was no impulse."""
+    """The bodies after the impulse, and the matrix of the solve; None if there is no impulse."""
     bodies = [Body(record[name], record["point"]) for name in ("a", "b")]
     a, b = bodies
     normal = unit(vector(record["normal"]))
@@ -123,7 +123,7 @@ def vector(numbers):
 
 
 def defect(record):
-    """What is wrong with the input; None where nothing is."""
+    """The defect of the input; None if there is none."""
     for name in ("a", "b"):
         body = record[name]
         for field in ("position", "velocity", "angular_velocity"):

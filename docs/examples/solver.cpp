@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A solver in C++ as a program that speaks Carom's line protocol; carom::protocol reads and writes the lines.
+// A C++ solver as a program that speaks Carom's line protocol. carom::protocol reads and writes the lines.
 #include <iostream>
 
 #include <carom/impulse/contact.hpp>
@@ -20,12 +20,12 @@ carom::BodyVelocity<double> pushed(const ContactBody<double>& body, const Vector
           body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse)};
 }
 
-/// NᵀKN of one body, N of length 1.
+/// NᵀKN of one body. Precondition: N has length 1.
 double inverse_effective_mass(const ContactBody<double>& body, const Vector3<double>& normal) {
   return body.inverse_mass + angular_part_along(body.inertia, body.lever_arm, normal);
 }
 
-/// The solver under test: put yours in its place.
+/// The solver under test. Replace it with yours.
 carom::Outcome<double> respond(const carom::impulse::Contact<double>& contact) {
   const Vector3<double> normal = contact.normal.normalized();
   const double approach = normal.dot(velocity_at_contact(contact.a) - velocity_at_contact(contact.b));

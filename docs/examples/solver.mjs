@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A frictionless collision response that speaks Carom's line protocol. Node, no packages.
+// A frictionless collision response that speaks Carom's line protocol. It needs Node and no packages.
 import { createInterface } from 'node:readline';
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -7,7 +7,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const sum = (a, b) => a.map((x, i) => x + b[i]);
 const times = (k, a) => a.map((x) => k * x);
 
-/** v/‖v‖; divided by the largest component first, so that no square over- or underflows. */
+/** v/‖v‖. Divides by the largest component first, so that no square overflows or underflows. */
 function unit(v) {
   const scaled = times(1 / Math.max(...v.map(Math.abs)), v);
   return times(1 / Math.sqrt(scaled.reduce((s, x) => s + x * x, 0)), scaled);
@@ -23,7 +23,7 @@ function rotation(quaternion) {
   ];
 }
 
-/** J⁻¹ (r × N), J⁻¹ = R diag(1/I) Rᵀ. */
+/** J⁻¹ (r × N), with J⁻¹ = R diag(1/I) Rᵀ. */
 function spinPerImpulse({ orientation = [1, 0, 0, 0], principal_inertia }, leverArm, normal) {
   const axes = rotation(orientation);
   const torque = cross(leverArm, normal);
@@ -57,7 +57,7 @@ function solve({ a, b, point, normal: anyLength, restitution }) {
 
 const finite = (v) => v.every(Number.isFinite);
 
-/** What is wrong with the input; undefined where nothing is. What is not finite comes as a string. */
+/** The defect of the input; undefined if there is none. A number that is not finite comes as a string. */
 function defect({ a, b, point, normal, restitution }) {
   for (const body of [a, b]) {
     if (!finite([...body.position, ...body.velocity, ...body.angular_velocity])) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""A frictionless collision response that speaks Carom's line protocol. Plain Python, no packages."""
+"""A frictionless collision response that speaks Carom's line protocol. It needs plain Python and no packages."""
 import json
 import math
 import sys
@@ -15,7 +15,7 @@ def cross(a, b):
 
 
 def unit(v):
-    """v/‖v‖; divided by the largest component first, so that no square over- or underflows."""
+    """v/‖v‖. Divides by the largest component first, so that no square overflows or underflows."""
     largest = max(abs(x) for x in v)
     scaled = [x / largest for x in v]
     length = math.sqrt(sum(x * x for x in scaled))
@@ -46,7 +46,7 @@ class Body:
         return [v + t for v, t in zip(self.velocity, cross(self.spin, self.lever_arm))]
 
     def spin_per_impulse(self, normal):
-        """J⁻¹ (r × N), J⁻¹ = R diag(1/I) Rᵀ."""
+        """J⁻¹ (r × N), with J⁻¹ = R diag(1/I) Rᵀ."""
         axes = rotation(self.orientation)
         torque = cross(self.lever_arm, normal)
         in_body = [sum(axes[k][i] * torque[k] for k in range(3)) / self.moments[i] for i in range(3)]
@@ -74,7 +74,7 @@ def vector(numbers):
 
 
 def defect(record):
-    """What is wrong with the input; None where nothing is."""
+    """The defect of the input; None if there is none."""
     for name in ("a", "b"):
         body = record[name]
         for field in ("position", "velocity", "angular_velocity"):

@@ -9,8 +9,8 @@
 
 namespace carom::conformance {
 
-/// Prints as the printer that it is made of does, but for the last lines: tests that were skipped are counted in one
-/// line, not listed, and those that failed stand last.
+/// Forwards to the given printer, but writes its own last lines: skipped tests are only counted, and failed tests are
+/// listed last.
 class ClosingLines : public testing::TestEventListener {
  public:
   explicit ClosingLines(testing::TestEventListener* printer) : printer_(printer) {}
@@ -74,7 +74,8 @@ class ClosingLines : public testing::TestEventListener {
   std::unique_ptr<testing::TestEventListener> printer_;
 };
 
-/// Puts them in place of GoogleTest's own printer, once its flags have chosen it; where there is none, nothing is done.
+/// Replaces GoogleTest's own printer by ClosingLines, after the flags have chosen it. Does nothing if there is no such
+/// printer or if the flag `brief` is set.
 class ClosingLinesInPlace : public testing::Environment {
  public:
   void SetUp() override {

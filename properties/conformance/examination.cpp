@@ -91,7 +91,7 @@ std::string Examination::violation() {
   if (has_failed_) {
     return properties::in_words(one.collision, "    ") + "  " + found.detail + '\n';
   }
-  claim_.yardstick.filtered = false;  // what is shown is worked out in exact arithmetic
+  claim_.yardstick.filtered = false;  // the report shows numbers from exact arithmetic
   const Verdict verdict = verdict_on(one);
   claim_.yardstick = statement_->yardstick;
   std::string text;

@@ -9,20 +9,20 @@
 
 namespace carom::conformance {
 
-/// Holds a statement against cases, all put to one session of the subject.
+/// Tests a statement on cases, all in one session of the subject.
 class Examination {
  public:
   /// Precondition: the subject is not absent, and the statement outlives the examination.
   explicit Examination(const Statement& statement);
 
   /// Whether the statement holds of the case. A subject that throws violates every invariant. After the first
-  /// violation, one that is much less serious does not count, so that a case shrinks to one that shows the fault as
-  /// plainly. After a session has failed, every case holds.
+  /// violation, a much less serious one does not count, so that the shrunk case shows the fault as plainly. After a
+  /// session has failed, every case holds.
   [[nodiscard]] bool holds(const properties::Case& one);
 
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }
 
-  /// Why the first case that was skipped was; empty where none was.
+  /// The reason for the first skipped case; empty if no case was skipped.
   [[nodiscard]] const std::string& why_skipped() const { return why_skipped_; }
 
   /// The last violation in words. Precondition: there is one.
@@ -35,7 +35,7 @@ class Examination {
   properties::Claim claim_;
   Session session_;
   Answer answer_;            // to the last case
-  bool has_failed_ = false;  // the session is then of no further use
+  bool has_failed_ = false;  // then the session cannot continue
   struct Violation {
     properties::Case one;
     properties::Verdict verdict;

@@ -10,11 +10,12 @@
 
 namespace carom::conformance {
 
-/// Whether RapidCheck finds something against a property, which it knows by this name. Its text on a single property is
-/// kept back. At the end of the program it prints how to reproduce all failures.
+/// Whether RapidCheck falsifies a property, which it knows by this name. This function discards RapidCheck's text on a
+/// single property. At the end of the program RapidCheck prints how to reproduce all failures.
 template <class Property>
 [[nodiscard]] bool falsified(const std::string& name, Property&& property) {
-  // RapidCheck reads RC_PARAMS once, prints the seed, and ends the program if it cannot: that is not kept back.
+  // RapidCheck reads RC_PARAMS once, prints the seed, and ends the program if RC_PARAMS is wrong. This output is not
+  // discarded.
   static const bool has_read_parameters = rc::check([] {});
   std::ostringstream kept_back;
   struct Usual {

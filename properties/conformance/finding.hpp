@@ -9,13 +9,13 @@
 
 namespace carom::conformance {
 
-/// What came of a statement.
+/// The result of testing a statement.
 struct Finding {
-  properties::Status status;  // skipped where no case was in the invariant's domain
-  std::string text;           // in words, what was violated or why it was skipped; empty where it holds
+  properties::Status status;  // skipped if no case was in the invariant's domain, or the subject is absent
+  std::string text;           // what was violated, or why it was skipped; empty if the statement holds
 };
 
-/// Holds a statement against cases that RapidCheck draws. RapidCheck knows it by this name.
+/// Tests a statement on cases that RapidCheck draws. RapidCheck knows the property by this name.
 [[nodiscard]] inline Finding find(const Statement& statement, const std::string& name = {}) {
   using properties::Status;
   const Subject& subject = *statement.subject;

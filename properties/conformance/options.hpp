@@ -8,12 +8,13 @@
 
 namespace carom::conformance {
 
-/// What a suite may choose.
+/// The options of a suite.
 struct Options {
-  double limit_ulps = oracles::default_limit_ulps;  // of the subject's precision
-  std::vector<std::string> families = {};           // their names; empty for all
+  double limit_ulps = oracles::default_limit_ulps;  // in units in the last place of the subject's precision
+  std::vector<std::string> families = {};           // names; empty for all families
   std::vector<std::string> deviates = {};  // "invariant" or "invariant@family" to leave out, besides Subject::deviates
-  bool exact = false;  // judge in exact arithmetic alone, without the filter; the environment's CAROM_EXACT comes first
+  /// Judge in exact arithmetic alone, without the filters. CAROM_EXACT in the environment overrides it.
+  bool exact = false;
 };
 
 }  // namespace carom::conformance

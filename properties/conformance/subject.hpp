@@ -29,7 +29,7 @@ S scalar_of(const Outcome<S>&);
 template <class Solver>
 using ScalarOfOutcome = decltype(scalar_of(std::declval<std::invoke_result_t<Solver&, const Collision&>>()));
 
-/// S of what the solver is made for, where it is not given.
+/// A value of the scalar type S that the solver is made for, deduced from its signature.
 template <class Solver>
 [[nodiscard]] constexpr auto deduced_scalar() {
   constexpr int contacts = int{SolvesContacts<Solver, float>} + int{SolvesContacts<Solver, double>} +
@@ -64,7 +64,7 @@ template <class S, class Solver>
   return reported(SolvedOutcome<S>(solved()));
 }
 
-/// Whether what the solver returns may hold the collision matrix.
+/// Whether the solver returns SolvedOutcome<S>, which may hold the collision matrix.
 template <class Solver, class S>
 [[nodiscard]] constexpr bool shows_matrix() {
   if constexpr (SolvesContacts<Solver, S>) {
@@ -76,14 +76,14 @@ template <class Solver, class S>
 
 }  // namespace detail
 
-/// A callable as a subject. It solves contacts or collisions, const impulse::Contact<S>& → Outcome<S> or
-/// const Collision& → Outcome<S> with S one of float, double and long double; S is to be given where it takes contacts
-/// of any. Every session has a copy of it. It is judged in the precision of S unless another is given.
+/// A callable as a subject. It solves contacts, const impulse::Contact<S>& → Outcome<S>, or collisions, const
+/// Collision& → Outcome<S>. S is float, double or long double. Give S explicitly if the callable takes contacts of any
+/// scalar type. Every session has a copy of the callable. It is judged in the precision of S unless another is given.
 ///
-/// One that returns SolvedOutcome<S> shows its collision matrix, and is judged on that.
+/// If the callable returns SolvedOutcome<S>, it shows its collision matrix, and the matrix is judged too.
 ///
-/// The callable sees valid collisions alone. That invalid ones are refused is then not its own doing, and so
-/// `invalid_refused` is not claimed.
+/// The callable sees only valid collisions. The kit refuses the invalid ones itself, so `invalid_refused` is not
+/// claimed.
 template <class S = void, class Solver>
 [[nodiscard]] Subject subject(std::string name, Model model, Solver solver,
                               std::optional<Precision> precision = std::nullopt) {

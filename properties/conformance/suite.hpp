@@ -11,11 +11,11 @@
 
 namespace carom::conformance {
 
-/// The tests of one statement each; defined in suite.cpp, which every program of tests compiles once.
+/// The test of one statement. It is defined in suite.cpp, which every test program compiles once.
 class Conformance : public testing::TestWithParam<Statement> {};
 
-/// The statements of a suite that stands there. If `make` throws, there is one test, `options`, which
-/// fails and says why.
+/// The statements of the suite at this place in the source. If `make` throws, the suite is one test, `options`, which
+/// fails and gives the reason.
 [[nodiscard]] std::vector<Statement> suite(const char* file, int line,
                                            const std::function<std::vector<Statement>()>& make);
 

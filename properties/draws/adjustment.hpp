@@ -9,12 +9,12 @@
 
 namespace carom::properties {
 
-/// What a family changes of a case that it has drawn. No solver is asked for it.
+/// A change that a family makes to a case after drawing it. It does not depend on any solver.
 enum class Adjustment {
-  moments_enlarged,  // until the contact lies within twice the radius of gyration
-  moved_to_origin,   // so that parallel vectors are parallel without rounding
-  reversed,          // all velocities, since the bodies separated
-  drawn_again,       // since masses, sizes or speeds left the domain
+  moments_enlarged,  // enlarged until the contact lies within twice the radius of gyration
+  moved_to_origin,   // the contact is at the origin, so that parallel vectors are exactly parallel
+  reversed,          // all velocities are reversed, because the bodies separated
+  drawn_again,       // masses, sizes or speeds left the domain
 };
 inline constexpr std::array all_adjustments{Adjustment::moments_enlarged, Adjustment::moved_to_origin,
                                             Adjustment::reversed, Adjustment::drawn_again};
@@ -23,10 +23,10 @@ static_assert(counts_from_zero_to(all_adjustments, Adjustment::drawn_again));
 template <class T>
 using PerAdjustment = EnumArray<Adjustment, T, all_adjustments.size()>;
 
-/// How many cases were changed in each way.
+/// The number of cases with each change.
 using AdjustmentCounts = PerAdjustment<std::uint64_t>;
 
-/// As reports name it: `moments_enlarged`, …
+/// The name in reports: `moments_enlarged`, …
 [[nodiscard]] std::string_view name_of(Adjustment adjustment);
 
 }  // namespace carom::properties

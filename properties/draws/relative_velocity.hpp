@@ -3,26 +3,26 @@
 
 #include <carom/collision/collision.hpp>
 
-/// What families and features ask of the relative velocity at the contact, and how they set it.
+/// Reads and sets the relative velocity at the contact.
 namespace carom::properties {
 
-/// V = V_A − V_B at the contact point, rounded: good enough to place a case, not to judge one.
+/// V = V_A − V_B at the contact point [m/s], rounded. Accurate enough to place a case, but not to judge one.
 [[nodiscard]] Vector3<double> relative_velocity(const Collision& collision);
 
-/// Sets V by the linear velocity of one body, up to rounding: A's, or B's where A is immovable.
+/// Sets V, up to rounding, by changing the linear velocity of A, or of B if A is immovable.
 void set_relative_velocity(Collision& collision, const Vector3<double>& wanted);
 
-/// Turns the normal around where the contact is not approaching.
+/// Reverses the normal if the bodies separate.
 void make_approaching(Collision& collision);
 
 /// N·V < 0, as rounded.
 [[nodiscard]] bool is_approaching(const Collision& collision);
 
-/// Reverses all motion where the bodies separate: that keeps what is zero, equal, parallel or along an axis. True where
-/// it does.
+/// Reverses all motion if the bodies separate, and returns whether it did. Components that are zero, equal, parallel or
+/// along an axis stay so.
 bool reverse_if_separating(Collision& collision);
 
-/// Makes a body immovable and keeps its place; its velocity becomes zero.
+/// Makes a body immovable and keeps its position. Its velocity becomes zero.
 void make_immovable(Body& body);
 
 }  // namespace carom::properties

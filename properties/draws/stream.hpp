@@ -11,24 +11,24 @@
 
 namespace carom::properties {
 
-/// A question of a family: one of `count` answers, 0 … count − 1. The answer `simplest` gives the simplest collisions.
+/// A question of a family. It has `count` answers, 0 … count − 1. The answer `simplest` gives the simplest collisions.
 struct StreamQuestion {
   std::uint64_t count;
   std::uint64_t simplest = 0;
   bool is_of_plainness = false;  // asked by `plainly`
 };
 
-/// So many fractions k 2⁻⁵³ are in [0, 1).
+/// The number of fractions k 2⁻⁵³ in [0, 1).
 inline constexpr std::uint64_t fractions = std::uint64_t{1} << 53U;
 
-/// A stream of integers that decides everything a family draws. The gate and the fuzzers supply words of 64 bits;
-/// RapidCheck answers questions. Numbers are made of them by + − × ÷ alone, so that the same integers give the same
-/// collision on every machine.
+/// A stream of integers that decides everything that a family draws. The gate and the fuzzers supply words of 64 bits;
+/// RapidCheck answers questions. The stream makes numbers from the integers by + − × ÷ alone, so that the same integers
+/// give the same collision on every machine.
 class Stream {
  public:
   explicit Stream(std::function<std::uint64_t()> next) : next_(std::move(next)) {}
 
-  /// `answer` returns less than the question's `count`.
+  /// Precondition: `answer` returns less than the question's `count`.
   explicit Stream(std::function<std::uint64_t(const StreamQuestion&)> answer) : answer_(std::move(answer)) {}
 
   [[nodiscard]] std::uint64_t bits();
@@ -38,20 +38,20 @@ class Stream {
     return answer_ ? answer_({count, simplest, false}) : next_() % count;
   }
 
-  /// Uniform in low … high, both included. The simplest is the one closest to 0, unless it is given.
+  /// Uniform in low … high, both included. The simplest answer is the one closest to 0, unless it is given.
   [[nodiscard]] int integer(int low, int high) { return integer(low, high, std::clamp(0, low, high)); }
   [[nodiscard]] int integer(int low, int high, int simplest);
 
-  /// True once in `one_in` times. The simplest is false.
+  /// True once in `one_in` times. The simplest answer is false.
   [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
 
-  /// Whether to take a plain number in place of the one that was drawn. A stream of words never does, and spends none.
+  /// Whether to use a plain number instead of the drawn one. False for a stream of words, and uses no word.
   [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
-  /// In [0, 1): mostly with all 53 bits, at times a multiple of 1/8, so that special values come up.
+  /// A number in [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8, so that special values occur.
   [[nodiscard]] double unit();
 
-  /// In (-1, 1), of the same kind.
+  /// `unit()` with a random sign, in (-1, 1).
   [[nodiscard]] double signed_unit();
 
   /// In [low, high).
@@ -66,15 +66,15 @@ class Stream {
   /// Components in (-1, 1).
   [[nodiscard]] Vector3<double> vector();
 
-  /// The same, never zero; at times with small integer components.
+  /// A vector that is never zero. At times its components are small integers.
   [[nodiscard]] Vector3<double> direction();
 
-  /// A quaternion of any length from about 1/8 to 2.
+  /// A quaternion with a length from about 1/8 to 2.
   [[nodiscard]] Quaternion<double> quaternion();
 
-  /// Notes that the collision that is being drawn was changed.
+  /// Records a change of the collision that is being drawn.
   void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
-  /// Notes that it is drawn again. Changes of the one before do not count.
+  /// Records that the collision is drawn again. The changes of the previous draw do not count.
   void note_drawn_again() {
     adjusted_ = {};
     note(Adjustment::drawn_again);
@@ -83,15 +83,15 @@ class Stream {
 
  private:
   std::function<std::uint64_t()> next_;
-  std::function<std::uint64_t(const StreamQuestion&)> answer_;  // where it is empty, `next_` is not
+  std::function<std::uint64_t(const StreamQuestion&)> answer_;  // if it is empty, `next_` is not
   PerAdjustment<bool> adjusted_;
 };
 
-/// 10^k, |k| ≤ 30: the nearest double, or for k < 0 one divided by it.
+/// 10^k, |k| ≤ 30: the nearest double; for k < 0, 1 divided by the nearest double of 10^−k.
 [[nodiscard]] double power_of_ten(int k);
 
-/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014), started from the seed, the family's
-/// name and the number of the case, so that every case can be made by itself.
+/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). The seed, the family's name and the
+/// number of the case start it, so that each case can be drawn alone.
 [[nodiscard]] Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index);
 
 /// The stream that a single integer starts.

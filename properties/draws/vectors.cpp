@@ -77,7 +77,7 @@ Vector3<double> product(const Columns& m, const Vector3<double>& v) {
 }
 
 Vector3<double> solution(const Columns& m, const Vector3<double>& v) {
-  using Row = std::array<double, 4>;  // of the matrix, and what it is to give
+  using Row = std::array<double, 4>;  // of the matrix, with the right-hand side
   std::array<Row, 3> rows{};
   for (int i = 0; i < 3; ++i) {
     rows[static_cast<std::size_t>(i)] = {m.x[i], m.y[i], m.z[i], v[i]};

@@ -3,18 +3,18 @@
 
 #include <carom/collision/vector.hpp>
 
-/// Vectors of doubles, for families and features. Every operation is rounded by itself, in the order that is stated
-/// here, so that the same integers give the same collision on every machine. Eigen takes its own sums (dot, norm,
-/// products of matrices) in an order that depends on the instruction set: families and features use none of them.
+/// Operations on vectors of doubles, for families and features. Each operation is rounded separately, in the order
+/// given here, so that the same integers give the same collision on every machine. The order of Eigen's sums (dot,
+/// norm, products of matrices) depends on the instruction set, so families and features do not use them.
 namespace carom::properties {
 
 /// (u₀ v₀ + u₁ v₁) + u₂ v₂.
 [[nodiscard]] double dot(const Vector3<double>& u, const Vector3<double>& v);
 
-/// u₁ v₂ − u₂ v₁, and so on in turn; each product is rounded.
+/// u₁ v₂ − u₂ v₁ and its cyclic permutations; each product is rounded.
 [[nodiscard]] Vector3<double> cross(const Vector3<double>& u, const Vector3<double>& v);
 
-/// Each sign is changed, also of zero: Eigen's −v is 0 − v where packets are wide, and 0 − 0 is not −0.
+/// Changes each sign, also of zero. Eigen's −v is 0 − v if it uses wide packets, and 0 − 0 is not −0.
 [[nodiscard]] Vector3<double> negated(const Vector3<double>& v);
 [[nodiscard]] Quaternion<double> negated(const Quaternion<double>& q);
 
@@ -31,19 +31,19 @@ namespace carom::properties {
 [[nodiscard]] double least(const Vector3<double>& v);
 [[nodiscard]] double greatest(const Vector3<double>& v);
 
-/// The place of the least component, the first of equal ones.
+/// The index of the least component; the first of equal ones.
 [[nodiscard]] int place_of_least(const Vector3<double>& v);
 
-/// v + s u: the product is rounded, and then the sum.
+/// v + s u. The product is rounded, then the sum.
 [[nodiscard]] Vector3<double> plus(const Vector3<double>& v, const Vector3<double>& u, double s);
 
-/// v turned by the rotation that q stands for, of any nonzero length: q v q* / ‖q‖².
+/// v rotated by q, a quaternion of any nonzero length: q v q* / ‖q‖².
 [[nodiscard]] Vector3<double> turned(const Quaternion<double>& q, const Vector3<double>& v);
 
-/// The rotation the other way round.
+/// The quaternion of the inverse rotation.
 [[nodiscard]] Quaternion<double> conjugate(const Quaternion<double>& q);
 
-/// Three columns.
+/// A 3 × 3 matrix by its columns.
 struct Columns {
   Vector3<double> x;
   Vector3<double> y;
@@ -53,11 +53,12 @@ struct Columns {
 /// M v: (x v₀ + y v₁) + z v₂.
 [[nodiscard]] Vector3<double> product(const Columns& m, const Vector3<double>& v);
 
-/// M⁻¹ v by Gaussian elimination, the pivot of each column its greatest number, the first of equal ones. Where M is
-/// singular the numbers are not finite.
+/// M⁻¹ v by Gaussian elimination. The pivot of each column is its largest element by magnitude, the first of equal
+/// ones. If M is singular, components are not finite.
 [[nodiscard]] Vector3<double> solution(const Columns& m, const Vector3<double>& v);
 
-/// A vector orthogonal to this one, exactly: two components exchanged, one negated. Never zero for a nonzero vector.
+/// A vector exactly orthogonal to this one: two components are exchanged and one is negated. Nonzero for a nonzero
+/// vector.
 [[nodiscard]] Vector3<double> orthogonal(const Vector3<double>& vector);
 
 }  // namespace carom::properties

@@ -40,7 +40,7 @@ double excess_of(const Body& body) {
   return body.principal_inertia[largest] / sum(others);
 }
 
-/// One body or both, in a collision that may have a wall.
+/// One body or both. At times the collision gets a wall.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
   switch (stream.integer(0, 3)) {
     case 0:
@@ -86,11 +86,11 @@ Case far_contacts(Stream& stream) {
   Collision& c = result.collision;
   set_friction(stream, c);
   for (Body* body : chosen_bodies(stream, c)) {
-    const double times = stream.power_of_two(0, 26);  // of its distance: κ grows by the square
+    const double times = stream.power_of_two(0, 26);  // factor of the distance: κ grows by its square
     if (stream.chance(2)) {
       const Vector3<double> lever_arm = c.point - body->position;
       body->position = plus(c.point, lever_arm, -times);
-      // Else the spin alone would be the approach.
+      // Otherwise the spin alone would decide the approach velocity.
       body->angular_velocity /= stream.chance(2) ? times : 1;
     } else {
       body->principal_inertia /= times * times;

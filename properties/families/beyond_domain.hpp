@@ -3,27 +3,27 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Families beyond the domain that solvers claim: they show where a method stops.
+/// Families beyond the domain that solvers claim. They show the limits of a method.
 namespace carom::properties {
 
-/// At most so large is κ(K): 1 + tr(Σ [r]ᵀ J⁻¹ [r]) / λ, since λI ⪯ K. Of two immovable bodies 1.
+/// An upper bound of κ(K): 1 + tr(Σ [r]ᵀ J⁻¹ [r]) / λ, because λI ⪯ K. 1 for two immovable bodies.
 [[nodiscard]] double condition_number_at_most(const Collision& collision);
 
-/// The greatest moment of a body over the sum of its two others, of the body where that is more. No distribution of
-/// mass has more than 1. Of immovable bodies 0.
+/// The greatest moment of a body over the sum of its two others; the greater value of the two bodies. No distribution
+/// of mass has more than 1. 0 for immovable bodies.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
-/// One of the moments becomes `excess` times the sum of the two others, which share it.
+/// Sets the body's moments so that one of them is `excess` times the sum of the two others.
 void set_moment_excess(Stream& stream, Body& body, double excess);
 
-/// Moves the body so that the contact is as close to its centre of mass as its least moment asks for: K then has a
-/// bound.
+/// Moves the body so that the contact lies within √(I/m) of its centre of mass, with I its least moment. This bounds
+/// κ(K).
 void strike_close(Stream& stream, const Collision& collision, Body& body);
 
-/// The contact lies far outside of one body or of both.
+/// A case whose contact lies far outside one body or both.
 [[nodiscard]] Case far_contacts(Stream& stream);
 
-/// Of one body or of both, one moment exceeds the sum of the two others.
+/// A case in which one moment of a body, or of both, is at least the sum of the two others.
 [[nodiscard]] Case impossible_moments(Stream& stream);
 
 }  // namespace carom::properties

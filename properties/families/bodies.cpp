@@ -23,7 +23,7 @@ struct SizedShape {
   double size;
 };
 
-/// At times a plate, or a rod: one of the axes shorter than the others, or two.
+/// Factors of the axes. At times one axis is shorter than the others (a plate), or two are (a rod).
 Vector3<double> slenderness(Stream& stream) {
   Vector3<double> stretch{1, 1, 1};
   if (stream.chance(2)) {
@@ -42,7 +42,7 @@ SizedShape convex_shape(Stream& stream) {
   const double size = stream.power_of_two(-3, 3);
   const Vector3<double> slender = slenderness(stream);
   for (int i = 0; i < 3; ++i) {
-    // An ellipsoid is a stretched ball, and a stretched polyhedron is one.
+    // A stretched ball is an ellipsoid, and a stretched polyhedron is a polyhedron.
     const double stretch = size * slender[i] * stream.between(0.5, 1.5);
     shape.second_moments[i] *= stretch * stretch;
     shape.point[i] *= stretch;
@@ -82,7 +82,7 @@ Case touching_spheres(Stream& stream) {
   Case spheres;
   spheres.convex_uniform = true;
   Collision& c = spheres.collision;
-  // Few bits everywhere, so that X = P ± distance N is exact and the lever arms are parallel to N.
+  // All numbers have few bits, so that X = P ± distance N is exact and the lever arms are parallel to N.
   for (int i = 0; i < 3; ++i) {
     c.normal[i] = stream.integer(-63, 63) / 64.0;
     c.point[i] = stream.integer(-64, 64) / 16.0;
@@ -94,7 +94,7 @@ Case touching_spheres(Stream& stream) {
     const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = drawn_mass(stream);
-    // A plain ball has more of its mass outside.
+    // A plain ball is not uniform: more of its mass is outside.
     const bool is_uniform = !stream.plainly();
     spheres.convex_uniform = spheres.convex_uniform && is_uniform;
     const double moment = body->mass * squared_radius;
@@ -105,7 +105,7 @@ Case touching_spheres(Stream& stream) {
   }
   c.restitution = drawn_restitution(stream);
   if (dot(c.normal, relative_velocity(c)) > 0) {
-    // Turning the normal alone would leave A on the wrong side of it.
+    // If only the normal turned, A would be on its wrong side.
     c.a.velocity = negated(c.a.velocity);
     c.b.velocity = negated(c.b.velocity);
   }

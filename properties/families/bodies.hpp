@@ -3,19 +3,20 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The pieces that families are put together from.
+/// The building blocks of families.
 namespace carom::properties {
 
-/// Two bodies of general inertia, the contact within about one body's size of both, approaching.
+/// Two approaching bodies of general inertia. The contact is within about one body's size of each.
 [[nodiscard]] Case general_bodies(Stream& stream);
 
-/// The same, one in four with a few special values and relations (features/compose.hpp).
+/// Two bodies as in `general_bodies`, with friction. One case in four has a few special values and relations
+/// (features/compose.hpp).
 [[nodiscard]] Case sprinkled_bodies(Stream& stream);
 
-/// Two convex bodies of uniform density, ellipsoids and polyhedra, the contact in or on both, approaching.
+/// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is in or on both.
 [[nodiscard]] Case convex_bodies(Stream& stream);
 
-/// Two spheres that touch: r_A × N = r_B × N = 0 exactly, approaching.
+/// Two approaching spheres that touch: r_A × N = r_B × N = 0 exactly.
 [[nodiscard]] Case touching_spheres(Stream& stream);
 
 }  // namespace carom::properties

@@ -6,7 +6,7 @@
 namespace carom::properties {
 namespace {
 
-/// Draws with these answers, and notes them.
+/// Draws a case with these answers, and records them.
 template <class Answer>
 ChosenCase noted(const Draw& draw, Answer answer) {
   ChosenCase chosen;

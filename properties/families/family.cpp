@@ -27,7 +27,7 @@ Case generic(Stream& stream) {
   return result;
 }
 
-/// V = −s N, exactly where the bodies do not spin, up to rounding where they do.
+/// V = −s N, exactly if the bodies do not spin, otherwise up to rounding.
 Case head_on(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -56,7 +56,7 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
-/// Touching spheres; at times one against a wall, and at times head-on without spin, so that outcomes vanish at ε = 0.
+/// Touching spheres. At times one is a wall. At times they meet head-on without spin, so that outcomes vanish at ε = 0.
 Case collinear_spheres(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;
@@ -140,7 +140,7 @@ Case mass_ratio(Stream& stream) {
   return result;
 }
 
-/// Both masses in another unit, so to speak: what a determinant or an absolute threshold does not survive.
+/// Both masses are scaled, as by another unit of mass. Determinants and absolute thresholds fail here.
 Case mass_scale(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, 12);
@@ -191,7 +191,7 @@ Case both_immovable(Stream& stream) {
   return result;
 }
 
-/// The contact at the centre of mass of one body or of both.
+/// The contact is at the centre of mass of one body or of both.
 Case zero_lever(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -229,7 +229,7 @@ Case common_velocity(Stream& stream) {
   return result;
 }
 
-/// Spins that dwarf the velocities, so that the approach comes of w × r.
+/// Angular velocities that dwarf the velocities, so that the approach comes from w × r.
 Case fast_spin(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;

@@ -10,8 +10,7 @@
 namespace carom::properties {
 namespace {
 
-/// How fast the contact point of a body moves after a unit impulse at it along an axis: that column of
-/// 1/m + [r]ᵀ J⁻¹ [r].
+/// The velocity of a body's contact point after a unit impulse there along this axis: a column of I/m + [r]ᵀ J⁻¹ [r].
 Vector3<double> mobility(const Body& body, const Vector3<double>& point, const Vector3<double>& axis) {
   if (body.immovable) {
     return Vector3<double>::Zero();
@@ -22,7 +21,7 @@ Vector3<double> mobility(const Body& body, const Vector3<double>& point, const V
   return axis / body.mass + cross(spin, arm);
 }
 
-/// Two bodies or one and a wall, with μ and e_t.
+/// Two bodies, or a body and a wall, with μ and e_t.
 Case rubbing_bodies(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   if (stream.chance(3)) {
@@ -66,7 +65,7 @@ Columns mobility(const Collision& c) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
-/// The μ at which an impulse lies on the cone's surface; 1 where there is none.
+/// The μ at which an impulse lies on the surface of the friction cone; 1 if there is none.
 double friction_of(const Vector3<double>& n, const Vector3<double>& impulse) {
   const double friction = length(cross(n, impulse)) / dot(n, impulse);
   return std::isfinite(friction) && friction > 0 ? friction : 1;
@@ -133,7 +132,7 @@ Case great_friction(Stream& stream) {
   return result;
 }
 
-/// Spheres of which the spins alone make the contact slip; at times one of them and a wall.
+/// Spheres whose spins alone make the contact slip. At times one of them is a wall.
 Case spin_alone(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;

@@ -3,17 +3,20 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The families of friction: where the impulse that would do all of what a law asks for lies to the cone.
+/// The families of friction. They vary the position, relative to the friction cone, of the impulse that a law would
+/// apply without the cone.
 namespace carom::properties {
 
 /// Sets μ, mostly below 1, and e_t.
 void set_friction(Stream& stream, Collision& collision);
 
-/// The μ at which that impulse lies on the cone's surface, rounded; 1 where there is none.
+/// The μ at which the impulse of the law `rough` without the cone lies on the cone's surface, rounded; 1 if there is
+/// none. This impulse is (1 + ε) times the normal impulse that stops the approach, plus (1 + e_t) times the impulse
+/// that then stops the contact point.
 [[nodiscard]] double critical_friction(const Collision& collision);
 
-/// The μ at which the impulse that stops the contact point, but for ε, lies on the cone's surface, rounded; 1 where
-/// there is none. Below it the law `coulomb` slips.
+/// The μ at which the impulse of the law `sticking` lies on the cone's surface, rounded; 1 if there is none. It leaves
+/// the contact point only the normal velocity −ε N·V⁻. Below this μ the law `coulomb` slips.
 [[nodiscard]] double friction_that_sticks(const Collision& collision);
 
 [[nodiscard]] Case sticking(Stream& stream);

@@ -5,8 +5,8 @@
 
 namespace carom::properties {
 
-/// A general collision with one field made invalid: each number in turn not finite, and each field that has a range
-/// outside of it.
+/// A general collision with one invalid field: a random number is not finite, or a random field with a range is outside
+/// of it.
 [[nodiscard]] Case invalid(Stream& stream);
 
 }  // namespace carom::properties

@@ -13,14 +13,14 @@ using oracles::Rational;
 using IntegerVector = Vector3<std::int64_t>;
 using IntegerMatrix = Matrix3<std::int64_t>;
 
-/// Integrals over a polyhedron, as the integers that they are: 6 ∫1, 24 ∫x, 120 ∫x xᵀ.
+/// Integrals over a polyhedron, scaled to integers: 6 ∫1, 24 ∫x, 120 ∫x xᵀ.
 struct Integrals {
   std::int64_t volume = 0;
   IntegerVector first = IntegerVector::Zero();
   IntegerMatrix second = IntegerMatrix::Zero();
 };
 
-/// Adds the tetrahedron over a face, with its apex at the origin; signed, so that any origin will do.
+/// Adds the tetrahedron over a face with its apex at the origin. Its volume has a sign, so that any origin works.
 void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
   const std::int64_t determinant = a.dot(b.cross(c));
   const IntegerVector sum = a + b + c;
@@ -29,8 +29,8 @@ void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const Integer
   integrals.second += determinant * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
 }
 
-/// The integrals over the hull: a triangle is a face where all other points lie on one side of it. Volume 0 where four
-/// points share a plane, since faces with more than three corners would be counted more than once.
+/// The integrals over the hull. A triangle is a face if all other points lie on one side of it. The volume is 0 if four
+/// points share a plane, because faces with more than three corners would count more than once.
 Integrals integrals_of_hull(const std::vector<IntegerVector>& points) {
   Integrals integrals;
   const std::size_t n = points.size();

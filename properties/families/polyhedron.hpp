@@ -8,15 +8,15 @@
 
 namespace carom::properties {
 
-/// A convex body in axes in which its inertia is diagonal, with the centre of mass at the origin.
+/// A convex body in axes that make its inertia diagonal, with the centre of mass at the origin.
 struct PrincipalShape {
   Vector3<double> second_moments;  // the diagonal of S = (1/vol) ∫ x xᵀ, each correct to the last place [m²]
   Vector3<double> point;           // a point of the body [m]
 };
 
-/// A random convex polyhedron, the hull of 4 to 8 integer points. Its second moments S are rational; with S = L D Lᵀ
-/// the shear L⁻¹ takes it to a convex polyhedron whose second moments are D: exact mass properties without an
-/// eigenproblem.
+/// A random convex polyhedron. It starts from the hull of 4 to 8 integer points, whose second moments S are rational.
+/// With S = L D Lᵀ, the shear L⁻¹ maps the hull to a convex polyhedron with second moments D. So its mass properties
+/// are exact without an eigenvalue problem.
 [[nodiscard]] PrincipalShape random_polyhedron(Stream& stream);
 
 }  // namespace carom::properties

@@ -32,7 +32,7 @@ Collision two_spheres(double radius_a, double radius_b) {
   return c;
 }
 
-/// Both moving towards the contact with this speed.
+/// Both spheres move towards the contact with this speed [m/s].
 Collision two_equal_spheres(double radius, double speed) {
   Collision c = two_spheres(radius, radius);
   c.a.velocity = {0, -speed, 0};
@@ -40,7 +40,8 @@ Collision two_equal_spheres(double radius, double speed) {
   return c;
 }
 
-/// The velocity of this speed at an angle of incidence θ, by tan(θ/2): rational, and so the same on every machine.
+/// The velocity with this speed [m/s] and the angle of incidence θ, given by tan(θ/2). It is rational, so it is the
+/// same on every machine.
 Vector3<double> oblique(double speed, double tangent_of_half) {
   const double squared = tangent_of_half * tangent_of_half;
   return {speed * (2 * tangent_of_half / (1 + squared)), -speed * ((1 - squared) / (1 + squared)), 0};

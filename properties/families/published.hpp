@@ -3,22 +3,27 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Impacts that others have published, with rigid-body answers that can be written down.
+/// Published benchmark impacts whose rigid-body answers have a closed form.
 namespace carom::properties {
 
 inline constexpr int chung_ooi_count = 8;
 
-/// The benchmark impact of that number, 1 to 8, of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element
-/// modelling codes at particle impact level", Granular Matter 13, 2011, its varied quantity drawn: spheres of uniform
-/// density (2700 kg/m³: no velocity depends on it) that meet, or a plane y = 0 below one; e_t = 0.
+/// The benchmark impact with this number, 1 to 8, of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element
+/// modelling codes at particle impact level", Granular Matter 13, 2011. The quantity that the benchmark varies is
+/// drawn. Two spheres of uniform density meet, or one meets a plane y = 0 below it. The density is 2700 kg/m³; no
+/// velocity depends on it. e_t = 0. Throws std::invalid_argument for another number.
 ///
-///   1 two equal spheres, head-on             5 oblique, of one normal velocity
-///   2 a sphere on the plane, normally, ε = 1 6 spinning, on the plane
-///   3 the same with any ε                    7 two spheres of opposite equal spins
-///   4 oblique, of one speed                  8 two spheres of different sizes and spins
+///   1: Two equal spheres, head-on.
+///   2: A sphere on the plane, normally, ε = 1.
+///   3: A sphere on the plane, normally, any ε.
+///   4: A sphere on the plane, obliquely, at one speed.
+///   5: A sphere on the plane, obliquely, at one normal velocity.
+///   6: A spinning sphere on the plane.
+///   7: Two spheres with opposite equal spins.
+///   8: Two spheres with different sizes and spins.
 [[nodiscard]] Case chung_ooi_impact(int number, Stream& stream);
 
-/// One of them.
+/// One of the eight impacts, at random.
 [[nodiscard]] Case chung_ooi(Stream& stream);
 
 }  // namespace carom::properties

@@ -12,8 +12,8 @@
 namespace carom::properties {
 namespace {
 
-/// One movable body with J = j I: the eigenvalues of K are then 1/m along r and 1/m + ‖r‖²/j across it, so that
-/// κ(K) = 1 + m ‖r‖²/j.
+/// One movable body with J = j I. The eigenvalues of K are 1/m along r and 1/m + ‖r‖²/j across it, so κ(K) = 1 + m
+/// ‖r‖²/j.
 Collision condition_number(Stream& stream, double condition) {
   Collision c = general_bodies(stream).collision;
   make_immovable(c.b);
@@ -64,8 +64,8 @@ Collision distance(Stream& stream, double metres) {
   return c;
 }
 
-/// A rod, its moments 1 : ratio : ratio, struck at its end, or beside its middle at as much of its length as it is
-/// thin.
+/// A rod with moments 1 : ratio : ratio. The contact is at half to all of the rod's length from its centre, and off its
+/// axis by at most about its thickness.
 Collision slenderness(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const double thinness = 1 / std::sqrt(ratio);
@@ -79,7 +79,7 @@ Collision slenderness(Stream& stream, double ratio) {
   return c;
 }
 
-/// One moment of a body over the sum of the two others: from 1 on there is no such body.
+/// One moment of a body is `excess` times the sum of the two others. Above 1, no body has such moments.
 Collision moments_of_no_body(Stream& stream, double excess) {
   Collision c = general_bodies(stream).collision;
   set_moment_excess(stream, c.a, excess);
@@ -88,7 +88,7 @@ Collision moments_of_no_body(Stream& stream, double excess) {
   return c;
 }
 
-/// Both bodies, and the places and velocities that go with them, so many times as large.
+/// Both bodies, their positions and their velocities, scaled by `ratio`.
 Collision size(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   c.point *= ratio;
@@ -100,7 +100,7 @@ Collision size(Stream& stream, double ratio) {
   return c;
 }
 
-/// Body A so many times as large, of the same density.
+/// Body A scaled by `ratio`, with the same density.
 Collision size_ratio(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const Vector3<double> lever_arm = c.point - c.a.position;

@@ -10,11 +10,11 @@
 
 namespace carom::properties {
 
-/// A distribution of colliding contacts with one quantity that is set: 10^k, from one exponent to another. Where a
-/// family asks whether a method holds, a sweep shows how far it does.
+/// A distribution of colliding contacts with one quantity that is set to 10^k, from one exponent to another. A family
+/// tests whether a method holds. A sweep shows up to which value it holds.
 struct Sweep {
   std::string_view name;
-  std::string_view quantity;  // as an axis is labelled
+  std::string_view quantity;  // the label of an axis
   std::string_view summary;
   int first_exponent;  // of the easy end
   int last_exponent;   // of the hard end; may be the smaller one
@@ -23,7 +23,7 @@ struct Sweep {
   /// 10^k, from the easy end to the hard one.
   [[nodiscard]] std::vector<double> quantities() const;
 
-  /// With friction and a tangential restitution, as families have them.
+  /// A collision at this quantity, with the friction and tangential restitution of families.
   [[nodiscard]] Collision generate(Stream& stream, double at_quantity) const;
 };
 

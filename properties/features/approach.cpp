@@ -10,13 +10,14 @@ namespace {
 
 using V = Vector3<double>;
 
-/// V⁻ in the plane of the normal and across it: v_n and v_t times the length of the normal.
+/// |N·V⁻| and ‖N × V⁻‖: v_n and v_t times the length of the normal.
 struct Parts {
   double normal;
   double tangential;
 };
 
-/// Small beside the other part, and not zero: below √u, so that its square is lost in the other's.
+/// Whether a part is positive, but less than √u times the other part, so that rounding loses its square beside the
+/// other's.
 bool is_slight(double part, double other) {
   constexpr double slight = 1e-8;
   return part > 0 && part < slight * other;
@@ -27,7 +28,8 @@ Parts parts_of(const Collision& c) {
   return {std::abs(dot(c.normal, v)), length(cross(c.normal, v))};
 }
 
-/// Makes the spins turn no contact point: V⁻ is then v_A − v_B, without rounding of a cross product.
+/// Turns the spins along the lever arms, so that they do not move the contact points. Then V⁻ = v_A − v_B, without the
+/// rounding of a cross product.
 void spin_along_lever_arms(Collision& c) {
   for (Body* b : {&c.a, &c.b}) {
     if (!is_zero(b->angular_velocity) && !is_zero(lever_arm(c, *b))) {
@@ -36,7 +38,7 @@ void spin_along_lever_arms(Collision& c) {
   }
 }
 
-/// v_A = v_B + V, by the velocity of either, all of few bits.
+/// Sets V by the velocity of one body. The other velocity is rounded to few bits, so that the sum is exact.
 void set_approach(Stream& stream, Collision& c, const V& relative) {
   spin_along_lever_arms(c);
   if (stream.chance(2)) {
@@ -48,10 +50,11 @@ void set_approach(Stream& stream, Collision& c, const V& relative) {
   }
 }
 
-/// Puts one body to rest, so that the smaller parts of V are not lost beside its velocity.
+/// Sets the velocity of one body to zero, so that it does not swamp the smaller parts of V.
 void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).velocity.setZero(); }
 
-/// V = −N s + (N × r) s δ by the spin of A alone: (N × r) × r = −N r² where r is across N.
+/// Sets V to s (−N + δ N × r / ‖r‖), with δ about `across`, by the spin of A alone. For r orthogonal to N, (N × r) × r
+/// = −N r².
 void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
   const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
@@ -159,7 +162,7 @@ std::vector<Feature> of_approach() {
           [](Stream& stream, Collision& c) {
             make_movable(stream, c, c.a);
             make_movable(stream, c, c.b);
-            // Of masses that are powers of two the quotient is exact.
+            // With powers of two as masses, the quotient is exact.
             for (Body* b : {&c.a, &c.b}) {
               int exponent = 0;
               std::frexp(b->mass, &exponent);

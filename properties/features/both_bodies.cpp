@@ -16,7 +16,7 @@ void make_both_movable(Stream& stream, Collision& c) {
   make_movable(stream, c, c.b);
 }
 
-/// Gives B the moments of A, and a lever arm that goes with them.
+/// Gives B the moments of A, and scales B's lever arm by a power of two near the change of its radius of gyration.
 void take_moments(Collision& c) {
   const double size = radius_of_gyration(c.b);
   c.b.principal_inertia = c.a.principal_inertia;
@@ -25,7 +25,7 @@ void take_moments(Collision& c) {
   set_lever_arm(c, c.b, lever_arm(c, c.b) * std::ldexp(1.0, exponent - 1));
 }
 
-/// Sets one vector to the other times `sign`; where both are zero, both by `otherwise`.
+/// Sets one vector to the other times `sign`. If both are zero, the other first becomes `otherwise`.
 void relate(Stream& stream, V& x, V& y, double sign, const V& otherwise) {
   V& follows = is_zero(x) || (!is_zero(y) && stream.chance(2)) ? x : y;
   V& leads = &follows == &x ? y : x;
@@ -35,7 +35,7 @@ void relate(Stream& stream, V& x, V& y, double sign, const V& otherwise) {
   follows = leads * sign;
 }
 
-/// One of both lever arms, mostly the shorter, or one along the normal where that is zero.
+/// One of the two lever arms, mostly the shorter. If it is zero, a short vector along the normal.
 V one_lever_arm(Stream& stream, const Collision& c) {
   const V of_a = lever_arm(c, c.a);
   const V of_b = lever_arm(c, c.b);
@@ -53,8 +53,8 @@ V rounded(const V& v) {
   return v.unaryExpr(whole);
 }
 
-/// Every number rounded to a whole one. A body lighter than a kilogram, or smaller than a metre, grows; where the
-/// contact is at its centre of mass it becomes heavy instead.
+/// Rounds every number of the body to an integer. A body lighter than 1 kg, or smaller than 1 m, grows. If the contact
+/// is at its centre of mass, a small body becomes heavy instead.
 void make_whole_body(Stream& stream, Collision& c, Body& b) {
   const V r = rounded(lever_arm(c, b));
   b.position = rounded(c.point) - r;
@@ -81,7 +81,7 @@ void make_whole(Stream& stream, Collision& c) {
   c.point = rounded(c.point);
   c.normal = rounded(c.normal * std::max(1.0, 8 / size_of(c.normal)));
   if (stream.chance(4)) {
-    // A whole normal that a whole velocity hardly has a part along.
+    // A normal and a velocity with integer components that are almost orthogonal.
     const int across = stream.integer(0, 2);
     c.normal.setZero();
     c.normal[across] = stream.power_of_two(1, 33);
@@ -96,7 +96,7 @@ void make_whole(Stream& stream, Collision& c) {
   c.tangential_restitution = std::round(c.tangential_restitution);
 }
 
-/// Everything in the plane z = 0, as a two-dimensional engine has it.
+/// Puts everything into the plane z = 0, as in a two-dimensional engine.
 void make_planar(Stream& stream, Collision& c) {
   if (c.normal[0] == 0 && c.normal[1] == 0) {
     c.normal[stream.integer(0, 1)] = size_of(c.normal);

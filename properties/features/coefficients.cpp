@@ -22,7 +22,7 @@ Feature exactly(const char* name, Coefficient coefficient, double value, const c
           std::move(limits)};
 }
 
-/// Strictly between two values.
+/// A feature: the coefficient is strictly between two values.
 Feature between(const char* name, Coefficient coefficient, double low, double high, const char* statement,
                 const char* why, Limits limits) {
   return {name,

@@ -24,7 +24,7 @@ const std::vector<const Feature*>& values_and_relations() {
   return chosen;
 }
 
-/// What is seldom together with others unless it is asked for.
+/// The features that seldom occur together with others unless they are chosen for it.
 const std::vector<const Feature*>& ratios_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
@@ -48,10 +48,10 @@ void reverse_if_separating(Stream& stream, Collision& c) {
   }
 }
 
-/// Of the domain: lengths [m], speeds and spins, and a little room.
+/// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: a little beyond the domain.
 constexpr double largest_number = 1e11;
 
-/// Puts the contact on the surface of the body, at times: 1 to 2 radii of gyration from its centre.
+/// At times, puts the contact on the surface of the body: 1 to 2 radii of gyration from its centre.
 void draw_surface(Stream& stream, Collision& c, Body& body) {
   const Vector3<double> r = features::lever_arm(c, body);
   if (!body.immovable && !features::is_zero(r) && stream.chance(4)) {
@@ -60,11 +60,11 @@ void draw_surface(Stream& stream, Collision& c, Body& body) {
   }
 }
 
-/// Each quantity in a decade of its own choice, lever arms within their bodies.
+/// Draws a decade for each quantity independently, but keeps lever arms within their bodies.
 void draw_magnitudes(Stream& stream, Collision& c) {
   const std::span<const Feature> all = all_features();
-  std::uint64_t size = 0;  // which decade of its quantity was drawn last
-  // The features of a quantity stand together.
+  std::uint64_t size = 0;  // the place of the decade that was drawn for the size of the body
+  // The features of a quantity are adjacent in the list.
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
@@ -74,7 +74,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
       if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
       } else if (first->drawn_by == DrawnBy::lever_arm) {
-        // As long as the body, or much shorter.
+        // As long as the body, or shorter.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
       first[static_cast<std::ptrdiff_t>(chosen)].make(stream, c);
@@ -82,7 +82,8 @@ void draw_magnitudes(Stream& stream, Collision& c) {
     first = last;
   }
   if (!stream.chance(2)) {
-    // No farther from the origin than the bodies are long, so that binary32 holds the lever arms too.
+    // Puts the contact about as far from the origin as the shorter lever arm is long, so that binary32 holds the lever
+    // arms too.
     const double shortest =
         std::min(features::size_of(features::lever_arm(c, c.a)), features::size_of(features::lever_arm(c, c.b)));
     const Vector3<double> place = features::with_few_bits(c.point) * (shortest / features::size_of(c.point));
@@ -93,12 +94,13 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   }
 }
 
-/// No contact far outside of a body: K would have no bound, and no solver digits to lose for that.
+/// Prevents contacts far outside a body. Otherwise K is arbitrarily ill-conditioned and every solver loses all digits.
 void keep_contact_on_bodies(Stream& stream, Collision& c) {
   for (Body* body : {&c.a, &c.b}) {
     double overreach = features::overreach(c, *body);
     if (overreach > 1 && overreach * features::radius_of_gyration(*body) > largest_number) {
-      // Struck at its end: a slender body grows by more than it is long.
+      // Moves the contact to the end of the body. Enlarged moments alone would take the size of a slender body out of
+      // the domain.
       const double lever_arm = length(features::lever_arm(c, *body));
       features::set_lever_arm(c, *body, features::long_axis(*body) * lever_arm);
       overreach = features::overreach(c, *body);
@@ -126,8 +128,8 @@ bool make_both(Stream& stream, Collision& collision, const Feature& first, const
 
 namespace {
 
-/// Whether masses, sizes and speeds are within the domain that is promised, 10⁻⁹ to 10¹⁰ in SI units, and a little
-/// room.
+/// Whether masses are within the promised domain, 10⁻⁹ to 10¹⁰ kg, and lengths, sizes and speeds at most
+/// `largest_number`.
 bool is_in_domain(const Collision& c) {
   bool is_within = length(c.point) <= largest_number;
   for (const Body* body : {&c.a, &c.b}) {
@@ -139,7 +141,7 @@ bool is_in_domain(const Collision& c) {
   return is_within;
 }
 
-/// What is parallel is so exactly, and not for solvers of this precision alone.
+/// Makes parallel vectors parallel exactly, not only after rounding to binary64.
 void make_parallels_exact(Stream& stream, Collision& c) {
   for (const Body* body : {&c.a, &c.b}) {
     const Vector3<double> r = features::lever_arm(c, *body);

@@ -3,17 +3,18 @@
 
 #include <carom/properties/features/feature.hpp>
 
-/// Collisions that are made to have features.
+/// Collisions that get features.
 namespace carom::properties {
 
-/// A collision whose magnitudes are drawn from all decades that the features list, and that has some special values and
-/// relations besides; colliding, where the ones that were drawn allow it.
+/// A collision whose magnitudes are drawn from all decades that the features list. It also has some special values and
+/// relations. It collides if the drawn features allow it.
 [[nodiscard]] Collision structured_collision(Stream& stream);
 
-/// Gives the collision a few special values and relations, at times; it stays approaching where it is.
+/// Gives one collision in four a few special values and relations. An approaching collision stays approaching.
 void sprinkle(Stream& stream, Collision& collision);
 
-/// One after the other, and again what the later ones undid. True where both are present in the end.
+/// Makes both features in turn, and again if one undoes the other, at most four times. Returns whether both are present
+/// at the end.
 bool make_both(Stream& stream, Collision& collision, const Feature& first, const Feature& second);
 
 }  // namespace carom::properties

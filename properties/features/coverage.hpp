@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Which features, and which pairs of them, collisions had. Where nothing collides no law acts, so those are left out.
-/// Its size does not depend on how many were added.
+/// The features, and the pairs of features, that colliding contacts had. Other contacts do not count, because no law
+/// acts on them. Its size does not depend on the number of collisions.
 class FeatureCoverage {
  public:
   struct Pair {
@@ -21,20 +21,21 @@ class FeatureCoverage {
 
   FeatureCoverage();
 
-  /// `present`: the places of its features. Precondition: the collision is valid, and colliding.
+  /// Adds a collision with the features at these places in all_features(), ascending. Precondition: the collision is
+  /// valid and colliding.
   void add(std::span<const std::uint16_t> present);
 
-  /// Of what a report says: how many collisions had each feature, and which pairs none had. How many had a pair is not
-  /// known: one is counted. Precondition: a count for each feature.
+  /// The coverage that a report holds: the count of each feature, and the pairs that no collision had. The count of any
+  /// other pair is unknown and becomes 1. Precondition: one count for each feature.
   [[nodiscard]] static FeatureCoverage reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
 
-  /// Collisions that had this feature, by its place in all_features().
+  /// The number of collisions with this feature, given by its place in all_features().
   [[nodiscard]] std::uint64_t count(std::size_t feature) const { return singles_[feature]; }
   [[nodiscard]] std::uint64_t count(std::size_t x, std::size_t y) const;
 
-  /// Pairs that can be, and those of them that were.
+  /// The number of pairs that are possible, and of those that occurred.
   [[nodiscard]] std::uint64_t feasible_pairs() const;
   [[nodiscard]] std::uint64_t met_pairs() const;
 
@@ -43,16 +44,16 @@ class FeatureCoverage {
 
  private:
   std::vector<std::uint64_t> singles_;
-  std::vector<std::uint64_t> pairs_;  // of x < y at x · features + y
+  std::vector<std::uint64_t> pairs_;  // the pair x < y is at x · (number of features) + y
 };
 
-/// The places in all_features() of those that a valid collision has, ascending.
+/// The places in all_features() of the features of a valid collision, ascending.
 [[nodiscard]] std::vector<std::uint16_t> feature_places_of(const Collision& collision);
 
 /// The features that a valid collision has, in the order of the list.
 [[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);
 
-/// Whether a collision can have both, by their places in all_features(): `why_infeasible`, remembered.
+/// Whether a collision can have both features, given by their places in all_features(). Caches `why_infeasible`.
 [[nodiscard]] bool is_feasible(std::size_t x, std::size_t y);
 
 }  // namespace carom::properties

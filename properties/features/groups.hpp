@@ -5,7 +5,7 @@
 
 #include <carom/properties/features/feature.hpp>
 
-/// The groups that the catalogue is put together from, a file each.
+/// The groups of the catalogue, one file each.
 namespace carom::properties::features {
 
 [[nodiscard]] std::vector<Feature> of_orientation();
@@ -18,18 +18,18 @@ namespace carom::properties::features {
 [[nodiscard]] std::vector<Feature> of_approach();
 [[nodiscard]] std::vector<Feature> magnitudes();
 
-/// Why a feature is in some decades alone.
+/// Reasons for the decades that a feature allows.
 inline constexpr std::string_view zero_is_in_no_decade = "what is zero is in no decade";
 inline constexpr std::string_view is_that_number = "it is that very number";
 inline constexpr std::string_view ratio_is_one = "the ratio is 1";
 inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10¹⁰ kg";
 
-/// A relation between the bodies, or of both to the contact.
+/// A relation between the bodies, or between both and the contact.
 [[nodiscard]] Feature pair_relation(const char* name, const char* statement, const char* why,
                                     bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&),
                                     Limits limits = {});
 
-/// A feature of one body, to be listed for A and for B.
+/// A feature of one body. The catalogue lists it for A and for B.
 struct BodyFeature {
   const char* name;
   FeatureKind kind;
@@ -42,7 +42,7 @@ struct BodyFeature {
   bool makes_immovable = false;
 };
 
-/// "a.NAME" and "b.NAME".
+/// Each feature as "a.NAME" and "b.NAME".
 [[nodiscard]] std::vector<Feature> for_both(const std::vector<BodyFeature>& features);
 
 }  // namespace carom::properties::features

@@ -6,7 +6,7 @@
 namespace carom::properties {
 namespace {
 
-/// So many pairs of features are held against all patterns that nothing is allocated.
+/// Allocates nothing, because it runs for all pairs of features and all patterns.
 bool matches(std::string_view name, NamePattern pattern, char body) {
   if (pattern.starts_with("X.") || pattern.starts_with("Y.")) {
     const bool is_a = !name.empty() && name[0] == 'a';

@@ -7,7 +7,7 @@
 
 namespace carom::properties {
 
-/// Why no colliding contact of real bodies has both features; empty where one can have them.
+/// The reason why no colliding contact of real bodies has both features; empty if one can have both.
 [[nodiscard]] std::string_view why_infeasible(const Feature& x, const Feature& y);
 
 }  // namespace carom::properties

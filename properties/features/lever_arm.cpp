@@ -7,7 +7,7 @@ namespace {
 
 using V = Vector3<double>;
 
-/// The lever arm along or across this direction, at about its length.
+/// Turns the lever arm along this direction and keeps about its length. Does nothing if the direction is zero.
 void turn_along(Collision& c, Body& b, const V& direction) {
   if (!is_zero(direction)) {
     set_exact_lever_arm(c, b, turned_along(lever_arm(c, b), with_few_bits(direction)));

@@ -14,7 +14,7 @@ namespace {
 
 using V = Vector3<double>;
 
-/// Something of which a collision has one positive number, or none (0): listed by decades.
+/// A quantity that is one positive number for a collision, or 0 if the collision has none. It is listed by decades.
 struct Quantity {
   std::string name;
   std::string statement;  // "the mass of A [kg]"
@@ -30,8 +30,8 @@ struct Quantity {
   char body = 0;
 };
 
-/// Of two bodies with the same moments: such masses that their sizes have this ratio. False where these would leave
-/// their domain.
+/// Sets masses of two bodies with the same moments so that their sizes have this ratio. Returns false if the moments
+/// differ, or if the masses would leave their domain.
 bool set_size_ratio_by_masses(Collision& c, double ratio) {
   const double lighter = least_mass * 1.5;
   if (c.a.principal_inertia != c.b.principal_inertia || lighter * ratio * ratio >= largest_mass) {
@@ -45,15 +45,15 @@ bool set_size_ratio_by_masses(Collision& c, double ratio) {
   return true;
 }
 
-/// Scales the body, and its lever arm with it.
+/// Scales the body to this radius of gyration, and its lever arm with it.
 void set_size(Collision& c, Body& b, double size) {
   const double ratio = size / radius_of_gyration(b);
   b.principal_inertia *= ratio * ratio;
   set_lever_arm(c, b, lever_arm(c, b) * ratio);
 }
 
-/// Changes the lesser moments so that the greatest is so many times the least. What is whole, flat, or has two moments
-/// equal stays so, and no moment exceeds the sum of the others.
+/// Changes the moments so that the greatest is about `ratio` times the least. Whole moments stay whole, and flat bodies
+/// flat. Two equal moments stay equal. No moment exceeds the sum of the others.
 void set_moment_ratio(V& moments, double ratio) {
   const auto is_whole = [](double x) { return x == std::floor(x); };
   const bool is_of_whole = is_whole(moments[0]) && is_whole(moments[1]) && is_whole(moments[2]);
@@ -137,7 +137,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          }
          const double beyond = overreach(c, b);
          if (beyond > 1) {
-           // Struck at its end, or beside its middle.
+           // Moves the contact to the end of the body, or closer to its centre.
            const V r = lever_arm(c, b);
            set_lever_arm(c, b, stream.chance(4) ? V(r / beyond) : V(long_axis(b) * length(r)));
          }
@@ -191,7 +191,7 @@ std::vector<Quantity> quantities() {
                  [](Stream& stream, Collision& c, double value) {
                    V of_a = lever_arm(c, c.a);
                    V of_b = lever_arm(c, c.b);
-                   const bool along_axis = stream.chance(3);  // lever arms across it keep all their digits
+                   const bool along_axis = stream.chance(3);  // lever arms orthogonal to it keep all their digits
                    const int axis = stream.integer(0, 2);
                    if (along_axis) {
                      c.point = V::Unit(axis);
@@ -233,7 +233,7 @@ std::vector<Quantity> quantities() {
 }
 
 Feature decade_of(const Quantity& quantity, int k) {
-  // Well inside the decade, so that no rounding leads out of it.
+  // `make` chooses a value well inside the decade, so that rounding cannot move it out.
   const double low = power_of_ten(k);
   const double high = power_of_ten(k + 1);
   return {fmt::format("{}_1e{}", quantity.name, k),

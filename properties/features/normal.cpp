@@ -12,7 +12,7 @@ using V = Vector3<double>;
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// The part of the normal's length that lies along its largest component: 1 − this is how far it is off the axis.
+/// Whether the normal is at most about 2⁻¹⁰ rad off this half-axis, and not exactly along it.
 bool is_near(const V& n, int axis, double sign) {
   const double squared_rest = squared_length(n) - n[axis] * n[axis];
   return !is_zero(n) && n[axis] * sign > 0 && squared_rest > 0 && squared_rest <= 0x1p-20 * n[axis] * n[axis];

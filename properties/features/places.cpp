@@ -7,14 +7,14 @@
 namespace carom::properties::features {
 namespace {
 
-/// a b = c d, exactly but for underflow: of a product rounding leaves what std::fma finds.
+/// Whether a b = c d exactly, except for underflow. std::fma gives the rounding error of each product.
 bool same_product(double a, double b, double c, double d) {
   const double left = a * b;
   const double right = c * d;
   return left == right && std::fma(a, b, -left) == std::fma(c, d, -right);
 }
 
-/// x − y = difference, exactly (O. Møller, BIT 5, 1965: the error of a sum is a number).
+/// Whether x − y = difference exactly (O. Møller, BIT 5, 1965: the rounding error of a sum is a floating-point number).
 bool is_difference(double x, double y, double difference) {
   const double computed = x - y;
   const double of_y = computed - x;

@@ -8,7 +8,7 @@
 namespace carom::properties {
 namespace {
 
-/// Of the names of two features.
+/// The beginnings of the names of two groups of features.
 struct Beginnings {
   std::string_view first;
   std::string_view second;

@@ -8,16 +8,17 @@
 
 namespace carom::properties {
 
-/// Features that seldom come together unless they are asked for: one of the first with one of the second.
+/// Features that seldom occur together unless they are chosen together: one of the first with one of the second.
 struct SeldomPair {
   std::vector<const Feature*> first;
   std::vector<const Feature*> second;
 };
 
-/// Every such pair. Each has a feature on both sides.
+/// Every such pair. Neither side is empty.
 [[nodiscard]] const std::vector<SeldomPair>& seldom_together();
 
-/// The features whose names begin so. Throws std::logic_error if there is none: a feature was renamed.
+/// The features whose names begin with this text. Throws std::logic_error if there is none, for example after a feature
+/// is renamed.
 [[nodiscard]] std::vector<const Feature*> features_beginning(std::string_view beginning);
 
 }  // namespace carom::properties

@@ -10,17 +10,18 @@
 
 namespace carom::properties {
 
-/// Where a method stops: of the violations in a family beyond the claimed domain, the one at the least of its quantity.
+/// The limit of a method: of the violations in a family beyond the claimed domain, the one at the least value of the
+/// family's quantity.
 struct Boundary {
   double quantity = 0;
-  std::uint64_t index = 0;  // of the case in its family
+  std::uint64_t index = 0;  // number of the case in its family
   std::string invariant;
 };
 
-/// Keeps the one at the lesser quantity; of equals that of the lesser number.
+/// Keeps the boundary with the lesser quantity; of equal ones, the case with the lesser number.
 void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other);
 
-/// What a judged case says of the boundary: nothing if the family has no quantity, or nothing is violated.
+/// The boundary that a judged case shows; none if the family has no such quantity, or if nothing is violated.
 [[nodiscard]] std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, const Collision& collision,
                                                   const Judgement& judgement);
 

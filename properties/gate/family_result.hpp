@@ -21,7 +21,7 @@ struct Count {
   Count& operator+=(const Count& other);
 };
 
-/// The case of a family that violated an invariant most; of equals the first.
+/// The case of a family with the most serious violation of an invariant; of equal ones, the first.
 struct WorstViolation {
   std::uint64_t index;
   Case original;
@@ -29,45 +29,46 @@ struct WorstViolation {
   Answer answer;
 };
 
-/// A case whose outcome violated something, and the answer to it.
+/// A case whose answer violated an invariant, and the answer.
 struct ViolatedCase {
   std::uint64_t index;
   Case one;
   Answer answer;
 };
 
-/// The first so many violated cases of a family are kept.
+/// The number of violated cases of a family that are kept: the first ones.
 inline constexpr std::size_t most_violated_kept = 12;
 
-/// What came of a subject on a family. It does not grow with the number of cases.
+/// The results of a subject on a family. Its size does not grow with the number of cases.
 struct FamilyResult {
   std::uint64_t cases = 0;
-  std::uint64_t skipped = 0;                    // cases that could not be posed to the subject
+  std::uint64_t skipped = 0;                    // cases that the subject could not take
   UnjudgedCounts unjudged{};                    // valid cases that are not judged, by reason
-  std::uint64_t violated = 0;                   // cases that violated any invariant
+  std::uint64_t violated = 0;                   // cases with a violation of any invariant
   double worst_backward_error = 0;              // ulps
-  std::optional<Boundary> boundary;             // of a family beyond the claimed domain
+  std::optional<Boundary> boundary;             // for a family beyond the claimed domain
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
-  std::uint64_t sampled = 0;                    // cases, the first ones
-  // The numbers of the sampled cases that violated an invariant; ascending, each once, when the run is over.
+  std::uint64_t sampled = 0;                    // number of cases that are sampled: the first ones
+  // The numbers of the sampled cases that violated each invariant. When the run is over, they ascend and each stands
+  // once.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // By their numbers, at most most_violated_kept of each: those whose answer is wrong by itself, and those that only
-  // further questions show.
+  // Violated cases in ascending order of number, at most most_violated_kept of each kind: answers that are wrong alone,
+  // and answers that only further questions show to be wrong.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
 
-  /// Keeps it where it is worse than what is known of the invariant.
+  /// Keeps the violation if it is more serious than the known one of the invariant.
   void keep_if_worst(const std::string& invariant, const WorstViolation& violation);
 
-  /// Adds what came of other cases of the family. The numbers of violated cases are left in any order.
+  /// Adds the results of other cases of the family. The numbers of violated cases stay unordered.
   FamilyResult& operator+=(const FamilyResult& other);
 
   /// Puts the numbers of violated cases in order, each once.
   void order_violated_cases();
 };
 
-/// Keeps it where it is one of the first. Cases may come in any order, and one several times.
+/// Keeps the case if it is one of the first. Cases may come in any order, and the same case several times.
 void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated);
 
 }  // namespace carom::properties

@@ -21,8 +21,8 @@
 namespace carom::properties {
 namespace {
 
-/// Throws std::invalid_argument where the subject deviates from what is no invariant, or in no family: it would claim
-/// all the same.
+/// Throws std::invalid_argument if a deviation of the subject names no invariant or no family. Such a deviation would
+/// have no effect.
 void require_known_deviations(const Subject& subject) {
   for (const std::string& text : subject.deviates) {
     try {
@@ -33,7 +33,7 @@ void require_known_deviations(const Subject& subject) {
   }
 }
 
-/// Until when cases are drawn.
+/// The time limit for drawing cases.
 class Budget {
  public:
   explicit Budget(const GateOptions& options) : of_(options.budget), start_(Clock::now()) {}
@@ -59,7 +59,7 @@ class Budget {
   Clock::time_point start_;
 };
 
-/// How far a run is, told by one thread at a time.
+/// Reports the progress of a run, from one thread at a time.
 class Progress {
  public:
   Progress(const GateOptions& options, const Budget& budget) : options_(options), budget_(budget) {
@@ -90,8 +90,8 @@ class Progress {
   std::uint64_t all_ = 0;
 };
 
-/// The first task in which each subject was found violated, where a run ends there. A task before it is still judged to
-/// its end, so that the first violation is the same however many threads there are.
+/// For each subject, the first task that found a violation, if a run ends there. Earlier tasks are still judged to the
+/// end, so that the first violation does not depend on the number of threads.
 class Finds {
  public:
   explicit Finds(std::size_t subjects) : first_(subjects) {
@@ -112,7 +112,7 @@ class Finds {
   std::vector<std::atomic<std::uint64_t>> first_;
 };
 
-/// A program that hangs is waited for each time, and where it fails is seen by a few.
+/// A few failures show where a subject fails, and each hang costs a timeout.
 constexpr unsigned most_failures = 10;
 
 std::deque<Restarts> restarts_of(std::size_t subjects) {
@@ -123,7 +123,7 @@ std::deque<Restarts> restarts_of(std::size_t subjects) {
   return restarts;
 }
 
-/// What the threads of a run share.
+/// The state that the threads of a run share.
 struct Run {
   const std::vector<Subject>& subjects;
   const std::vector<Claim>& claims;
@@ -142,7 +142,7 @@ struct Sampled {
   SampledCase one;
 };
 
-/// The work of one thread: takes tasks until there are none left.
+/// The work of one thread: it takes tasks until none is left.
 class Worker {
  public:
   explicit Worker(Run& run) : run_(&run), coverage_(run.options.families.size()), tallies_(run.subjects.size()) {
@@ -195,7 +195,7 @@ class Worker {
     return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
   }
 
-  /// A subject that throws is judged no further; what was found of it stays.
+  /// A subject that throws is not judged further. Its results so far stay.
   template <class F>
   void guarded(std::size_t subject, const F& f) {
     if (!tallies_[subject].error.empty()) {
@@ -223,8 +223,8 @@ class Worker {
     }
   }
 
-  /// Whether more cases would tell nothing more of any subject. Without a budget, and where not the first violation
-  /// ends a run, they still tell what the families hold.
+  /// Whether more cases would show nothing new about any subject. A run without a budget and without `fail_fast` goes
+  /// on, because its cases still count in the coverage of the families.
   [[nodiscard]] bool is_over_for_all(std::uint64_t task) const {
     bool is_over = run_->options.budget || run_->options.fail_fast;
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
@@ -267,8 +267,8 @@ class Worker {
     }
   }
 
-  /// Asks again in a session of its own. A subject that was found violated, where its run ends there, is asked nothing
-  /// more, and how its session ends is not judged.
+  /// Asks the remembered cases again in a separate session. A subject whose run ended at its first violation is not
+  /// asked again, and the end of its session is not judged.
   void finish(std::size_t subject) {
     constexpr std::uint64_t after_all_tasks = std::numeric_limits<std::uint64_t>::max() - 1;
     Examinee& examinee = examinees_[subject];
@@ -276,7 +276,7 @@ class Worker {
       try {
         examinee.session.close();
       } catch (const std::exception&) {
-        // It would have been asked no more.
+        // The subject would not have been asked again.
       }
       return;
     }
@@ -302,7 +302,7 @@ std::vector<Worker> workers_of(Run& run) {
   return std::vector<Worker>(std::max(1U, run.options.workers.count), Worker(run));
 }
 
-/// What all workers found of one subject.
+/// The findings of all workers on one subject.
 Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
   Tally tally = workers[0].tallies()[subject];
   for (std::size_t w = 1; w < workers.size(); ++w) {
@@ -323,7 +323,7 @@ Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Cl
   return tally;
 }
 
-/// Poses the families beyond the claimed domain to what could be judged to the end on the others.
+/// Poses the families beyond the claimed domain to the subjects that were judged to the end on the others.
 void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector<Claim>& claims,
                          const GateOptions& options, std::vector<SubjectResult>& results) {
   if (options.beyond_domain.empty() || options.budget || options.fail_fast) {
@@ -414,7 +414,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
         witness = shrunk_witness(result.subject, claims[places[i].subject], witness);
       }
     } catch (const std::exception&) {
-      // The violation stands as it was found.
+      // The witness keeps the violation as it was found.
     }
   });
   report.interrupted = options.stop.stop_requested();

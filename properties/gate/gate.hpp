@@ -8,7 +8,7 @@
 /// Judges subjects on families of collisions.
 namespace carom::properties {
 
-/// Precondition: no subject is absent.
+/// Preconditions: no subject is absent; options with a budget have no shard.
 [[nodiscard]] GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options);
 
 }  // namespace carom::properties

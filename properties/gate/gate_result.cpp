@@ -11,7 +11,7 @@ namespace carom::properties {
 
 namespace {
 
-/// What speaks of the outcomes of colliding contacts.
+/// Invariants that apply to the outcomes of colliding contacts.
 constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum", "angular_momentum",
                                              "restitution",    "non_penetration", "push"};
 
@@ -110,11 +110,12 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     valid += is_of_valid ? judged : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
-  constexpr std::uint64_t one_in = 10;  // cases may be skipped
+  constexpr std::uint64_t one_in = 10;  // cases may be skipped at most
   if (skipped_of_valid * one_in > valid) {
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) + " cases were skipped, more than a tenth";
   }
-  // Of the laws that any model has, each holds of an outcome alone, and none of an untouched one is among these.
+  // Every law claims some of these invariants, and each needs only one outcome. The invariant of untouched contacts is
+  // not among them.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
   const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
   const bool is_of_collisions =

@@ -13,9 +13,8 @@
 
 namespace carom::properties {
 
-/// Counts numbers by the fixed bins of a scale, so that what is kept does not grow with how many there are. Counts are
-/// whole numbers: nothing that is read off them depends on the order in which the numbers came, nor on how they were
-/// divided among threads.
+/// Counts numbers by the fixed bins of a scale, so that its size does not grow with the count. Counts are integers, so
+/// results do not depend on the order of the numbers or their distribution among threads.
 template <class Scale>
 class Histogram {
  public:
@@ -41,8 +40,8 @@ class Histogram {
     return *this;
   }
 
-  /// As `counts()`, `smallest()` and `largest()` of another had it. Preconditions: at most Scale::bins counts; where
-  /// one is not 0, smallest ≤ largest.
+  /// Restores a histogram from the `counts()`, `smallest()` and `largest()` of another. Preconditions: at most
+  /// Scale::bins counts; smallest ≤ largest if any count is not 0.
   [[nodiscard]] static Histogram restored(std::vector<std::uint64_t> counts, double smallest, double largest) {
     CAROM_EXPECTS(counts.size() <= Scale::bins, counts.size());
     Histogram histogram;
@@ -54,20 +53,20 @@ class Histogram {
     return histogram;
   }
 
-  /// Of each bin, up to the last that holds any.
+  /// The count of each bin, up to the last nonempty bin.
   [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
 
-  /// Of the numbers themselves; ∞ and −∞ where there are none.
+  /// The smallest and the largest number added; ∞ and −∞ if there is none.
   [[nodiscard]] double smallest() const { return smallest_; }
   [[nodiscard]] double largest() const { return largest_; }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// Counts that are kept: at most Scale::bins.
+  /// The number of bins that are kept: at most Scale::bins.
   [[nodiscard]] std::size_t bins() const { return counts_.size(); }
 
-  /// The number of that rank, counted from 0 for the smallest: the middle of its bin, and the smallest and the largest
-  /// number themselves. Precondition: rank < size().
+  /// The number of this rank, from 0 for the smallest. It is the middle of its bin; the smallest and the largest number
+  /// are exact. Precondition: rank < size().
   [[nodiscard]] double at(std::uint64_t rank) const {
     CAROM_EXPECTS(rank < size_, rank, size_);
     if (rank == 0 || rank + 1 == size_) {
@@ -81,7 +80,7 @@ class Histogram {
   }
 
  private:
-  std::vector<std::uint64_t> counts_;  // up to the last bin that holds any
+  std::vector<std::uint64_t> counts_;  // up to the last nonempty bin
   std::uint64_t size_ = 0;
   double smallest_ = std::numeric_limits<double>::infinity();
   double largest_ = -std::numeric_limits<double>::infinity();

@@ -8,25 +8,26 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
 
-/// Cases that are looked at closely: what those have in common that violate something says where a subject is wrong.
+/// Sampled cases. The common traits of those that violate an invariant show where a subject is wrong.
 namespace carom::properties {
 
-/// What a sampled case is like.
+/// The traits of a sampled case.
 struct SampledCase {
   bool is_valid = false;
-  oracles::Approach approach = oracles::Approach::inert;  // of a valid one
-  std::vector<std::uint16_t> features = {};               // by their places in all_features(), ascending
-  std::vector<float> quantities = {};                     // decimal logarithms, as all_compared_quantities() has them
+  oracles::Approach approach = oracles::Approach::inert;  // of a valid case
+  std::vector<std::uint16_t> features = {};               // places in all_features(), ascending
+  std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
 };
 
-/// Of each family the first so many cases, times its weight, are sampled.
+/// The number of cases that are sampled in each family, times its weight: the first ones.
 inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] std::uint64_t sampled_of(const Family& family);
 
-/// Of a valid case with these features.
+/// The traits of a case with these features. Precondition: the case is valid.
 [[nodiscard]] SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features);
 
-/// Draws the sampled ones among the first `cases` of the family, by their numbers.
+/// Draws the sampled cases among the first `cases` of the family, in the order of their numbers. Invalid cases stay
+/// default-constructed.
 [[nodiscard]] std::vector<SampledCase> drawn_sample(const Family& family, std::uint64_t seed, std::uint64_t cases);
 
 }  // namespace carom::properties

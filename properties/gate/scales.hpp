@@ -10,14 +10,14 @@
 /// The bins by which the gate counts.
 namespace carom::properties {
 
-/// Correct digits: hundredths from −20 to 40, which stands for exact, so that the middle of a bin is at most 0.005 off,
-/// and rounds to the same tenth as every number inside the bin. What is less, down to the −∞ of an error that is no
-/// number, is in one bin, of which the smallest number speaks.
+/// Numbers of correct digits, in hundredths from −20 to 40. 40 stands for exact. The middle of a bin is at most 0.005
+/// off and rounds to the same tenth as every number in the bin. One more bin holds everything below −20, down to the −∞
+/// of an error that is no number; only its smallest number is reported.
 struct DigitsScale {
   static constexpr int lowest = -20;
   static constexpr int highest = 40;
   static constexpr int of_each = 100;
-  static constexpr std::size_t bins = 2 + (highest - lowest) * of_each;  // two more: what is less, and 40 itself
+  static constexpr std::size_t bins = 2 + (highest - lowest) * of_each;  // two more: below −20, and 40 itself
 
   [[nodiscard]] static std::size_t bin_of(double digits) {
     if (!(digits >= lowest)) {
@@ -34,10 +34,10 @@ struct DigitsScale {
   }
 };
 
-/// Times in nanoseconds, from 2⁻¹⁰ to 2⁵⁴ (half a year): 64 bins an octave, so that the middle of a bin is less than
-/// one in 128 off. What is less or more is in the first bin or the last.
+/// Times in nanoseconds, from 2⁻¹⁰ to 2⁵⁴ (half a year), in 64 bins per octave. The middle of a bin is off by less than
+/// 1/128. The first and the last bin also hold the values below and above.
 struct TimeScale {
-  static constexpr int lowest_exponent = -9;  // of frexp: 2⁻¹⁰ is ½ · 2⁻⁹
+  static constexpr int lowest_exponent = -9;  // of std::frexp: 2⁻¹⁰ is ½ · 2⁻⁹
   static constexpr int octaves = 64;
   static constexpr int of_each = 64;
   static constexpr std::size_t bins = std::size_t{octaves} * of_each;

@@ -11,35 +11,35 @@
 
 namespace carom::properties {
 
-/// Cases of one family, from `first` to before `last`, that are put to a subject at once.
+/// Cases of one family, from `first` up to but not including `last`, that a subject gets at once.
 struct Task {
   std::uint64_t number = 0;  // in the schedule, from 0
-  std::size_t family = 0;    // of the options
-  std::uint64_t first = 0;   // in the order of the family's cases, of a shard those that it has
+  std::size_t family = 0;    // place in the options
+  std::uint64_t first = 0;   // in the order of the family's cases, counting only those of the shard
   std::uint64_t last = 0;
   Shard shard = {};
 
-  /// The number in its family of the task's `i`-th case.
+  /// The number in its family of the task's `i`-th case, from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t i) const { return shard.case_number(first + i); }
 };
 
-/// In which order the cases of a run are put: the families in turn, those first that find most defects soonest, in
-/// turns that double from one case (times the family's weight), so that a defect that shows everywhere is met at once.
-/// Each case stands in one task, whatever the number of threads; these may share a schedule.
+/// The order of the cases in a run. The families take turns; the first families find most defects soonest. Turns grow
+/// from one case by doubling (times the family's weight), so that the first cases show a widespread defect. Each case
+/// is in one task, for any number of threads. Threads may share a schedule.
 class Schedule {
  public:
   explicit Schedule(const GateOptions& options);
 
-  /// None where all cases were given out; with a budget there are always more.
+  /// The next task; none if all cases were handed out. With a budget there is always one.
   [[nodiscard]] std::optional<Task> next();
 
  private:
-  /// Of one family.
+  /// The state of one family.
   struct Place {
     std::size_t family;
     std::uint64_t weight;
     std::uint64_t cases;         // in all
-    std::uint64_t drawn = 0;     // given out
+    std::uint64_t drawn = 0;     // cases handed out so far
     std::uint64_t turn_end = 0;  // `drawn` at the end of its turn
   };
 
@@ -47,8 +47,8 @@ class Schedule {
 
   std::mutex mutex_;
   Shard shard_;
-  std::vector<Place> places_;  // in the order of turns
-  std::size_t turn_ = 0;       // whose turn it is
+  std::vector<Place> places_;  // in the order of the turns
+  std::size_t turn_ = 0;       // place of the family whose turn it is
   std::uint64_t cases_in_turn_ = 1;
   std::uint64_t next_number_ = 0;
 };

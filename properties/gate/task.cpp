@@ -12,12 +12,12 @@
 namespace carom::properties {
 namespace {
 
-constexpr std::uint64_t one_asked_again_of = 10;  // cases
+constexpr std::uint64_t one_asked_again_of = 10;  // one case in this many is asked again
 
-/// Cases of a run that are asked again in a session of their own, about.
+/// About how many cases of a run are asked again in a separate session.
 constexpr std::uint64_t most_remembered = 64;
 
-/// What a session made of a batch: fewer answers than collisions where it failed.
+/// The answers of a session to a batch: fewer than collisions if the session failed.
 struct Batch {
   std::vector<Answer> answers;
   std::exception_ptr failure;
@@ -31,14 +31,14 @@ Batch batch_of(Session& session, std::span<const Collision> collisions) {
   }
 }
 
-/// What a session may not make anything of, to be asked in between.
+/// A collision that no session may answer. It is asked before cases are asked again.
 Collision invalid_collision() {
   Collision invalid;
   invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
   return invalid;
 }
 
-/// What a collision that was not answered violates; none where it was answered, or that is not claimed.
+/// The verdict on a collision that got no answer; none if it was answered, or if the invariant is not claimed.
 std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& one, const Answer& answer) {
   if (!std::holds_alternative<Failed>(answer)) {
     return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& o
   return std::nullopt;
 }
 
-/// Drops what comes after the first violation; false where there is none.
+/// Drops the verdicts after the first violation. Returns false if there is no violation.
 bool cut_after_violation(Judgement& judgement) {
   const auto found = std::find_if(judgement.verdicts.begin(), judgement.verdicts.end(),
                                   [](const NamedVerdict& named) { return named.verdict.status == Status::violated; });
@@ -64,7 +64,7 @@ bool cut_after_violation(Judgement& judgement) {
   return true;
 }
 
-/// Drops the verdicts on what is not claimed in the family of the case.
+/// Drops the verdicts of invariants that are not claimed in the family of the case.
 void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& family) {
   if (!claim.deviations.empty()) {
     std::erase_if(judgement.verdicts,

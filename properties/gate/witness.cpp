@@ -11,24 +11,24 @@
 namespace carom::properties {
 namespace {
 
-/// Shrinking calls the subject and the judge this often at most for one witness.
+/// The limit of calls of the subject and the judge for shrinking one witness.
 constexpr std::size_t most_shrink_calls = 4000;
 
-/// So long a subject may take to fail, all failures together: one that hangs is waited for each time.
+/// The limit of the time of all failures of a subject together, because each hang costs a timeout.
 constexpr std::chrono::seconds longest_failing{5};
 
-/// What kind of answer is violated where there is nothing to compare: the detail up to its reason.
+/// The kind of a violation without numbers to compare: the detail up to its reason.
 std::string_view kind_of(const Verdict& verdict) {
   const std::string_view detail = verdict.detail;
   return verdict.left.empty() ? detail.substr(0, detail.find(':')) : std::string_view();
 }
 
-/// The verdict of a claim that holds a single invariant; `holds` where it has none on this case.
+/// The verdict of a claim of a single invariant; `holds` if there is none on this case.
 Verdict single_verdict(const Judgement& judgement) {
   return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
 }
 
-/// The family in which the invariant is violated most often shows it best.
+/// The family with the most violations of the invariant. It shows the violation best.
 std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
   std::size_t best = 0;
   std::uint64_t most = 0;
@@ -65,14 +65,14 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
     try {
       return is_over ? Verdict{} : single_verdict(judge_in_session(only, session, one).judgement);
     } catch (const SessionFailure&) {
-      is_over = true;  // what was found until then stands
+      is_over = true;  // the results so far stay
       return Verdict{};
     }
   };
   witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
   const Case simplest =
       simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
-  only.yardstick.filtered = false;  // what is shown was worked out in exact arithmetic, and the truth certified
+  only.yardstick.filtered = false;  // the report shows numbers from exact arithmetic, with a certified truth
   Restarts once(2);
   Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
   const AnswerAndJudgement shrunk = judge_in_session(only, fresh, simplest);
@@ -86,12 +86,11 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
 }
 
 bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
-  // A violation that shrinks to one just beyond the limit convinces nobody, nor one that is off by rounding where none
-  // is allowed.
+  // The shrunk violation must stay far beyond the limit. If nothing is allowed, it must stay larger than rounding.
   const double worst = seriousness(found, found_on);
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // Nor, however little is allowed, one in which other digits are wrong than in the one found: of a thousandth all see
-  // that it is no rounding.
+  // The error must stay in about the same digits as in the original. A relative residual of 2⁻¹⁰ is plainly no
+  // rounding, so a larger one need not stay larger.
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
@@ -100,7 +99,7 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
-  // An invalid collision is as small as its family makes it, and what "convex" rests on would not survive.
+  // Shrinking an invalid collision is not useful, and shrinking would lose the shapes that "convex" rests on.
   const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
   if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;

@@ -13,12 +13,12 @@ inline void in_turn(std::size_t count, const std::function<void(std::size_t)>& w
   }
 }
 
-/// Who does the work of a run. The libraries of the judge start no thread: whoever calls them may hand them threads.
+/// The threads that do the work of a run. The libraries of the judge start no thread; the caller may supply threads.
 struct Workers {
-  /// How many items of work may run at once, at least 1. The results of a run do not depend on it.
+  /// The number of items of work that may run at once, at least 1. The results of a run do not depend on it.
   unsigned count = 1;
-  /// Runs work(0), …, work(count − 1), each once, in any order, and returns when all have ended. If one throws, no more
-  /// is begun, and the first exception is thrown.
+  /// Runs work(0), …, work(count − 1), each once, in any order, and returns when all have ended. If one throws, no
+  /// further one starts, and the first exception is thrown.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)> run = in_turn;
 };
 

@@ -6,7 +6,7 @@
 namespace carom::properties::plan {
 
 bool is_less(const Candidate& x, const Candidate& y) {
-  // The models are listed from the cheapest to the dearest.
+  // Model lists the laws from the cheapest to the most expensive.
   const auto key = [](const Candidate& c) {
     return std::tuple(c.subject.model, c.scalar_rank, c.solve_rank, c.frame, c.subject.name);
   };

@@ -7,25 +7,25 @@
 
 namespace carom::properties::plan {
 
-/// In which coordinates a solver keeps J⁻¹.
+/// The coordinates in which a solver keeps J⁻¹.
 enum class Frame { body, world };
 
 /// A way to solve contacts that a plan may choose.
 struct Candidate {
-  Subject subject;      // its model is the law that it computes
+  Subject subject;      // its `model` is the law that it computes
   std::string scalar;   // "float", "double", "long double", "double-double"
-  int scalar_rank = 0;  // the fewer bits, the less
-  std::string solve;    // "scalar", or how the 3×3 system is solved
-  int solve_rank = 0;   // 0: as is recommended
+  int scalar_rank = 0;  // smaller for fewer bits
+  std::string solve;    // "scalar", or the method that solves the 3×3 system
+  int solve_rank = 0;   // 0 for the recommended method
   Frame frame = Frame::body;
-  bool is_batch = false;  // many contacts at once
+  bool is_batch = false;  // solves many contacts at once
 };
 
-/// Which of two is less where the clock does not tell: by the law (`lesser_laws` of the one asked for), then the
-/// precision, the solve, and the frame, of which that of the body is the safer.
+/// Whether x is less than y, if the clock does not decide: by the law (`lesser_laws` of the one asked for), then the
+/// precision, the solve, the frame and the name. The body frame is less, because it is safer.
 [[nodiscard]] bool is_less(const Candidate& x, const Candidate& y);
 
-/// Whether they are the same but for their precision.
+/// Whether two candidates differ only in precision.
 [[nodiscard]] bool differ_in_precision_alone(const Candidate& x, const Candidate& y);
 
 }  // namespace carom::properties::plan

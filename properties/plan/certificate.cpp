@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// How bad a failure is, the worse the greater.
+/// The order of failures: a worse one is greater.
 auto badness(const WorstFailure& failure) {
   return std::tuple(failure.result.backward_error.value_or(0), -failure.result.digits.value_or(infinity));
 }
@@ -41,7 +41,7 @@ oracles::Yardstick ulps_of_binary64(double limit_ulps) {
   return yardstick;
 }
 
-/// All that the law promises of one outcome; relations between outcomes are the gate's matter.
+/// Every invariant of one outcome that is claimed for the law. The gate judges relations between outcomes.
 Claim claim_about_outcome(const Demand& demand) {
   Subject asked;
   asked.model = demand.law;
@@ -126,8 +126,8 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
   return result;
 }
 
-/// Decided exactly, against the truth itself; where the accuracy is so coarse that the judge would let the answer to
-/// another side of a branch pass, by what is printed, with a margin for its rounding.
+/// Whether the outcome has the digits asked for, decided exactly against the truth. If the allowance is so coarse that
+/// the judge would accept another branch's answer, the printed digits decide. They have a margin for rounding.
 bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& result) const {
   constexpr double margin = 0.01;
   if (determines_outcome(demand_.law)) {
@@ -136,7 +136,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
       return accuracy.has_digits;
     }
   }
-  // Where even the last ulps leave open which branch answers, nothing is asked of an outcome.
+  // If rounding by the last ulps can change the branch, there are no digits and the outcome passes.
   return !result.digits || *result.digits >= *demand_.digits + margin;
 }
 

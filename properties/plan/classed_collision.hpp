@@ -7,12 +7,12 @@
 
 namespace carom::properties::plan {
 
-/// A collision that a plan is to serve, and the class of contacts that it belongs to.
+/// A collision that a plan must serve, and its class of contacts.
 struct ClassedCollision {
   std::string contact_class;  // empty: `contact_class_of` names one
   Collision collision;
-  std::string place = {};          // where it was read, "FILE:7", for what is said of it
-  bool is_normal_derived = false;  // from where the bodies are: its length is nobody's mistake
+  std::string place = {};          // its source, "FILE:7", for messages
+  bool is_normal_derived = false;  // computed from the bodies' positions, so its length is not a user's mistake
 };
 
 }  // namespace carom::properties::plan

@@ -13,15 +13,15 @@ namespace {
 using oracles::Rational;
 using ExactBody = BasicBody<Rational>;
 
-/// From this ratio of moments on the solvers of carom/impulse take care of the long axis (principal_inertia.hpp).
+/// From this ratio of moments on, the solvers of carom/impulse treat the long axis separately (principal_inertia.hpp).
 constexpr int least_ratio_of_slender_moments = 8;
 
 Rational squared_length(const Vector3<Rational>& v) { return v.dot(v); }
 
-/// Whether ‖r × N‖ ≤ 8u ‖N‖ (‖P‖ + ‖X‖), u of binary64: as much as rounding P, X and N makes of it.
+/// Whether ‖r × N‖ ≤ 8u ‖N‖ (‖P‖ + ‖X‖), with u of binary64: the effect of rounding P, X and N.
 bool is_along_normal(const ExactBody& body, const BasicCollision<Rational>& c) {
   const Vector3<Rational> moment = oracles::lever_arm(body, c.point).cross(c.normal);
-  // (p + x)² ≤ 2 p² + 2 x²: no root is needed.
+  // (p + x)² ≤ 2 p² + 2 x², so no root is needed.
   const Rational places = Rational(2) * (squared_length(c.point) + squared_length(body.position));
   const Rational rounding(0x1p-50);
   return squared_length(moment) <= rounding * rounding * squared_length(c.normal) * places;

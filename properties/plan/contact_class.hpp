@@ -7,17 +7,17 @@
 
 namespace carom::properties::plan {
 
-/// The class of a contact by its geometry and its moments, as whoever poses it could tell before any impulse is
-/// computed: what decides whether a lesser law, or J⁻¹ in world coordinates, serves. One of
+/// The class of a contact. It depends on the geometry and the moments alone, so that a user can tell it before any
+/// impulse is computed. These decide whether a lesser law, or J⁻¹ in world coordinates, serves. The classes:
 ///
-///   both immovable,
-///   central         each movable body's r lies along N, within the rounding of the places that r is the difference of
-///   slender         a movable body has moments beyond 1 : 8
-///   equal moments   each movable body has three equal ones
-///   general         none of these,
+///   `both immovable`
+///   `central`: Each movable body's r is parallel to N, within the rounding of P and X
+///   `slender`: A movable body's greatest moment is more than 8 times its least
+///   `equal moments`: Each movable body has three equal moments
+///   `general`: None of these.
 ///
-/// the last four, the first that holds, followed by ", one immovable" or ", both movable". A class is a name for
-/// people: no certificate rests on it. Precondition: the collision is valid.
+/// The first of the last four that holds is the class, followed by ", one immovable" or ", both movable". Classes are
+/// names for users; no certificate depends on them. Precondition: the collision is valid.
 [[nodiscard]] std::string contact_class_of(const Collision& collision);
 
 }  // namespace carom::properties::plan

@@ -17,14 +17,14 @@ namespace {
 
 using oracles::Rational;
 
-/// Collects what is found of one collision.
+/// Collects the findings on one collision.
 class Linter {
  public:
   explicit Linter(const ClassedCollision& contact) : contact_(contact), exact_(oracles::lift(contact.collision)) {}
 
   void coefficients() {
     const Collision& c = contact_.collision;
-    // Restitution and friction are all that an invalid collision may have out of range here.
+    // An invalid collision can have only coefficients out of range here.
     for (const Defect& defect : validate(c)) {
       add(Lint::coefficient, Severity::warning, defect.field,
           "expected " + defect.expected + "; no law is defined, and the contact is left out");
@@ -74,7 +74,7 @@ class Linter {
     if (inverse_mass == 0) {
       return;
     }
-    std::string of_bodies;  // whose share of K is too great: if K is, that of one of them
+    std::string of_bodies;  // the bodies whose share of K is too great; not empty if K is too great
     for (const auto& [body, name] : bodies()) {
       Collision alone = c;
       (name == "a" ? alone.b : alone.a).immovable = true;
@@ -97,7 +97,7 @@ class Linter {
     }
   }
 
-  /// The plane at P across N supports a convex body: all of it, and so its centre of mass, lies on its own side.
+  /// The plane at P across N supports a convex body: the whole body, with its centre of mass, lies on its own side.
   void centre_of_mass() {
     for (const auto& [body, name] : bodies()) {
       if (body->immovable) {
@@ -108,7 +108,7 @@ class Linter {
       if (height >= 0) {
         continue;
       }
-      // Of each product in r·N at most (|P_i| + |X_i|) |N_i| is rounded.
+      // In r·N, rounding acts on products of at most (|P_i| + |X_i|) |N_i|.
       Rational terms(0);
       for (int i = 0; i < 3; ++i) {
         terms += (abs(exact_.point[i]) + abs(body->position[i])) * abs(normal[i]);

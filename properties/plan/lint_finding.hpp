@@ -9,15 +9,15 @@
 
 namespace carom::properties::plan {
 
-/// What a lint finds.
+/// The kinds of suspicious properties.
 enum class Lint {
   condition,          // K exceeds 16 λ
-  lever_arm,          // of one body: [r]ᵀ J⁻¹ [r] exceeds 15/m
+  lever_arm,          // [r]ᵀ J⁻¹ [r] of one body exceeds 15/m
   moments,            // a principal moment exceeds the sum of the others
-  centre_of_mass,     // of one body: beyond the plane at P across N, so outside of a convex body
+  centre_of_mass,     // one lies beyond the plane at P across N, so outside a convex body
   normal_length,      // far from 1
   quaternion_length,  // far from 1
-  coefficient,        // ε, μ or e_t out of range, or beyond what is measured
+  coefficient,        // ε, μ or e_t is out of range, or μ beyond measured values
   mass_ratio,
 };
 inline constexpr std::array all_lints{Lint::condition,      Lint::lever_arm,     Lint::moments,
@@ -47,7 +47,7 @@ static_assert(counts_from_zero_to(all_lints, Lint::mass_ratio));
   return "mass_ratio";
 }
 
-/// A note is worth knowing; a warning is most likely a mistake.
+/// The severity of a finding. A note is worth knowing; a warning is most likely a mistake.
 enum class Severity { note, warning };
 
 [[nodiscard]] constexpr std::string_view name_of(Severity severity) {
@@ -57,7 +57,7 @@ enum class Severity { note, warning };
 struct LintFinding {
   Lint lint;
   Severity severity;
-  std::string place;  // of the collision, "FILE:7"
+  std::string place;  // the place of the collision, "FILE:7"
   std::string field;  // "a.principal_inertia"
   std::string text;
 };

@@ -14,14 +14,14 @@
 namespace carom::properties::plan {
 namespace {
 
-/// Contacts that are put to a session at once.
+/// The number of contacts that a session gets at once.
 constexpr std::size_t block_size = 64;
 
-/// What a thread knows of one class.
+/// The findings of a thread on one class.
 struct Tally {
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
-  std::vector<Certificate> certificates;  // of each candidate
+  std::vector<Certificate> certificates;  // one for each candidate
 
   Tally& operator+=(const Tally& other) {
     colliding += other.colliding;
@@ -51,7 +51,7 @@ class Judging {
     tallies_.assign(std::max(1U, options.workers.count), std::vector<Tally>(classes, empty));
   }
 
-  /// One for each class.
+  /// The tallies, one for each class. Throws std::runtime_error if a stop is requested.
   std::vector<Tally> run() {
     options_.workers.run(tallies_.size(), [&](std::size_t worker) {
       try {
@@ -119,7 +119,7 @@ class Judging {
   std::span<const std::size_t> class_of_contact_;
   std::span<const Candidate> candidates_;
   const PlanOptions& options_;
-  std::vector<std::vector<Tally>> tallies_;  // of each thread, of each class
+  std::vector<std::vector<Tally>> tallies_;  // by thread, then by class
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::uint64_t done_ = 0;
@@ -143,7 +143,8 @@ Part part_of(std::string name, std::vector<std::size_t> contacts, const Tally& t
   return part;
 }
 
-/// Whether a candidate may be the least: nothing that is the same in a lesser precision serves as well.
+/// Whether a candidate may be the least: it serves, and no serving candidate differs from it only by a lesser
+/// precision.
 bool may_be_least(const Part& part, const JudgedCandidate& one, std::span<const Candidate> candidates) {
   return one.serves && std::ranges::none_of(part.candidates, [&](const JudgedCandidate& other) {
            const Candidate& x = candidates[other.candidate];
@@ -152,7 +153,7 @@ bool may_be_least(const Part& part, const JudgedCandidate& one, std::span<const 
          });
 }
 
-/// So many of the contacts of a part, spread evenly.
+/// At most contacts_timed contacts of a part, spread evenly.
 std::vector<Collision> sample_of(const Part& part, std::span<const Collision> collisions) {
   const std::size_t count = std::min(part.contacts.size(), contacts_timed);
   std::vector<Collision> sample;
@@ -162,7 +163,7 @@ std::vector<Collision> sample_of(const Part& part, std::span<const Collision> co
   return sample;
 }
 
-/// Times what may be the least, and the baseline, of all parts in one run.
+/// Times the candidates that may be the least, and the baseline, of all parts in one run.
 void measure(std::span<Part* const> parts, std::span<const Collision> collisions, std::span<const Candidate> candidates,
              std::size_t baseline, const Clock& clock) {
   std::vector<std::vector<Collision>> samples;
@@ -218,14 +219,15 @@ std::size_t baseline_of(std::span<const Candidate> candidates, Model law) {
   return static_cast<std::size_t>(found - candidates.begin());
 }
 
-/// The contacts that are to be served, and their classes.
+/// The contacts that the plan must serve, and their classes.
 struct Classified {
   std::vector<Collision> collisions;
   std::vector<std::size_t> class_of_contact;
   std::vector<std::string> names;  // of the classes
 };
 
-/// Leaves out what no law is defined for, and tells the plan what is found of each.
+/// Leaves out contacts for which no law is defined, and adds the findings on every contact to the plan. Throws
+/// std::invalid_argument if a collision is otherwise invalid.
 Classified classified(std::span<const ClassedCollision> contacts, Plan& plan) {
   Classified result;
   for (const ClassedCollision& contact : contacts) {

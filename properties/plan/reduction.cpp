@@ -24,7 +24,7 @@ bool ends_without_slip(const ExactCase& c, Model law) {
   return are_parallel(c.exact().normal, oracles::relative_velocity<Rational>(c.exact(), c.truth(law).outcome));
 }
 
-/// Whether V⁻ is parallel to K N: the impulse that stops the approach then stops the contact point.
+/// Whether V⁻ is parallel to K N. The impulse that stops the approach then stops the contact point.
 bool stops_with_the_approach(const ExactCase& c) {
   const Vector3<Rational> before = oracles::relative_velocity<Rational>(c.exact(), unchanged(c.exact()));
   return are_parallel(k_times_normal(c), before);
@@ -39,14 +39,14 @@ bool may_stick(const ExactCase& c) {
   return most >= 0 && across.dot(across) <= most * most;
 }
 
-/// Whether K turns and stretches all that is across N alike, and leaves N along N.
+/// Whether N is an eigenvector of K, and K is a multiple of the identity on the plane orthogonal to N.
 bool is_isotropic_across_normal(const ExactCase& c) {
   const Vector3<Rational>& n = c.exact().normal;
   const Matrix3<Rational>& k = c.collision_matrix();
   if (!is_normal_eigenvector(c)) {
     return false;
   }
-  const int i = n[0] == 0 && n[1] == 0 ? 1 : 2;  // two components that are not both zero are exchanged
+  const int i = n[0] == 0 && n[1] == 0 ? 1 : 2;  // exchanges two components that are not both zero
   Vector3<Rational> first{Rational(0), Rational(0), Rational(0)};
   first[0] = i == 2 ? -n[1] : n[2];
   first[i == 2 ? 1 : 2] = i == 2 ? n[0] : -n[0];
@@ -90,7 +90,8 @@ std::optional<Reduction> to_frictionless(const ExactCase& c, Model law) {
   return std::nullopt;
 }
 
-/// Inside its cone `rough` at e_t = 0 has F = P_II + ε P_I, and `sticking` P_II + ε (−(N·V⁻)/(N·N) K⁻¹N).
+/// Inside its cone, `rough` with e_t = 0 has the impulse P_II + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N).
+/// They are equal if ε = 0 or if N is an eigenvector of K.
 std::optional<Reduction> to_sticking(const ExactCase& c, Model law) {
   if (law == Model::coulomb) {
     return where(may_stick(c), Reduction::sticks);

@@ -43,7 +43,7 @@ BodyTrack::BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vect
     add_if_new(edge_directions_, (vertices_[edge[1]] - vertices_[edge[0]]).normalized());
   }
   for (const std::vector<std::size_t>& face : core.faces) {
-    // Newell's normal: of all corners.
+    // Newell's normal, which uses all corners.
     Wide normal = Wide::Zero();
     for (std::size_t k = 0; k < face.size(); ++k) {
       normal += vertices_[face[k]].cross(vertices_[face[(k + 1) % face.size()]]);
@@ -113,7 +113,7 @@ BodyTrack::TurningState BodyTrack::turned(std::size_t arc, Real elapsed) {
     return known_[0];
   }
   const Real step = step_angle / rate;
-  // Arcs are renewed every few radians: what turns for longer, or is no number, is not known.
+  // Arcs are renewed every few radians. A longer rotation, or one that is not a number, has no known state.
   constexpr Real most_steps = 0x1p20;
   if (!(elapsed <= most_steps * step)) {
     TurningState unknown;

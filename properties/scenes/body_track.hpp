@@ -12,36 +12,37 @@
 
 namespace carom::properties {
 
-/// Where a body is at a time, world.
+/// The position and motion of a body at a time, in world axes.
 struct Pose {
   WideVector centre;
   WideVector velocity;
   Matrix3<long double> axes;
   WideVector angular_velocity;       // [rad/s]
-  long double rate = 0;              // at which vertices turn: ‖ω‖, of a ball 0 [rad/s]
-  std::vector<WideVector> vertices;  // from the centre
+  long double rate = 0;              // angular speed of the vertices, ‖ω‖; 0 for a ball [rad/s]
+  std::vector<WideVector> vertices;  // relative to the centre
 };
 
-/// A body's shape and all that it has done. How it turns is integrated anew, by E. Fehlberg's Runge–Kutta method of
-/// order 8 in long double, in steps of 1/20 rad: that leaves less than 10⁻¹⁶ of an error a step. Refers to arcs and
-/// orientations, which stay.
+/// A body's shape and its whole motion. Its rotation is integrated independently, by E. Fehlberg's Runge–Kutta method
+/// of order 8 in long double. Steps of 1/20 rad leave an error below 10⁻¹⁶ per step. Keeps references to arcs and
+/// orientations, which must outlive it.
 class BodyTrack {
  public:
   BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vector<scene::Arc>& arcs,
             const std::vector<Quaternion<double>>& orientations);
 
   [[nodiscard]] bool is_ball() const { return is_ball_; }
-  [[nodiscard]] long double margin() const { return margin_; }  // a ball's radius, else 0 [m]
-  [[nodiscard]] long double radius() const { return radius_; }  // at least the distance of any point [m]
+  [[nodiscard]] long double margin() const { return margin_; }  // a ball's radius; 0 for a polyhedron [m]
+  /// An upper bound of the distance of any point from the centre [m].
+  [[nodiscard]] long double radius() const { return radius_; }
   [[nodiscard]] const std::vector<scene::Arc>& arcs() const { return *arcs_; }
   [[nodiscard]] const Quaternion<double>& orientation(std::size_t arc) const { return (*orientations_)[arc]; }
-  // In body axes, of each pair of parallel ones the first.
+  // In body axes; of parallel directions only the first.
   [[nodiscard]] const std::vector<WideVector>& face_normals() const { return face_normals_; }
   [[nodiscard]] const std::vector<WideVector>& edge_directions() const { return edge_directions_; }
   [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& edges() const { return edges_; }
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
 
-  /// On an arc, at or after its start.
+  /// The pose on an arc at a time [s]. Precondition: the time is not before the arc's start.
   [[nodiscard]] Pose pose(std::size_t arc, long double time);
 
  private:
@@ -60,7 +61,7 @@ class BodyTrack {
   const std::vector<scene::Arc>* arcs_;
   const std::vector<Quaternion<double>>* orientations_;
   std::size_t known_arc_ = 0;
-  std::vector<TurningState> known_;  // a step apart
+  std::vector<TurningState> known_;  // states at the ends of steps, from the arc's start
 };
 
 }  // namespace carom::properties

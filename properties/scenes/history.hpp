@@ -8,10 +8,10 @@
 
 namespace carom::properties {
 
-/// How each body has moved over a span of time: all that a checker is given of a run.
+/// The motion of each body over a span of time: the only information on a run that a checker gets.
 class History {
  public:
-  /// From the state's time on.
+  /// Begins the history at the state's time.
   explicit History(const scene::SceneState& state)
       : begin_(state.time), end_(state.time), first_polyhedron_(state.scene->spheres.size()) {
     for (const scene::BodyState& body : state.bodies) {
@@ -31,15 +31,16 @@ class History {
     }
   }
 
-  /// No more happens until then.
+  /// Ends the history at this time [s]. No event happens until then.
   void end_at(double time) { end_ = time; }
 
   [[nodiscard]] double begin() const { return begin_; }
   [[nodiscard]] double end() const { return end_; }
-  /// Of each body, in order of time: each holds from its start, or from `begin`, to the next one's start, or to
-  /// `end`.
+  /// The arcs of each body, in order of time. An arc applies from its start (the first from `begin`) to the next one's
+  /// start (the last to `end`).
   [[nodiscard]] const std::vector<std::vector<scene::Arc>>& arcs() const { return arcs_; }
-  /// Of each polyhedron, at the start of each of its arcs: body axes to world axes. Nothing of spheres.
+  /// The orientation of each polyhedron at the start of each of its arcs, from body axes to world axes. Empty for
+  /// spheres.
   [[nodiscard]] const std::vector<std::vector<Quaternion<double>>>& orientations() const { return orientations_; }
 
  private:

@@ -13,7 +13,7 @@
 
 namespace carom::properties {
 
-/// An impulse of a scene that an invariant does not hold for.
+/// An impulse of a scene that violates an invariant.
 struct BadImpulse {
   double time = 0;
   std::string_view invariant;
@@ -21,10 +21,10 @@ struct BadImpulse {
   ReportedOutcome outcome;
 };
 
-/// Judges the impulses of a scene as the gate judges a subject of the scene's law and precision.
+/// Judges the impulses of a scene, in the same way as the gate judges a subject of the scene's law and precision.
 class ImpulseJudge {
  public:
-  /// Every `every`-th impulse is judged; 0: none.
+  /// Judges every `every`-th impulse; none if it is 0.
   ImpulseJudge(Model law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
 
   void record(const scene::Event& event);
@@ -33,7 +33,7 @@ class ImpulseJudge {
   [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t violated() const { return violated_; }
   [[nodiscard]] double worst_backward_error() const { return worst_backward_error_; }
-  /// Of each invariant, how many impulses it was decided for.
+  /// For each invariant, the number of judged impulses for which it holds.
   [[nodiscard]] const std::map<std::string_view, std::uint64_t>& held() const { return held_; }
   [[nodiscard]] const std::optional<BadImpulse>& first_bad() const { return first_bad_; }
 

@@ -24,10 +24,11 @@ Wide spin_at(const Arc& arc, double time) {
          (static_cast<long double>(time) - arc.path.start) * wide(arc.turning.angular_acceleration);
 }
 
-/// What a law makes of the energy of two spheres, or of one and a plane. The normal part is (ε² − 1)(N·V)²/(2 λ), λ the
-/// sum of the inverse masses; tangentially K is λ + R_A²/I_A + R_B²/I_B, and an impulse −j against the slip of speed t
-/// does −j t + K j²/2: j = t/K where it sticks, at most (1 + e_t) t/K and μ times the normal impulse under `rough`, e_t
-/// = 0 under `coulomb` (mathematics of spheres: docs/guide/laws.md).
+/// The energy that a law adds to two spheres, or to a sphere and a plane [J]. The normal part is (ε² − 1)(N·V)²/(2 λ),
+/// with λ the sum of the inverse masses. Tangentially, K is λ + R_A²/I_A + R_B²/I_B. An impulse −j against the slip of
+/// speed t does the work −j t + K j²/2. If the contact sticks, j = t/K. Under `rough`, j is at most (1 + e_t) t/K and μ
+/// times the normal impulse. Under `coulomb` the bounds are those of e_t = 0 (mathematics of spheres:
+/// docs/guide/laws.md).
 long double energy_of_impact(Model law, const Collision& collision) {
   const Wide n = wide(collision.normal).normalized();
   const auto arm = [&](const Body& body) -> Wide { return -wide(body.position); };
@@ -72,8 +73,8 @@ long double energy_of_impact(Model law, const Collision& collision) {
   return normal_energy - friction_impulse * slip + tangential * friction_impulse * friction_impulse / 2;
 }
 
-/// What an impulse on A, and its opposite on B, do to the energy of two bodies: F·V + ½ F·K F, with K F = F/m_A + F/m_B
-/// + (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F a sum of squares.
+/// The energy that an impulse on A, and its opposite on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A +
+/// F/m_B + (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
 long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   long double work = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
@@ -90,7 +91,7 @@ long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   return work;
 }
 
-/// ∫ |f + g s| ds over [0, span] for a speed f ≥ 0 that falls to no less than 0, but for rounding.
+/// The distance [m] over a time span at a speed that falls by `loss` [m/s²], to no less than 0 except for rounding.
 long double distance(long double speed, long double loss, long double span) {
   return speed * span - loss * span * span / 2;
 }

@@ -13,15 +13,15 @@
 
 namespace carom::properties {
 
-/// What changes the mechanical energy of a scene, or only its form.
+/// A cause of changes of a scene's mechanical energy.
 enum class Cause {
-  impacts,        // of two bodies, by their law
-  plane_impacts,  // with planes, by their law
-  slow_contacts,  // sent off at the least speed that is followed
+  impacts,        // impacts of two bodies, by the law
+  plane_impacts,  // impacts with planes, by the law
+  slow_contacts,  // bodies are sent apart at the least speed that the simulation follows
   sliding,        // friction on level planes
   rolling,        // rolling resistance
   spinning,       // resistance to spin about a plane's normal
-  rounding,       // of everything that was stored
+  rounding,       // rounding of the stored states
 };
 inline constexpr std::array all_causes{Cause::impacts, Cause::plane_impacts, Cause::slow_contacts, Cause::sliding,
                                        Cause::rolling, Cause::spinning,      Cause::rounding};
@@ -29,8 +29,8 @@ static_assert(counts_from_zero_to(all_causes, Cause::rounding));
 
 [[nodiscard]] std::string_view name_of(Cause cause);
 
-/// A sum that keeps what each addition rounds away (A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation
-/// endlicher Summen", ZAMM 54, 1974), in the widest format.
+/// A compensated sum in long double, which keeps the rounding error of each addition (A. Neumaier,
+/// "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM 54, 1974).
 class Account {
  public:
   void add(long double amount);
@@ -41,7 +41,7 @@ class Account {
   long double compensation_ = 0;
 };
 
-/// Mechanical energy and momentum, now.
+/// The mechanical energies of bodies.
 struct Energies {
   long double translation = 0;  // [J]
   long double rotation = 0;     // [J]
@@ -49,39 +49,39 @@ struct Energies {
   [[nodiscard]] long double total() const { return translation + rotation + potential; }
 };
 
-/// The account of a scene: each joule and each newton second has its cause. What a cause amounts to comes from the
-/// law's closed form for spheres and from the phase's; where an impact is of a polyhedron, from the impulse F that the
-/// outcome has given A, as F·V + ½ F·K F; never from the difference of two energies. What the states differ by beyond
-/// that is rounding, a cause of its own. All in long double: an entry of its own rounds by 2⁻¹¹ of what
-/// rounding a state to double does.
+/// The energy and momentum account of a scene. Every change has a cause. The amount of a cause comes from the closed
+/// form of the law for spheres, and of the phase of motion. For an impact of a polyhedron it comes from the impulse F
+/// on A in the outcome, as F·V + ½ F·K F. It never comes from the difference of two energies. The remaining difference
+/// of the states is rounding, a separate cause. All numbers are long double, so the ledger's own rounding is 2⁻¹¹ of
+/// the rounding of a state to double.
 class Ledger {
  public:
-  /// Begins with a state; the scene that it refers to stays.
+  /// Begins with a state. The scene that the state refers to must outlive the ledger.
   explicit Ledger(const scene::SceneState& state);
 
   void record(const scene::Event& event);
-  /// Everything moves on until then, undisturbed. Call it once, at last.
+  /// Follows all bodies without events up to the state's time. Call it once, at the end.
   void close(const scene::SceneState& state);
 
   [[nodiscard]] long double energy(Cause cause) const { return energy_[cause].sum(); }
-  /// Σ |rounding| of the single entries: what the sum would be, did no two of them cancel.
+  /// Σ |rounding| over the entries: the sum without cancellation [J].
   [[nodiscard]] long double rounding_without_signs() const { return rounding_.sum(); }
-  /// Work of gravity so far: potential turned into kinetic energy.
+  /// The work of gravity so far: potential energy turned into kinetic energy [J].
   [[nodiscard]] long double gravity_work() const { return gravity_work_.sum(); }
   [[nodiscard]] const Energies& initial() const { return initial_; }
-  /// As the states have it; of spheres that no event has touched, as of their last one.
+  /// The energies of the bodies, each at its last recorded event (before any, at the beginning).
   [[nodiscard]] Energies present() const;
-  /// What rounding is measured by: the greatest kinetic energy so far, and Σ m |g·x| of where the spheres began, since
-  /// an ulp of a place is an ulp of that.
+  /// The reference for rounding: the greatest kinetic energy so far plus Σ m |g·x| of the bodies' initial positions
+  /// [J]. An ulp of a position changes the potential energy by about an ulp of that.
   [[nodiscard]] long double scale() const { return scale_; }
-  /// Momentum [N s]: initial, and by cause: what gravity, the planes (their impacts and their reaction on what lies on
-  /// them) and rounding have given.
+  /// Momentum [N s]: initial, and by cause. The causes are gravity, rounding, and the planes, by impacts and by their
+  /// reaction on the bodies that lie on them.
   [[nodiscard]] Vector3<long double> initial_momentum() const { return initial_momentum_; }
   [[nodiscard]] Vector3<long double> gravity_impulse() const { return sum_of(gravity_impulse_); }
   [[nodiscard]] Vector3<long double> plane_impulse() const { return sum_of(plane_impulse_); }
   [[nodiscard]] Vector3<long double> momentum_rounding() const { return sum_of(momentum_rounding_); }
-  /// Σ ‖Δ(x × m v + I w)‖ of impacts of two spheres, about the origin, which the laws keep; and the same beside
-  /// Σ m ‖x‖ ‖v‖ of the impacts.
+  /// Σ ‖Δ(x × m v + I w)‖ about the origin over impacts of two bodies and renewals [N m s]. The laws keep this
+  /// momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ of one such event.
   [[nodiscard]] long double angular_momentum_rounding() const { return angular_rounding_.sum(); }
   [[nodiscard]] long double angular_momentum_scale() const { return angular_scale_; }
 
@@ -91,10 +91,10 @@ class Ledger {
     long double mass;
     Vector3<long double> principal_inertia;
     bool is_polyhedron;
-    Quaternion<double> orientation;  // at the start of its arc
+    Quaternion<double> orientation;  // at the start of its current arc
     Energies energies;
   };
-  /// How a body turns at a time.
+  /// The rotation of a body at a time.
   struct Spin {
     Quaternion<double> orientation;
     Vector3<long double> rate;  // world
@@ -104,9 +104,9 @@ class Ledger {
   static void add(Momentum& account, const Vector3<long double>& amount);
   void follow(const scene::Arc& arc, double end, std::size_t body, const Spin& at_end);
   void round_energy(long double amount);
-  /// Of a slow contact: along the normal the bodies are sent apart faster than the law says, or at all.
+  /// The work of sending the bodies of a slow contact apart along the normal, in addition to the law's outcome [J].
   [[nodiscard]] long double work_of_sending_apart(const scene::Event& event) const;
-  /// The same of spheres, from the speeds along the normal alone.
+  /// That work for spheres, from the speeds along the normal alone [J].
   [[nodiscard]] long double work_of_raised_speed(const scene::Event& event) const;
   [[nodiscard]] Vector3<long double> spin_momentum(std::size_t body, const Spin& spin) const;
   [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t body, const Spin& spin) const;
@@ -114,7 +114,7 @@ class Ledger {
   const scene::Scene* scene_;
   Vector3<long double> gravity_;
   std::vector<Held> held_;
-  std::vector<scene::Level> levels_;  // of each plane; gravity 0 where it is not level
+  std::vector<scene::Level> levels_;  // one for each plane; gravity 0 if the plane is not level
   Energies initial_;
   Account translation_, rotation_, potential_;
   EnumArray<Cause, Account, all_causes.size()> energy_;

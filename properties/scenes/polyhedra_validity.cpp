@@ -23,41 +23,42 @@ using Real = long double;
 using Wide = WideVector;
 using scene::Arc;
 
-constexpr Real largest_turn = 0.25;  // between two looks [rad]
+constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [rad]
 constexpr int most_halvings = 40;
-constexpr Real allowed_unseen = 0x1p-30L;  // beside the lesser radius
-/// Of an orientation where arcs meet [rad]: what an arc's double-precision rates have grown to after 8 rad, e⁸ times
-/// some roundings (tumbling_body.hpp), and as much again.
+constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
+/// The allowed jump of an orientation at a joint of arcs [rad]. After 8 rad, the errors of an arc's double-precision
+/// rates have grown to e⁸ times some roundings (tumbling_body.hpp). The limit is twice that.
 constexpr Real allowed_turn = 0x1p-38L;
-/// Of a position where arcs meet, beside its terms: a parabola x + s (v + s a/2) is rounded eight times.
+/// The allowed jump of a position at a joint of arcs, relative to its terms: a parabola x + s (v + s a/2) is rounded
+/// eight times.
 constexpr Real allowed_jump = 0x1p-48L;
-/// How far apart bodies may be where one of them is struck, beside the lesser radius.
+/// The largest gap between bodies when one of them is struck, relative to the lesser radius.
 constexpr Real widest_contact = 0x1p-29L;
-/// A change of a velocity, beside it, that no rounding of free flight makes: then it was struck.
+/// A relative change of a velocity above this is not rounding of free flight: the body was struck.
 constexpr Real least_change = 0x1p-36L;
-/// Of a gap, beside the size of all that it is computed from: some hundred roundings of long double, and of the
-/// vertices of double.
+/// The error of a gap, relative to the size of the numbers that it is computed from. It covers some hundred roundings
+/// of long double, and the rounding of the vertices to double.
 constexpr Real gap_error = 0x1p-46L;
 
-/// A direction of the separating axis theorem, by what it is made of.
+/// A direction of the separating axis theorem, given by the features that define it.
 struct Axis {
   enum class Of : std::uint8_t { face_of_a, face_of_b, edges, centres, vertex, edge };
   Of of = Of::centres;
-  std::size_t first = 0;   // index of the face, of A's edge, or of the polyhedron's vertex or edge beside a ball
-  std::size_t second = 0;  // of B's edge
-  Real sign = 1;           // so that it points from B to A
+  std::size_t first = 0;   // index of a face, A's edge, or a polyhedron's vertex or edge against a ball
+  std::size_t second = 0;  // index of B's edge
+  Real sign = 1;           // chosen so that the direction points from B to A
 };
 
-/// Half-spaces: the distance of a plane's point from 0 along its normal.
+/// A half-space: the unit normal of its plane, and the distance of the plane from the origin along the normal [m].
 struct Ground {
   Wide normal;
   Real offset;
 };
 
-/// A least of numbers of which one is NaN is none: no gap is known there.
+/// The gap, or −∞ if it is not finite: a minimum over numbers with a NaN among them is not known.
 Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Real>::infinity(); }
 
-/// Two bodies, or a body and a plane, from one look to the next.
+/// Checks pairs of bodies, and bodies with planes, from one look to the next.
 class PolyhedraChecker {
  public:
   PolyhedraChecker(const scene::Scene& scene, const History& history) : scene_(scene), history_(history) {
@@ -82,7 +83,7 @@ class PolyhedraChecker {
       check_order(i);
     }
     if (found_.count > 0) {
-      // Where a body is before its arc begins, nobody can say.
+      // Before its first arc begins, a body has no known position.
       return std::move(found_);
     }
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -113,7 +114,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// Where an arc ends: where the next one starts.
+  /// The time at which an arc ends: the start of the next one, or the end of the history.
   [[nodiscard]] double end_of(std::size_t body, std::size_t arc) const {
     const std::vector<Arc>& arcs = tracks_[body].arcs();
     return arc + 1 < arcs.size() ? arcs[arc + 1].path.start : history_.end();
@@ -165,7 +166,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// Whether a plane, or a body that is struck at the same time, is where an arc begins.
+  /// Whether the body touches a plane at the start of an arc, or another body that is struck at the same time.
   [[nodiscard]] bool touches_something(std::size_t body, std::size_t arc) {
     const double time = tracks_[body].arcs()[arc].path.start;
     const Pose pose = tracks_[body].pose(arc, time);
@@ -210,7 +211,7 @@ class PolyhedraChecker {
       case Axis::Of::edge:
         break;
     }
-    // From a point of the polyhedron to the ball's centre, or the other way round where A is the polyhedron.
+    // From a point of the polyhedron to the ball's centre; reversed if A is the polyhedron.
     const bool is_a_ball = tracks_[i].is_ball();
     const Pose& polyhedron = is_a_ball ? b : a;
     const Wide ball = is_a_ball ? a.centre - b.centre : b.centre - a.centre;
@@ -285,10 +286,12 @@ class PolyhedraChecker {
     return best;
   }
 
-  /// At least the gap at every time between two looks, along a direction that turns from n₁ to n₂ at a constant rate Ω.
-  /// In axes that turn with it the second derivative of a vertex's place relative to another body's is at most 2 r ω²
-  /// of each (its centripetal acceleration, and ω' × r with ‖ω'‖ ≤ ‖ω‖²), the difference of the centres', 2 Ω ‖ẋ‖ and
-  /// Ω² ‖x‖. Precondition: neither body turns by more than a quarter between them: then ω grows by less than 4/3.
+  /// A lower bound of the gap at every time between two looks, along a direction that turns from n₁ to n₂ at a constant
+  /// rate Ω. In axes that turn with the direction, consider the place x of a vertex relative to one of the other body.
+  /// Its second derivative is at most a sum of three parts. The first is 2 r ω² of each body, from the centripetal
+  /// acceleration and from ω' × r with ‖ω'‖ ≤ ‖ω‖². The second is the relative acceleration of the centres. The third
+  /// is 2 Ω ‖ẋ‖ + Ω² ‖x‖. Precondition: neither body turns by more than largest_turn between the looks, so that ω grows
+  /// by a factor below 4/3.
   [[nodiscard]] Real least_gap(std::size_t i, std::size_t k, const Axis& axis, const Look& first, const Look& second,
                                const Wide& acceleration) const {
     const Wide n1 = direction(i, k, axis, first.a, first.b);
@@ -374,7 +377,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// Whether the balls about two bodies may overlap. They are given as A from B, on a parabola.
+  /// Whether the bounding balls of two bodies may overlap between these times. A moves relative to B on a parabola.
   [[nodiscard]] static bool may_meet(const scene::Path& a, const scene::Path& b, double begin, double end) {
     const auto at = [](const scene::Path& path, double time) -> Wide {
       const Real s = static_cast<Real>(time) - path.start;
@@ -386,7 +389,7 @@ class PolyhedraChecker {
     const Real bulge = (wide(a.acceleration) - wide(b.acceleration)).norm() * span * span / 8;
     const Real share = way.isZero(0) ? Real(0) : std::clamp(-first.dot(way) / way.squaredNorm(), Real(0), Real(1));
     const Real radii = (static_cast<Real>(a.radius) + b.radius) * (1 + gap_error);
-    // So written that a place which is no number may meet anything.
+    // Negated, so that a position that is not a number may meet anything.
     return !((first + share * way).norm() > radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm()));
   }
 
@@ -409,7 +412,7 @@ class PolyhedraChecker {
         const Pose second = tracks_[body].pose(arc, end);
         const Real lowest = std::min(ground.normal.dot(first.centre), ground.normal.dot(second.centre)) - ground.offset;
         const Real span = static_cast<Real>(end) - begin;
-        // A parabola that bends away from the plane may come lower between its ends.
+        // A parabola that bends away from the plane may be lower between its ends than at them.
         const Real bulge = std::max(Real(0), ground.normal.dot(wide(arcs[arc].path.acceleration))) * span * span / 8;
         if (!(lowest - bulge > tracks_[body].radius() * (1 + gap_error))) {
           check_plane_between(body, arc, plane, begin, first, end, second, 0);

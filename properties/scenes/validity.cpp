@@ -23,12 +23,12 @@ using scene::Path;
 
 constexpr std::size_t most_shown = 100;
 
-/// A part of an arc, so short that it stays within a few cells.
+/// A part of an arc, short enough to stay within a few cells.
 struct Piece {
   std::uint32_t sphere;
   const Path* path;
   double begin, end;
-  std::array<std::int64_t, 3> least, greatest;  // cells that its sphere touches
+  std::array<std::int64_t, 3> least, greatest;  // the range of cells that its sphere touches
 };
 
 long double coordinate(const Path& path, int axis, double time) {
@@ -40,11 +40,11 @@ long double speed(const Path& path, int axis, double time) {
   return path.velocity[axis] + (static_cast<long double>(time) - path.start) * path.acceleration[axis];
 }
 
-/// A polynomial on [0, 1] by its Bernstein coefficients.
+/// The Bernstein coefficients of a polynomial on [0, 1].
 template <std::size_t N>
 using Bernstein = std::array<Rational, N>;
 
-/// Of the power coefficients of s on [0, span].
+/// The Bernstein coefficients of a polynomial of s on [0, span], given by its power coefficients.
 template <std::size_t N>
 Bernstein<N> bernstein(std::array<Rational, N> power, const Rational& span) {
   Rational scale(1);
@@ -69,7 +69,8 @@ Bernstein<N> bernstein(std::array<Rational, N> power, const Rational& span) {
   return result;
 }
 
-/// Whether it is nowhere negative. A polynomial that touches 0 inside is halved to the end, and then said not to be.
+/// Whether the polynomial is nowhere negative. A polynomial that touches 0 in the interior may use up all halvings; the
+/// result is then false.
 template <std::size_t N>
 bool is_nowhere_negative(const Bernstein<N>& b, int halvings_left = 64) {
   if (std::all_of(b.begin(), b.end(), [](const Rational& x) { return x >= 0; })) {
@@ -91,7 +92,7 @@ bool is_nowhere_negative(const Bernstein<N>& b, int halvings_left = 64) {
   return is_nowhere_negative(first, halvings_left - 1) && is_nowhere_negative(second, halvings_left - 1);
 }
 
-/// One coordinate as powers of t − begin.
+/// The coefficients of one coordinate as a polynomial in t − begin.
 std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
   const Rational delay = Rational(begin) - Rational(path.start);
   const Rational half = Rational(path.acceleration[axis]) / Rational(2);
@@ -100,7 +101,7 @@ std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
           velocity + Rational(2) * half * delay, half};
 }
 
-/// c₀ + c₁ s + c₂ s² ≥ 0 on [0, span]: at both ends, and where it turns, if it does so inside.
+/// Whether c₀ + c₁ s + c₂ s² ≥ 0 on [0, span]: at both ends, and at the vertex if it is inside.
 bool is_nowhere_negative(const std::array<Rational, 3>& c, const Rational& span) {
   if (c[0] < 0 || c[0] + span * (c[1] + span * c[2]) < 0) {
     return false;
@@ -129,8 +130,8 @@ bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
                                     : is_nowhere_negative(bernstein(gap, span));
 }
 
-/// Whether they are so far apart at the beginning that they cannot meet. A billionth of the distance is left for
-/// rounding: far more than what long double rounds wherever coordinates are less than 10⁸ distances.
+/// Whether the spheres are so far apart at the beginning that they cannot meet. A billionth of the distance is left for
+/// rounding. That is far more than the rounding of long double if coordinates are less than 10⁸ distances.
 bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
   long double square = 0;
   long double travel = 0;
@@ -149,7 +150,8 @@ bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
          distance * (1 - 1e-9L) > (static_cast<long double>(a.radius) + b.radius + travel) * (1 + 1e-9L);
 }
 
-/// The same, of halves and their halves where the whole is too long to tell.
+/// Whether the spheres are surely apart. If the whole interval is too long to decide, its halves are tested, and their
+/// halves.
 bool are_surely_apart(const Path& a, const Path& b, double begin, double end, int halvings_left = 6) {
   if (are_far_apart(a, b, begin, end)) {
     return true;
@@ -160,7 +162,7 @@ bool are_surely_apart(const Path& a, const Path& b, double begin, double end, in
          are_surely_apart(a, b, middle, end, halvings_left - 1);
 }
 
-/// Whether N·x − N·p ≥ R |N| throughout.
+/// Whether N·x − N·p ≥ R |N| throughout, decided exactly.
 bool is_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   std::array<Rational, 3> height{0, 0, 0};
   Rational square(0);
@@ -186,7 +188,7 @@ bool is_above(const scene::Plane& plane, const Path& path, double begin, double 
   return is_nowhere_negative(bernstein(over, span));
 }
 
-/// The same where a billionth of what is there is left over.
+/// Whether the sphere is above the plane by so much that a billionth is left for rounding.
 bool is_far_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   long double height = 0;
   long double fall = 0;
@@ -272,7 +274,7 @@ class Checker {
     }
   }
 
-  /// Into pieces that travel no more than a cell.
+  /// Cuts an arc into pieces that travel at most one cell.
   void cut(std::uint32_t sphere, const Path& path, double begin, double end) {
     long double travel = 0;
     const long double span = static_cast<long double>(end) - begin;
@@ -294,7 +296,7 @@ class Checker {
       const long double x = coordinate(*piece.path, axis, piece.begin);
       const long double y = coordinate(*piece.path, axis, piece.end);
       const long double span = static_cast<long double>(piece.end) - piece.begin;
-      // A parabola leaves the range of its ends by no more than a span²/8.
+      // A parabola leaves the range of its ends by at most a span²/8.
       const long double bulge = std::abs(static_cast<long double>(piece.path->acceleration[axis])) * span * span / 8;
       const long double reach = (piece.path->radius + bulge) * (1 + 1e-9L);
       const auto k = static_cast<std::size_t>(axis);
@@ -344,7 +346,7 @@ class Checker {
     const double begin = std::max(a.begin, b.begin);
     const double end = std::min(a.end, b.end);
     if (begin == end && history_.begin() < history_.end()) {
-      return;  // one of them no longer holds: what has replaced it is looked at from here on
+      return;  // one of the pieces ends here, and the next one is checked from here on
     }
     ++found_.pairs;
     if (are_surely_apart(*a.path, *b.path, begin, end)) {

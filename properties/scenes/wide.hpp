@@ -6,14 +6,14 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Vectors in long double: what checks a scene in double rounds by 2⁻¹¹ of what it checks.
+/// Vectors in long double. A check of a scene in double then rounds by 2⁻¹¹ of the rounding in the scene.
 namespace carom::properties {
 
 using WideVector = Vector3<long double>;
 
 [[nodiscard]] inline WideVector wide(const Vector3<double>& v) { return v.cast<long double>(); }
 
-/// Body axes to world axes. Precondition: the quaternion is not zero.
+/// The rotation from body axes to world axes. Precondition: the quaternion is not zero.
 template <class S>
 [[nodiscard]] Matrix3<long double> wide_rotation(const Quaternion<S>& q) {
   CAROM_EXPECTS(!q.isZero(0), q);

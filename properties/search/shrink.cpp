@@ -12,8 +12,8 @@
 namespace carom::properties {
 namespace {
 
-/// 0 for 0; else the bits of the odd part, the size of the exponent, and a little for the sign. Of what is not
-/// finite 1.
+/// The complexity of a number. 0 is 0, −0 is 1, and a number that is not finite is 1. Otherwise it is 3 times the bits
+/// of the odd part, plus the size of the exponent, plus 1 for a minus sign.
 long complexity(double number) {
   if (!std::isfinite(number)) {
     return 1;
@@ -53,7 +53,7 @@ Body immovable_at(const Vector3<double>& position) {
   return body;
 }
 
-/// The normal rounded to so many bits, and one body moving against the other along it, without spin.
+/// Rounds the normal to this many bits, stops all motion, and lets one body approach the other along the normal.
 void meet_head_on(Collision& c, int bits) {
   for (int i = 0; i < 3; ++i) {
     c.normal[i] = rounded_to_bits(c.normal[i], bits);
@@ -94,7 +94,7 @@ long complexity(const Collision& collision) {
   long sum = 0;
   for_each_number(
       [&](const FieldPath& path, const double& number) {
-        // 1, 0, 0, 0 is the simplest orientation, and 1 the simplest mass: both count as nothing.
+        // The identity is the simplest orientation, and 1 the simplest mass and moment, so they count as 0.
         const bool is_unit = number == 1 && (path.field == "mass" || path.field == "principal_inertia" ||
                                              (path.field == "orientation" && path.component == 0));
         sum += is_unit ? 0 : complexity(number);
@@ -128,7 +128,7 @@ std::vector<Collision> simpler(const Collision& collision) {
     });
     candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
   }
-  // Some failures need the velocity along the normal: both are made simple together.
+  // Some failures need a velocity along the normal, so both are simplified together.
   for (const bool b_is_fixed : {true, false}) {
     for (const int bits : {1, 2, 3, 4, 5, 53}) {
       candidates.add([&](Collision& c) {
@@ -180,7 +180,7 @@ std::vector<Collision> simpler(const Collision& collision) {
 Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
                  std::size_t most_calls) {
   std::vector<Collision> candidates = simpler(collision);
-  // Goes on behind the last success rather than from the start, and ends after a whole round of failures.
+  // Continues after the last success instead of at the start, and ends after a whole round of failures.
   std::size_t next = 0;
   std::size_t failures = 0;
   for (std::size_t calls = 0; calls < most_calls && failures < candidates.size(); ++calls) {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::array<std::uint64_t, 8> fewer_bits{0, 1, 2, 3, 5, 8, 16, 32};
 
-/// The multiple of 2^−bits that is at most this fraction.
+/// The largest multiple of 2^−bits that is at most this fraction, both in units of 2⁻⁵³.
 std::uint64_t shortened(std::uint64_t fraction, std::uint64_t bits) {
   const std::uint64_t unit = fractions >> bits;
   return fraction / unit * unit;
 }
 
-/// Other answers to one question, those closest to the simplest first.
+/// Other answers to one question, roughly from the simplest on.
 std::vector<std::uint64_t> other_answers(const Choice& choice) {
   const std::uint64_t count = choice.question.count;
   const std::uint64_t simplest = choice.question.simplest;
@@ -53,8 +53,8 @@ std::vector<std::uint64_t> other_answers(const Choice& choice) {
 std::vector<Edit> edits_of(const std::vector<Choice>& choices) {
   const std::size_t count = choices.size();
   std::vector<Edit> edits;
-  // The first choice may be that of the family. A simpler one then reads the others from several places on: one of
-  // these collisions may do.
+  // The first choice may choose the family. A simpler family then uses the other choices for other questions, so later
+  // starting places are tried too.
   for (std::size_t length = 1; length <= count; ++length) {
     edits.push_back({Edit::Kind::answer, 0, length, choices[0].question.simplest});
   }

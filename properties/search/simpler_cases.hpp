@@ -9,27 +9,27 @@
 
 namespace carom::properties {
 
-/// A change of the choices from `first` to before `last`. If the first gets another answer, the others go: they may
-/// have been asked on account of it.
+/// A change of the choices from `first` up to but not including `last`. If the first gets another answer, the others
+/// are removed, because that answer may have led to their questions.
 struct Edit {
   enum class Kind { simplify, remove, answer, shorten } kind;
   std::size_t first;
   std::size_t last;
-  std::uint64_t value = 0;  // the answer; or to so many bits the fractions are shortened
+  std::uint64_t value = 0;  // the answer, or the number of bits to which fractions are shortened
 };
 
-/// The simpler cases that the same definition draws, the boldest changes of the choices first. Each is strictly simpler
-/// than the case by `complexity`, so that shrinking ends, in small dyadic numbers. One after the other is worked out
-/// when it is asked for.
+/// The simpler cases that the same definition draws, the boldest changes of the choices first. Each has a smaller
+/// `complexity` than the case, so that shrinking ends, with small dyadic numbers. Each is computed only when it is
+/// requested.
 class SimplerCases {
  public:
-  /// `first`: the change to begin with; those before it come last.
+  /// `first` is the number of the change to begin with. The changes before it come last.
   SimplerCases(Draw draw, ChosenCase from, std::size_t first = 0);
 
-  /// Nothing if there are no more.
+  /// The next simpler case; none if there are no more.
   [[nodiscard]] std::optional<ChosenCase> next();
 
-  /// The place of the change that was tried last.
+  /// The number of the change that was tried last.
   [[nodiscard]] std::size_t place() const { return (first_ + tried_ - 1) % edits_.size(); }
 
  private:

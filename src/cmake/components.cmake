@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSL-1.0
-# The parts of Carom that can be had alone. Each is built and installed with the parts that it needs, and needs no other
-# packages than they do.
+# The components of Carom. Each can be built and installed with only the components that it needs, and needs no packages
+# beyond theirs and its own.
 
 set(CAROM_COMPONENTS all CACHE STRING
     "What is built and installed: a list of impulse, judge, report, kit, program, scenes and proofs, or all but the proofs")
 
-# Of each part: the parts below it, the packages of CMake that its build looks for, and those that its users need.
+# For each component: the components below it, the CMake packages of its build, and the CMake packages of its users.
 set(carom_parts impulse judge report kit program scenes)
 set(carom_impulse_packages "Eigen3 3.4")
 set(carom_impulse_packages_of_users "Eigen3 3.4")
@@ -22,9 +22,9 @@ set(carom_program_packages Boost CLI11 Threads PkgConfig benchmark)
 set(carom_program_packages_of_users Boost Threads)
 set(carom_scenes_needs program)
 set(carom_scenes_packages fcl)
-# The proofs are no C++, and need no package of CMake.
+# The proofs contain no C++ and need no CMake package.
 
-# What is built, lower parts first.
+# The components to build, lower ones first.
 set(CAROM_BUILT)
 function(carom_build_component part)
   if(NOT part IN_LIST carom_parts AND NOT part STREQUAL "proofs")
@@ -47,8 +47,8 @@ foreach(part IN LISTS carom_wanted)
   carom_build_component(${part})
 endforeach()
 
-# carom_component(PART): the libraries that the folder installs from here on belong to the part. A program and what it
-# reads belong to the install component `carom` instead.
+# carom_component(PART): assigns the libraries that the folder installs after this call to PART. A program and the files
+# that it reads belong to the install component `carom` instead.
 macro(carom_component part)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ${part})
 endmacro()

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
-# How Carom's own code is compiled. All of it is said of targets: what the user says by CMAKE_CXX_FLAGS and
-# CMAKE_BUILD_TYPE, and what a project that contains this one says, stays as it is.
+# Compile options of Carom's own code. They are set on targets only, so CMAKE_CXX_FLAGS, CMAKE_BUILD_TYPE and the
+# options of a containing project stay unchanged.
 
-# Every target of Carom's links this.
+# Every target of Carom links to this.
 add_library(carom_flags INTERFACE)
 target_compile_options(carom_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
                                              $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)
-# gcc that seldom collects its garbage takes a tenth less time, and a tenth more memory.
+# If gcc collects garbage less often, it takes a tenth less time and a tenth more memory.
 target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=400>
                                              $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
 
@@ -20,19 +20,19 @@ elseif(CAROM_SANITIZE STREQUAL "thread")
   set(carom_sanitizers -fsanitize=thread)
 endif()
 if(CAROM_SANITIZE)
-  # A target says that it is not to be checked by its property CAROM_NOT_SANITIZED.
+  # The property CAROM_NOT_SANITIZED excludes a target.
   set(carom_is_sanitized $<NOT:$<BOOL:$<TARGET_PROPERTY:CAROM_NOT_SANITIZED>>>)
   foreach(option IN ITEMS ${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_compile_options(carom_flags INTERFACE "$<${carom_is_sanitized}:${option}>")
   endforeach()
   target_link_options(carom_flags INTERFACE ${carom_sanitizers})
-  # gcc 12 finds std::regex uninitialised under the sanitizers (GCC bug 105562).
+  # Under the sanitizers, gcc 12 reports std::regex as uninitialised (GCC bug 105562).
   target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  # Boost.Asio has a fence that ThreadSanitizer does not see; what it orders has locks as well.
+  # ThreadSanitizer does not see a fence of Boost.Asio. Locks protect the same data.
   target_compile_options(carom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
 endif()
 if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
-  # The fuzzer sees which branches are taken in everything that is Carom's.
+  # The fuzzer observes the branches of all of Carom's code.
   target_compile_options(carom_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 if(CAROM_COVERAGE)
@@ -40,8 +40,9 @@ if(CAROM_COVERAGE)
   target_link_options(carom_flags INTERFACE --coverage)
 endif()
 
-# carom_optimise(TARGET LEVEL): in a Release build, LEVEL in place of CMake's -O3, for what would compile for longer and be
-# no faster; or -O3 where that has to be said. Where the user has chosen a level, that one is kept.
+# carom_optimise(TARGET LEVEL): compiles TARGET at LEVEL in a Release build, in place of CMake's -O3. Use it for code
+# that -O3 compiles more slowly and makes no faster, or to request -O3 explicitly. A level that the user chose takes
+# precedence.
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE}" carom_release_flags)
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE_INIT}" carom_default_release_flags)
 if(carom_release_flags STREQUAL carom_default_release_flags AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")

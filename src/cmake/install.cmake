@@ -3,7 +3,8 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# carom_library(TARGET NAME): an alias carom::NAME, under which the component of the folder installs it.
+# carom_library(TARGET NAME): defines the alias carom::NAME and installs TARGET under that name in the folder's
+# component.
 function(carom_library target name)
   set(part ${CMAKE_INSTALL_DEFAULT_COMPONENT_NAME})
   add_library(carom::${name} ALIAS ${target})
@@ -13,8 +14,8 @@ function(carom_library target name)
   set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES_OF_${part} ${name})
 endfunction()
 
-# carom_folder(TARGET NAME DIRECTORY SCOPE …): a library, and the spelling <carom/NAME/…> that its folder of the tree has
-# once installed. Each target sees the folders that it links to and no others. Further arguments choose among the headers
+# carom_folder(TARGET NAME DIRECTORY SCOPE …): defines the library carom::NAME and the spelling <carom/NAME/…> that its
+# headers have once installed. Each target sees only the folders that it links to. Further arguments select the headers
 # to install.
 function(carom_folder target name directory scope)
   set(root ${PROJECT_BINARY_DIR}/include/${name})
@@ -28,8 +29,8 @@ function(carom_folder target name directory scope)
           ${ARGN})
 endfunction()
 
-# The package that find_package(carom) finds, once all of its libraries are known. Each component brings its own files
-# carom-component-PART.cmake and carom-targets-PART.cmake.
+# Installs the package for find_package(carom). Call it after all libraries are defined. Each component installs its own
+# files carom-component-PART.cmake and carom-targets-PART.cmake.
 function(carom_install_package)
   set(directory ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
   carom_component(impulse)
@@ -53,7 +54,7 @@ function(carom_install_package)
     install(FILES ${PROJECT_SOURCE_DIR}/src/package/copyright
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcarom-${part}-dev)
   endforeach()
-  # Where there is no program, the solvers bring the licences.
+  # If there is no program, the package of the solvers contains the licences.
   set(part impulse)
   if("program" IN_LIST CAROM_BUILT)
     set(part carom)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-# What a user may choose. CMakePresets.json has the choices that bootstrap.sh makes.
+# The user's options. CMakePresets.json has the values that bootstrap.sh uses.
 
 option(CAROM_BUILD_TESTS "Build the tests, if all components are built" ${PROJECT_IS_TOP_LEVEL})
 option(CAROM_WARNINGS_AS_ERRORS "Treat warnings in Carom's own code as errors" ${PROJECT_IS_TOP_LEVEL})
@@ -16,8 +16,8 @@ if(NOT CAROM_SANITIZE MATCHES "^(address|thread)?$")
 endif()
 
 option(CAROM_BUILD_FUZZERS "Build the targets of tests/fuzz for a fuzzing engine; without it they replay files" OFF)
-# As OSS-Fuzz says it: what a target is linked with besides, and the flags that go with it are the user's. Where nothing is
-# said, it is clang's libFuzzer, with AddressSanitizer and UndefinedBehaviorSanitizer.
+# The library or flag that each target links to, as in OSS-Fuzz. The user provides the matching compile flags. If it is
+# empty, the targets use clang's libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
 set(LIB_FUZZING_ENGINE "$ENV{LIB_FUZZING_ENGINE}" CACHE STRING "The fuzzing engine: a library or a flag of the linker")
 if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -28,7 +28,7 @@ if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
   endif()
 endif()
 
-# A project that contains this one chooses for itself.
+# A containing project chooses its own build type.
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
-# Debian packages: `carom`, the program with what it reads and its documentation; `carom-scene`, its commands that run
-# scenes; libcarom-PART-dev, the libraries of each component. The target carom_package builds what is in them, and writes
-# them to build/package.
+# Debian packages: `carom` has the program, the files that it reads, and the documentation. `carom-scene` has the
+# commands that run scenes. libcarom-PART-dev has the libraries of a component. The target carom_package builds the
+# contents and writes the packages to build/package.
 
 set(CAROM_PACKAGE_CONTACT "Carom <carom@localhost>" CACHE STRING "Whom the packages name as their maintainer")
 
-# What is neither compiled nor a header. Pages, examples and schemas lie to each other as in the tree, so that links
-# lead somewhere. What programs read is not among the documentation, which small systems leave out.
+# Installs everything that is neither compiled nor a header. Pages, examples and schemas keep their relative paths, so
+# that links work. Files that programs read are outside the documentation, because small systems omit documentation.
 function(carom_install_documents)
   set(data ${CMAKE_INSTALL_DATADIR}/carom)
   set(documents ${CMAKE_INSTALL_DOCDIR}/docs)
@@ -26,7 +26,7 @@ function(carom_install_documents)
   install(FILES ${PROJECT_SOURCE_DIR}/src/package/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/carom COMPONENT carom)
 endfunction()
 
-# To be called once all that is installed is known.
+# Call this after everything that is installed is defined.
 macro(carom_package)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
@@ -38,7 +38,7 @@ macro(carom_package)
   set(CPACK_DEB_COMPONENT_INSTALL ON)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 
-  # What the users of each part's libraries need of Debian.
+  # The Debian packages that the users of each component's libraries need.
   set(carom_impulse_debian libeigen3-dev)
   set(carom_judge_debian libcgal-dev libgmp-dev libfmt-dev nlohmann-json3-dev)
   set(carom_report_debian libpugixml-dev)
@@ -74,7 +74,7 @@ macro(carom_package)
     set(CPACK_DEBIAN_CAROM_PACKAGE_SECTION science)
     set(CPACK_DEBIAN_CAROM_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_CAROM_PACKAGE_RECOMMENDS gnuplot-nox) # for charts, and the pictures of scenes
-    set(CPACK_DEBIAN_CAROM_PACKAGE_SUGGESTS "nodejs, npm, python3") # engines that npm has, and examples
+    set(CPACK_DEBIAN_CAROM_PACKAGE_SUGGESTS "nodejs, npm, python3") # npm engines, and examples
     set(CPACK_COMPONENT_CAROM_DESCRIPTION
         "Judges solvers of rigid-body collision impulses against exact arithmetic: a gate for continuous integration.")
   endif()

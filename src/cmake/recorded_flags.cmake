@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# The report says with what it was made: the flags that the compile lines of each library have, as CMake puts them
-# together. Where a single file has more (src/subjects: an engine's), these are not among them.
+# The report records the compile flags of each library, as CMake composes them. Extra flags of a single file (an engine
+# in src/subjects) are not recorded.
 
 function(carom_libraries_below directory result)
   get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
@@ -19,7 +19,7 @@ function(carom_libraries_below directory result)
   set(${result} ${libraries} PARENT_SCOPE)
 endfunction()
 
-# carom_record_flags(TARGET): gives TARGET a header io/compiled.hpp, of every library that there is by now.
+# carom_record_flags(TARGET): gives TARGET a header io/compiled.hpp with the flags of every library defined so far.
 function(carom_record_flags recorder)
   carom_libraries_below(${PROJECT_SOURCE_DIR} libraries)
   list(SORT libraries)
@@ -30,7 +30,7 @@ function(carom_record_flags recorder)
   endforeach()
   set(entries)
   foreach(library IN LISTS libraries)
-    # What a condition left empty, or was said before, is not on the line.
+    # The compile line has no empty entries and no repeated ones.
     set(definitions $<REMOVE_DUPLICATES:$<FILTER:$<TARGET_PROPERTY:${library},COMPILE_DEFINITIONS>,INCLUDE,.>>)
     set(options $<REMOVE_DUPLICATES:$<FILTER:$<TARGET_PROPERTY:${library},COMPILE_OPTIONS>,INCLUDE,.>>)
     set(independent $<TARGET_PROPERTY:${library},POSITION_INDEPENDENT_CODE>)
@@ -38,7 +38,7 @@ function(carom_record_flags recorder)
                           "${of_configuration} $<$<BOOL:${independent}>:${CMAKE_CXX_COMPILE_OPTIONS_PIC} >"
                           "$<JOIN:${options}, > ${CMAKE_CXX20_STANDARD_COMPILE_OPTION})flags\"},\n")
   endforeach()
-  # Options may depend on the language, where a project that contains this one has several.
+  # Options can depend on the language if a containing project has several languages.
   set(directory ${PROJECT_BINARY_DIR}/include/tool/$<CONFIG>)
   file(
     GENERATE

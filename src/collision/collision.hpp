@@ -12,8 +12,8 @@ namespace carom {
 /// A rigid body at the instant of contact, in world coordinates unless stated otherwise.
 template <class S>
 struct BasicBody {
-  /// Infinite mass: mass, principal_inertia and orientation are then not read. Its velocity may be nonzero (a driven
-  /// wall) and never changes.
+  /// Infinite mass. Nothing reads the mass, principal_inertia and orientation of an immovable body. Its velocity may be
+  /// nonzero (a driven wall) and never changes.
   bool immovable = false;
   S mass{1};                                          // > 0 [kg]
   Vector3<S> principal_inertia{S{1}, S{1}, S{1}};     // about the centre of mass, along the body axes, > 0 [kg m²]
@@ -31,8 +31,8 @@ struct BasicCollision {
   Vector3<S> point{S{0}, S{0}, S{0}};   // contact point P, world [m]
   Vector3<S> normal{S{0}, S{1}, S{0}};  // on body B, pointing from B to A, world; any nonzero length
   S restitution{1};                     // ε in [0, 1]
-  S friction{0};                        // Coulomb coefficient μ ≥ 0; read by `rough` and `coulomb` alone
-  S tangential_restitution{0};          // e_t in [-1, 1]; read by the model `rough` alone
+  S friction{0};                        // Coulomb coefficient μ ≥ 0; only the laws `rough` and `coulomb` read it
+  S tangential_restitution{0};          // e_t in [-1, 1]; only the law `rough` reads it
 };
 
 using Body = BasicBody<double>;
@@ -43,10 +43,10 @@ template <class S>
   return !(collision.a.immovable && collision.b.immovable);
 }
 
-/// Where a number stands in a collision: "a.principal_inertia[2]", "normal[0]", "restitution".
+/// The name of a number in a collision: "a.principal_inertia[2]", "normal[0]", "restitution".
 struct FieldPath {
   std::string_view body;   // "a", "b", or empty for a field of the collision itself
-  std::string_view field;  // as the line protocol spells it
+  std::string_view field;  // in the spelling of the line protocol
   int component = -1;      // -1 for a scalar
 
   [[nodiscard]] std::string text() const {
@@ -86,8 +86,8 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 
 }  // namespace detail
 
-/// Calls f(path, numbers...) for every number that the collisions hold, in one fixed order, the collisions side by
-/// side. What an immovable body does not have is passed over; the first collision decides.
+/// Calls f(path, numbers...) for every number of the collisions, in one fixed order. Each call passes the same number
+/// of every collision. Skips the mass, inertia and orientation of a body that is immovable in the first collision.
 template <class F, class... Collisions>
 void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// A value for each enumerator of an enumeration that counts from 0: found by the enumerator alone, so that no number
-/// is taken for one.
+/// A value for each enumerator of an enumeration that counts from 0. Only an enumerator is an index, so a plain number
+/// cannot be taken for one.
 template <class Enum, class T, std::size_t Count>
 struct EnumArray {
   std::array<T, Count> values{};
@@ -23,7 +23,7 @@ struct EnumArray {
   friend constexpr bool operator==(const EnumArray&, const EnumArray&) = default;
 };
 
-/// Whether a list of enumerators is the whole of an enumeration up to its last one, in order.
+/// Whether `all` lists every enumerator from 0 to `last`, in order.
 template <class Enum, std::size_t Count>
 [[nodiscard]] constexpr bool counts_from_zero_to(const std::array<Enum, Count>& all, Enum last) {
   for (std::size_t i = 0; i < Count; ++i) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// CAROM_EXPECTS(condition, values…) states a precondition. A checked build ends the program if it does not hold, and
-/// prints where it stands, the condition, and the values. Any other build compiles the condition, and evaluates
-/// nothing.
+/// CAROM_EXPECTS(condition, values…) states a precondition. If it does not hold, a checked build prints the source
+/// location, the condition and the values, and aborts the program. Any other build compiles the condition but does not
+/// evaluate it.
 ///
-/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if nothing defines it and NDEBUG is not defined either. A
-/// check changes no result, no type and no layout. So a program may mix units that check with units that do not, as it
-/// may with `assert`: the linker then keeps one copy of an inline function, and that copy checks or does not.
+/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if it is undefined and NDEBUG is undefined too. A check
+/// changes no result, no type and no layout. So a program may mix checked and unchecked units, as with `assert`. The
+/// linker then keeps one copy of an inline function, checked or not.
 #ifndef CAROM_CHECK_PRECONDITIONS
 #ifdef NDEBUG
 #define CAROM_CHECK_PRECONDITIONS 0
@@ -25,8 +25,9 @@
 
 namespace carom::detail {
 
-/// The lanes of a pack are not asked: those that do not collide hold what is of no account. Nor is a comparison of
-/// numbers that are known to within an error, which may be undecided.
+/// Two kinds of conditions always pass. A comparison of packs passes because lanes that do not collide may hold
+/// meaningless numbers. A comparison of numbers that are known only to within an error passes because it may be
+/// undecided.
 template <class Condition>
 [[nodiscard]] constexpr bool holds(const Condition& condition) {
   if constexpr (std::is_constructible_v<bool, const Condition&>) {
@@ -36,7 +37,7 @@ template <class Condition>
   }
 }
 
-/// Prints what has a name, components or an operator<<; of anything else it says that there is a value.
+/// Prints a value by its name, its components or its operator<<, and "?" if it has none of them.
 template <class T>
 void print_value(std::ostream& out, const T& value) {
   if constexpr (requires { name_of(value); }) {

@@ -14,22 +14,22 @@ namespace carom {
 enum class Model {
   frictionless,  // the impulse is along the normal (Eberly's note, eq. 18)
   reflection,    // the tangential velocity of the contact point is kept (Eberly's note, eq. 17, 20, 21)
-  sticking,      // the contact point stops, but for ε times the approach: N·V⁺ = −ε N·V⁻, N × V⁺ = 0
-  rough,         // Coulomb friction and a tangential restitution e_t (A. Chatterjee, A. Ruina 1998)
-  coulomb,       // N·V⁺ = −ε N·V⁻, and friction in its cone that stops the slip, or opposes what is left of it
-  any,           // no law in particular: only what holds for every model is judged
+  sticking,  // the contact point stops, except that its normal velocity rebounds: N·V⁺ = −ε N·V⁻, N × V⁺ = 0
+  rough,     // Coulomb friction and a tangential restitution e_t (A. Chatterjee, A. Ruina 1998)
+  coulomb,   // N·V⁺ = −ε N·V⁻; friction in its cone stops the slip or opposes the remaining slip
+  any,       // no particular law: only the rules that hold for every law are judged
 };
 
 inline constexpr std::array all_models{Model::frictionless, Model::reflection, Model::sticking,
                                        Model::rough,        Model::coulomb,    Model::any};
 static_assert(counts_from_zero_to(all_models, Model::any));
 
-/// A value for each model.
+/// A value for each law.
 template <class T>
 using PerModel = EnumArray<Model, T, all_models.size()>;
 
-/// The models that determine one outcome, by a formula, so that there is a truth to compare with. The others are judged
-/// by the equations that hold for them.
+/// The laws that determine one outcome by a formula, so that there is a true outcome to compare with. The other laws
+/// are judged by their equations.
 inline constexpr std::array models_with_truth{Model::frictionless, Model::reflection, Model::sticking, Model::rough};
 
 [[nodiscard]] constexpr bool determines_outcome(Model model) {

@@ -29,7 +29,7 @@ inline constexpr std::array all_outcome_vectors{OutcomeVector::velocity_of_a, Ou
                                                 OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_velocity_of_b));
 
-/// As the line protocol spells it.
+/// In the spelling of the line protocol.
 [[nodiscard]] constexpr std::string_view name_of(OutcomeVector vector) {
   switch (vector) {
     case OutcomeVector::velocity_of_a:
@@ -78,7 +78,7 @@ template <class T, class S, class Convert>
   return mapped;
 }
 
-/// The velocities before the impulse: the right outcome wherever the contact is not colliding.
+/// The velocities before the impulse: the correct outcome if the contact is not colliding.
 template <class S>
 [[nodiscard]] Outcome<S> unchanged(const BasicCollision<S>& collision) {
   return {{collision.a.velocity, collision.a.angular_velocity}, {collision.b.velocity, collision.b.angular_velocity}};

@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// What a subject computes in.
+/// The floating-point format that a subject computes in.
 enum class Precision { binary32, binary64, extended };
 
 [[nodiscard]] constexpr std::string_view name_of(Precision precision) {
@@ -34,8 +34,8 @@ enum class Precision { binary32, binary64, extended };
   return static_cast<double>(std::numeric_limits<long double>::epsilon() / 2.0L);
 }
 
-/// η/u, with η the least positive number: what is smaller is known to u of this, and not of itself. 0 where that is
-/// less than what can be judged.
+/// η/u, with η the least positive number. The rounding error of a smaller number is up to u times this size instead of
+/// u times the number. The result is 0 if this size is too small to be judged.
 [[nodiscard]] constexpr double least_size_known_to_a_roundoff(Precision precision) {
   switch (precision) {
     case Precision::binary32:

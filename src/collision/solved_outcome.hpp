@@ -8,20 +8,20 @@
 
 namespace carom {
 
-/// An outcome, and the collision matrix C that it was solved with, in world axes [1/kg]; without one where none was
-/// formed, or none is shown.
+/// An outcome, and the collision matrix C that solved it, in world axes [1/kg]. The matrix is absent if the solver
+/// formed none or shows none.
 template <class S>
 struct SolvedOutcome : Outcome<S> {
   std::optional<Matrix3<S>> collision_matrix;
 
   SolvedOutcome() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): an outcome is one that shows no matrix
+  // NOLINTNEXTLINE(google-explicit-constructor): an outcome converts to one without a matrix
   SolvedOutcome(const Outcome<S>& outcome, const std::optional<Matrix3<S>>& matrix = std::nullopt)
       : Outcome<S>(outcome), collision_matrix(matrix) {}
   SolvedOutcome(const BodyVelocity<S>& of_a, const BodyVelocity<S>& of_b) : Outcome<S>{of_a, of_b} {}
 };
 
-/// An outcome as a subject reports it: wide enough to hold binary32, binary64 and extended without rounding.
+/// An outcome as a subject reports it. It holds binary32, binary64 and extended numbers without rounding.
 using ReportedOutcome = SolvedOutcome<long double>;
 
 template <class S>

@@ -17,25 +17,25 @@
 
 namespace carom {
 
-/// The case cannot be posed to the subject. Counted, never a pass.
+/// The subject cannot take this case. A skipped case is counted, and never passes.
 struct Skipped {
   std::string why;
 };
 
-/// The subject refused the input: right for an invalid collision, wrong for a valid one.
+/// The subject refused the input. This is correct for an invalid collision and wrong for a valid one.
 struct Refused {
   std::string why;
 };
 
-/// The subject gave no answer: it ended, hung, or said what is no reply.
+/// The subject gave no answer: it ended, hung, or wrote something that is not a reply.
 struct Failed {
-  std::string why;        // one line, the same whenever the collision is asked
-  std::string said = {};  // on standard error, and what else helps to find the place; may have several lines
+  std::string why;        // one line, the same each time the collision is solved
+  std::string said = {};  // standard error and other help to find the place; may have several lines
 };
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused, Failed>;
 
-/// A session that can go on no more, the answers that it had until then, and how it failed on the collision after them.
+/// Reports that a session cannot continue. Holds the answers before the failure, and the failure on the next collision.
 class SessionFailure : public std::runtime_error {
  public:
   SessionFailure(const std::string& what, std::vector<Answer> answered, Failed failed)
@@ -50,16 +50,16 @@ class SessionFailure : public std::runtime_error {
     std::vector<Answer> answered;
     Failed failed;
   };
-  std::shared_ptr<const State> state_;  // exceptions are copied without throwing
+  std::shared_ptr<const State> state_;  // shared, so that copying the exception cannot throw
 };
 
-/// Answers collisions in order, one answer each. Used by the thread that opened it alone.
+/// Answers collisions in order, one answer for each. Only the thread that opened a session may use it.
 class Session {
  public:
   using Solve = std::function<std::vector<Answer>(std::span<const Collision>)>;
 
   Session() = default;
-  /// `close` ends what the session holds on to; empty where that is nothing.
+  /// `close` releases the resources of the session. It may be empty.
   template <class F,
             class = std::enable_if_t<std::is_invocable_r_v<std::vector<Answer>, F&, std::span<const Collision>>>>
   // NOLINTNEXTLINE(google-explicit-constructor): a callable is a session
@@ -67,7 +67,7 @@ class Session {
 
   [[nodiscard]] std::vector<Answer> operator()(std::span<const Collision> collisions) { return solve_(collisions); }
 
-  /// Ends the session in an orderly way. Throws where the subject does not end as it should.
+  /// Ends the session in an orderly way. Throws if the subject does not end as it should.
   void close() {
     if (close_) {
       close_();
@@ -82,24 +82,26 @@ class Session {
 /// A solver under test.
 struct Subject {
   std::string name;
-  /// What the command line calls it, where that is not its name: "exec:PROGRAM ARG…".
+  /// The subject's name on the command line, if it differs from `name`: "exec:PROGRAM ARG…".
   std::string specification = {};
   std::string summary = {};
-  std::string version = {};  // of the engine; empty where it has none of its own
+  std::string version = {};  // of the engine; empty if it has no version of its own
   Model model = Model::any;
   Precision precision = Precision::binary64;
-  /// Whether its author claims that it is right. One that is kept because it fails is shown, and does not count.
+  /// Whether its author claims that it is correct. A subject that is kept because it fails is shown, but does not
+  /// count.
   bool expected_to_pass = true;
-  /// What the subject does not claim: "invariant", or "invariant@family" for one family.
+  /// The claims that the subject does not make: "invariant", or "invariant@family" for one family.
   std::vector<std::string> deviates;
-  /// Why the subject cannot be run here (an engine that is not installed); empty where it can.
+  /// The reason why the subject cannot run here (an engine that is not installed); empty if it can.
   std::string absent;
-  /// A session of its own for each thread. Empty where `absent` is not.
+  /// Opens a session; each thread opens its own. Empty if `absent` is not.
   std::function<Session()> open;
-  /// Whether it shows the collision matrix with the outcome of each colliding contact that it solves by one.
+  /// Whether each outcome of a colliding contact shows the collision matrix, if the subject solves the contact with
+  /// one.
   bool shows_collision_matrix = false;
 
-  /// Whether it is a program that answers in text.
+  /// Whether the subject is a program that answers in text.
   [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };
 

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// What is wrong with one field of a collision.
+/// A defect of one field of a collision.
 struct Defect {
   std::string field;     // "a.mass", "normal", …
   std::string expected;  // "a finite number", "greater than 0", …
@@ -18,7 +18,7 @@ struct Defect {
 
 namespace detail {
 
-// Comparisons are written so that a NaN, which is reported as not finite, is not reported twice.
+// These comparisons are false for a NaN. It is already reported as not finite.
 inline void check_body(const std::string& name, const Body& body, std::vector<Defect>& defects) {
   if (body.immovable) {
     return;
@@ -36,9 +36,9 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
   }
 }
 
-/// Whether every number is finite; quick, since most collisions are so.
+/// Whether every number is finite. Fast, because most collisions pass.
 [[nodiscard]] inline bool is_finite(const Collision& collision) {
-  double sum = 0;  // of zeros, or of what is no number
+  double sum = 0;  // 0 if every number is finite, otherwise NaN
   for_each_number([&](const FieldPath&, const double& number) { sum += 0 * number; }, collision);
   return sum == 0;
 }
@@ -52,7 +52,8 @@ inline void check_range(const char* field, double value, double low, double high
 
 }  // namespace detail
 
-/// Every defect of a collision; empty where it is valid. Solvers take valid collisions and do not check.
+/// Every defect of a collision; empty if the collision is valid. Solvers require valid collisions and do not check
+/// them.
 [[nodiscard]] inline std::vector<Defect> validate(const Collision& collision) {
   std::vector<Defect> defects;
   if (!detail::is_finite(collision)) {

@@ -5,7 +5,7 @@
 
 namespace carom::impulse {
 
-/// What one body adds to the collision matrix: I/m + [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
+/// The contribution of one body to the collision matrix: I/m + [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S, Inertia>& body) {
   Matrix3<S> matrix = angular_part_of_collision_matrix(body.inertia, body.lever_arm);
@@ -15,22 +15,22 @@ template <class S, class Inertia>
   return matrix;
 }
 
-/// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per impulse at
-/// the contact (note eq. 24), 1/kg, world axes. It is the note's C (eq. 25 to 27, with λ counted once) before the
-/// change of basis.
+/// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity for each unit
+/// of impulse at the contact (note eq. 24) [1/kg], in world axes. It is the note's C (eq. 25 to 27, with λ counted
+/// once) before the change of basis.
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);
 }
 
-/// What a law hands the collision matrix that it solves with, where nobody asks for it. A law calls `see(K)` with K in
-/// world axes, once it is formed; not where it answers without one.
+/// Ignores the collision matrix: the default for the argument `see` of a law. A law calls `see(K)` once it has formed
+/// K, in world axes. It does not call it if it answers without a collision matrix.
 struct UnseenMatrix {
   template <class S>
   constexpr void operator()(const Matrix3<S>& /*matrix*/) const {}
 };
 
-/// C = Bᵀ K B: the collision matrix in the basis that the columns of B are. Exactly symmetric.
+/// C = Bᵀ K B: the collision matrix in the basis of the columns of B. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> in_basis(const Matrix3<S>& matrix, const Matrix3<S>& basis) {
   const Matrix3<S> half = matrix * basis;

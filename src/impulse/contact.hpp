@@ -14,29 +14,31 @@
 
 namespace carom::impulse {
 
-/// What a solver reads of one body. World coordinates. Inertia is how it has J⁻¹: `PrincipalInertia` or `WorldInertia`.
+/// The input of a solver for one body, in world coordinates. Inertia is the representation of J⁻¹: `PrincipalInertia`
+/// or `WorldInertia`.
 template <class S, class Inertia = PrincipalInertia<S>>
 struct ContactBody {
-  S inverse_mass;               // 0 where immovable [1/kg]
+  S inverse_mass;               // 0 if immovable [1/kg]
   Inertia inertia;              // about the centre of mass
   Vector3<S> lever_arm;         // r, from the centre of mass to the contact point [m]
   Vector3<S> velocity;          // of the centre of mass, before the impulse [m/s]
   Vector3<S> angular_velocity;  // before the impulse [rad/s]
 };
 
-/// What a solver reads, in its own scalar type.
+/// The input of a solver, in its own scalar type.
 template <class S, class Inertia = PrincipalInertia<S>>
 struct Contact {
   ContactBody<S, Inertia> a;
   ContactBody<S, Inertia> b;
   Vector3<S> normal;         // N, on body B, pointing from B to A; any nonzero length
   S restitution;             // ε in [0, 1]
-  S friction;                // μ ≥ 0; read by the laws `rough` and `coulomb` alone
-  S tangential_restitution;  // e_t in [-1, 1]; read by `rough` alone
+  S friction;                // μ ≥ 0; only the laws `rough` and `coulomb` read it
+  S tangential_restitution;  // e_t in [-1, 1]; only the law `rough` reads it
 };
 
-/// The vector times the power of two that brings its largest component into [1/2, 1): exact, and no later product of
-/// two such vectors over- or underflows in S. Types without a range limit keep the vector as it is.
+/// The vector times the power of two that brings its largest component into [1/2, 1). The scaling is exact, and no
+/// later product of two such vectors overflows or underflows in S. Types without a range limit keep the vector
+/// unchanged.
 template <class S, class Vector>
 [[nodiscard]] auto without_extreme_length(const Vector& vector) {
   using From = typename Vector::Scalar;
@@ -55,7 +57,7 @@ template <class S, class Vector>
   return scaled;
 }
 
-/// What a solver in S reads of a body. Precondition: the collision that it belongs to is valid.
+/// The body as input of a solver in S. Precondition: the collision that the body belongs to is valid.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] ContactBody<S, Inertia> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
   const auto in_s = [](const Vector3<T>& vector) {
@@ -70,8 +72,8 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
   return result;
 }
 
-/// The contact of a collision: every number is first rounded to S, as an engine in S would have it stored.
-/// Precondition: the collision is valid.
+/// The contact of a collision. Every number is first rounded to S, as an engine in S stores it. Precondition: the
+/// collision is valid.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
   if constexpr (std::is_same_v<T, double>) {
@@ -85,8 +87,8 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
           static_cast<S>(collision.tangential_restitution)};
 }
 
-/// Whether a contact may be made from a valid collision, as far as its numbers show: a bool, or a mask if S is a pack.
-/// A number that leaves the range of S is infinite or NaN, so lever arms and velocities show nothing.
+/// Whether the numbers of a contact allow that it was made from a valid collision: a bool, or a mask if S is a pack.
+/// Lever arms and velocities are not checked, because a number beyond the range of S is infinite or NaN.
 template <class S, class Inertia>
 [[nodiscard]] auto is_made_of_valid(const Contact<S, Inertia>& contact) {
   return !(contact.a.inverse_mass < S(0)) && !(contact.b.inverse_mass < S(0)) &&
@@ -103,8 +105,8 @@ template <class S, class Inertia>
   return velocity_a - velocity_b;
 }
 
-/// N·V. Of the spins' part w·(r × N) nothing is left where r lies along N; N·(w × r) would leave the rounding of w × r,
-/// which no inputs account for.
+/// N·V. The angular part is w·(r × N), which vanishes if r lies along N. The form N·(w × r) would keep the rounding
+/// error of w × r, which no small change of the inputs explains.
 template <class S, class Inertia>
 [[nodiscard]] S normal_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
@@ -113,20 +115,20 @@ template <class S, class Inertia>
          (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
 }
 
-/// λ = 1/m_A + 1/m_B, the least eigenvalue that K can have.
+/// λ = 1/m_A + 1/m_B, a lower bound of the eigenvalues of K.
 template <class S, class Inertia>
 [[nodiscard]] S inverse_mass(const Contact<S, Inertia>& contact) {
   return contact.a.inverse_mass + contact.b.inverse_mass;
 }
 
 /// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move. A bool, or a mask
-/// where S is a pack.
+/// if S is a pack.
 template <class S, class Inertia>
 [[nodiscard]] auto is_colliding(const Contact<S, Inertia>& contact, const S& normal_velocity) {
   return normal_velocity < S(0) && inverse_mass(contact) > S(0);
 }
 
-/// The velocities as they are: the outcome of a contact that is not colliding.
+/// The unchanged velocities: the outcome of a contact that is not colliding.
 template <class S, class Inertia>
 [[nodiscard]] BodyVelocity<S> unchanged(const ContactBody<S, Inertia>& body) {
   return {body.velocity, body.angular_velocity};
@@ -136,13 +138,13 @@ template <class S, class Inertia>
   return {unchanged(contact.a), unchanged(contact.b)};
 }
 
-/// Whether a body is slender: a bool, or a mask where S is a pack.
+/// Whether a body of the contact is slender: a bool, or a mask if S is a pack.
 template <class S, class Inertia>
 [[nodiscard]] auto has_slender(const Contact<S, Inertia>& contact) {
   return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);
 }
 
-/// The velocities of a body after an impulse on it at the contact (note eq. 23). In N s.
+/// The velocities of a body after an impulse on it at the contact (note eq. 23). The impulse is in N s.
 template <class S, class Inertia, class Condition>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
                                             const Condition& has_slender) {
@@ -150,7 +152,7 @@ template <class S, class Inertia, class Condition>
           body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse, has_slender)};
 }
 
-/// The outcome of the impulse F on A and −F on B. F in N s.
+/// The outcome of the impulse F on A and −F on B [N s].
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
   const auto is_any_slender = has_slender(contact);

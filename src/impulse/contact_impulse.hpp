@@ -8,15 +8,15 @@
 
 namespace carom::impulse {
 
-/// What a law makes of a contact, or a `NormalImpulse` (frictionless.hpp): the impulse F on A, and −F on B, where the
-/// contact is colliding; none elsewhere.
+/// The result of a law: the impulse F on A and −F on B if the contact is colliding, otherwise no impulse. Some laws
+/// return a `NormalImpulse` (frictionless.hpp) or a `RoughImpulse` (rough.hpp) instead.
 template <class S>
 struct ContactImpulse {
-  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask where S is a pack
-  Vector3<S> on_a;                                            // F [N s]; of no account where not colliding
+  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask if S is a pack
+  Vector3<S> on_a;                                            // F [N s]; meaningless if not colliding
 };
 
-/// The velocities of one body after it, with F for A and −F for B in `on_body`.
+/// The velocities of one body after the impulse. `on_body` is F for A and −F for B.
 template <class Condition, class S, class Inertia, class Slender>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S, Inertia>& body,
                                             const Vector3<S>& on_body, const Slender& has_slender) {

@@ -17,11 +17,13 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The impulses of the law `coulomb` in a basis {N, T0, T1}, by the resistance to slip ν: V_T⁺ + ν F_T = 0.
+/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the resistance to slip ν: V_T⁺ + ν F_T =
+/// 0.
 template <class S>
 class SlipResistance {
  public:
-  /// C in the basis, the change of velocity that is asked for, and a lower bound of the eigenvalues of C.
+  /// The collision matrix C in the basis, the required change of velocity, a lower bound of the eigenvalues of C, and
+  /// μ.
   SlipResistance(const Matrix3<S>& matrix, const Vector3<S>& change, const S& least, const S& friction)
       : matrix_(matrix), change_(change), least_(least), friction_(friction) {}
 
@@ -64,13 +66,15 @@ class SlipResistance {
 
 }  // namespace detail
 
-/// The law `coulomb`, what engines aim at: Newton's restitution, and friction opposed to the slip after the impulse,
+/// The law `coulomb`, which engines approximate: Newton's restitution, and friction opposed to the slip after the
+/// impulse.
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
 ///
-/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), P the projection across N: the contact point
-/// sticks at ν = 0, and slips without friction as ν → ∞. There F lies in the cone. So where it does not at ν = 0, some
-/// ν > 0 in between puts it on the surface: there always is an answer (docs/guide/laws.md), and bisection finds one.
+/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P the projection across N. The contact
+/// point sticks at ν = 0, and slips without friction as ν → ∞. In that limit F lies in the cone. So if F is outside the
+/// cone at ν = 0, some ν > 0 puts it on the surface. A solution always exists (docs/guide/laws.md), and bisection finds
+/// one.
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
 template <class S, class See = UnseenMatrix>
@@ -93,7 +97,7 @@ template <class S, class See = UnseenMatrix>
   return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
 }
 
-/// A contact that is not colliding keeps its velocities; without friction the answer is the frictionless one.
+/// A contact that is not colliding keeps its velocities. If μ = 0, the outcome is that of the frictionless law.
 /// Precondition: the contact was made from a valid collision.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact, const See& see = {}) {

@@ -6,14 +6,14 @@
 
 namespace carom::impulse {
 
-/// An impulse f N on A and −f N on B where the contact is colliding, none elsewhere, and how it turns the bodies: known
-/// already when f is found.
+/// An impulse f N on A and −f N on B if the contact is colliding, otherwise none. Also holds the changes of spin,
+/// because they are known as soon as f is.
 template <class S>
 struct NormalImpulse {
-  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask where S is a pack
-  Vector3<S> on_a;                 // f N [N s]; of no account where not colliding, as the rest
-  Vector3<S> change_of_spin_of_a;  // f J_A⁻¹ (r_A × N)
-  Vector3<S> change_of_spin_of_b;  // −f J_B⁻¹ (r_B × N)
+  decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask if S is a pack
+  Vector3<S> on_a;                                            // f N [N s]; all vectors are meaningless if not colliding
+  Vector3<S> change_of_spin_of_a;                             // f J_A⁻¹ (r_A × N)
+  Vector3<S> change_of_spin_of_b;                             // −f J_B⁻¹ (r_B × N)
 };
 
 /// The frictionless law, F = f N (note eq. 18, for a normal of any length):

@@ -12,9 +12,9 @@
 #include <carom/impulse/normal_velocity.hpp>
 #include <carom/impulse/rough.hpp>
 
-/// Outcomes that never penetrate: N·V⁺ ≥ 0, exactly, for N, P, X as they stand in the collision and the velocities that
-/// are returned. A law computed with rounding gives N·V⁺ < 0 in about half of all cases where ε = 0. Needs the
-/// collision itself, since the lever arms of a Contact are rounded.
+/// Outcomes that never penetrate: N·V⁺ ≥ 0 exactly, for the stored N, P and X of the collision and the returned
+/// velocities. A law computed with rounding gives N·V⁺ < 0 in about half of all cases with ε = 0. These functions need
+/// the collision itself, because the lever arms of a Contact are rounded.
 namespace carom::impulse {
 
 namespace detail {
@@ -28,19 +28,19 @@ namespace detail {
   return true;
 }
 
-/// What a component of r × N = (P − X) × N may be off by, relatively to |r_j N_k| + |r_k N_j|: each product has two
-/// roundings, their difference one, and one is left for the roundings of that sum.
+/// The error of a component of r × N = (P − X) × N, relative to |r_j N_k| + |r_k N_j|. Each product has two roundings,
+/// their difference has one, and one allows for the roundings of that sum.
 inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
 
-/// A velocity component, and how fast N·V grows with it.
+/// A velocity component, and the derivative of N·V with respect to it.
 struct Adjustable {
   double* component = nullptr;
   double slope = 0;
   double ulp = 0;
 };
 
-/// Which of two bodies is moved where both would do: the lighter one, else the slower one, component by component. It
-/// depends neither on which of them is called A nor on the signs that a mirror changes.
+/// Whether x is the body to move if both bodies would do: the lighter one, otherwise the slower one, component by
+/// component. The choice depends neither on the names A and B nor on the signs that a mirror changes.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {
@@ -51,7 +51,7 @@ struct Adjustable {
   return key(x) < key(y);
 }
 
-/// The component of the movable bodies an ulp of which moves N·V furthest, so that the fewest ulps are needed.
+/// The component of the movable bodies that changes N·V most for each ulp, so that the fewest ulps are needed.
 [[nodiscard]] inline Adjustable most_effective_component(const Collision& c, Outcome<double>& outcome) {
   Adjustable best;
   double most = -1;
@@ -74,7 +74,7 @@ struct Adjustable {
     }
     for (int i = 0; i < 3; ++i) {
       const auto [left, right] = moment_terms<double>(r, c.normal, i);
-      // Where r × N may be rounding alone, its sign is not known.
+      // If r × N may consist of rounding error only, its sign is unknown.
       const double slope = left - right;
       const bool sign_is_known = std::abs(slope) > rounding_of_slope * (std::abs(left) + std::abs(right));
       consider(motion.angular_velocity[i], sign_is_known && std::isfinite(slope) ? s * slope : 0);
@@ -93,8 +93,9 @@ struct Adjustable {
 
 }  // namespace detail
 
-/// The outcome with as few ulps added to one component of a movable body at a time as make N·V⁺ ≥ 0; untouched where it
-/// is so already, where no body can move, and where a number is not finite. Precondition: the collision is valid.
+/// The outcome with N·V⁺ ≥ 0. Each step adds as few ulps as necessary to one component of a movable body. Returns the
+/// outcome unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the
+/// collision is valid.
 [[nodiscard]] inline Outcome<double> without_approach(const Collision& collision, Outcome<double> outcome) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
@@ -111,9 +112,8 @@ struct Adjustable {
       break;
     }
     const auto [component, slope, ulp] = detail::most_effective_component(collision, outcome);
-    // At least one ulp, so that N·V grows each time; more where the law itself was evaluated badly. Where N·V
-    // underflows nothing tells how far it is from zero, which may be more ulps than anyone can wait for: twice as many
-    // each time.
+    // At least one ulp, so that N·V grows each time; more if the evaluation of the law was inaccurate. If N·V
+    // underflows, its distance from zero is unknown and may be very many ulps. So the step doubles each time.
     *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulps * ulp), slope);
     ulps = velocity.value == 0 ? 2 * ulps : 1;
   }
@@ -122,7 +122,7 @@ struct Adjustable {
 
 namespace detail {
 
-/// The contact with these velocities, and without restitution.
+/// The contact with the velocities of `motion` and without restitution.
 [[nodiscard]] inline Contact<double> at_velocities(Contact<double> contact, const Outcome<double>& motion) {
   contact.a.velocity = motion.a.velocity;
   contact.a.angular_velocity = motion.a.angular_velocity;
@@ -132,7 +132,8 @@ namespace detail {
   return contact;
 }
 
-/// The contact once more, by the law; by the frictionless one where the law has done with friction.
+/// The outcome of another impulse by the law. After `rough` the frictionless law is used, because friction has already
+/// acted.
 template <class Law>
 [[nodiscard]] Outcome<double> struck_again(const Contact<double>& contact, const Law& law, double approach) {
   if constexpr (std::is_same_v<std::invoke_result_t<const Law&, const Contact<double>&>, RoughImpulse<double>>) {
@@ -142,8 +143,8 @@ template <class Law>
   }
 }
 
-/// Whether a few ulps of one component take the N·V⁺ < 0 that is left. An impulse that takes it may move a slender
-/// body's spin by many: what the rounding of a spin leaves is more than what its slight part about the long axis is.
+/// Whether a few ulps of one component remove the remaining N·V⁺ < 0. Another impulse may move the spin of a slender
+/// body by many ulps. The rounding error of a spin may exceed its small part about the long axis.
 [[nodiscard]] inline bool is_within_few_ulps(const Collision& collision, Outcome<double> outcome, double left) {
   constexpr double few = 4;
   const auto [component, slope, ulp] = most_effective_component(collision, outcome);
@@ -152,9 +153,9 @@ template <class Law>
 
 }  // namespace detail
 
-/// `law` (Contact<double>, N·V⁻ → what apply_impulse takes) without penetration: where the exact N·V⁻ is not negative
-/// the velocities are kept, elsewhere the law's outcome is rounded so that the exact N·V⁺ is not negative.
-/// Precondition: the collision is valid, and the contact was made from it.
+/// `law` without penetration. The law maps a Contact<double> and N·V⁻ to an argument of apply_impulse. If the exact
+/// N·V⁻ is not negative, the velocities are unchanged. Otherwise the outcome of the law is rounded so that the exact
+/// N·V⁺ is not negative. Precondition: the collision is valid, and the contact was made from it.
 template <class Law>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact, const Law& law) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
@@ -162,16 +163,17 @@ template <class Law>
   if (normal_velocity_sign(collision, before) >= 0) {
     return before;
   }
-  // A length of the contact's normal in units of the collision's.
+  // The length of the contact's normal divided by the length of the collision's normal.
   const double unit = contact.normal.cwiseAbs().maxCoeff() / collision.normal.cwiseAbs().maxCoeff();
-  // N·V as it is, and not as rounded, so that there is little to mend.
+  // N·V from the exact numbers of the collision instead of the rounded lever arms, so that little needs correction.
   const auto known_approach = [&](const Outcome<double>& motion) {
     return known_normal_velocity(collision, motion).value * unit;
   };
   const auto is_usable = [](double approach) { return std::isfinite(approach) && approach < 0; };
   const double approach = known_approach(before);
   Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? law(contact, approach) : law(contact));
-  // What the rounding of a great impulse left of the approach is taken by another one, which keeps the momenta.
+  // The rounding error of a large impulse may leave a part of the approach. Another impulse removes it and conserves
+  // the momenta.
   if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0;
       is_usable(left) && !detail::is_within_few_ulps(collision, outcome, left / unit)) {
     const Contact<double> again = detail::at_velocities(contact, outcome);

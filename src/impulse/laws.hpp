@@ -9,12 +9,12 @@
 #include <carom/impulse/rough.hpp>
 #include <carom/impulse/sticking.hpp>
 
-/// The solvers by the model that they follow, with LDLᵀ where a 3×3 system is to be solved.
+/// The solvers by law. They use LDLᵀ to solve a 3×3 system.
 namespace carom::impulse {
 
 namespace detail {
 
-/// It forms no collision matrix, so that there is none to see.
+/// The frictionless law. It forms no collision matrix, so it ignores `see`.
 struct FrictionlessLaw {
   template <class Contact>
   [[nodiscard]] auto operator()(const Contact& contact) const {
@@ -28,9 +28,9 @@ struct FrictionlessLaw {
 
 }  // namespace detail
 
-/// Calls use(law), law being what takes a contact in any scalar type, and N·V⁻ where it is known better than from
-/// the contact, and behind that what is to see the collision matrix, to its ContactImpulse, NormalImpulse or
-/// RoughImpulse; not where the model is not one of `models_with_truth`.
+/// Calls use(law). `law` takes a contact in any scalar type and returns its ContactImpulse, NormalImpulse or
+/// RoughImpulse. It also takes N·V⁻, if that is known better than from the contact, and after it `see`, which receives
+/// the collision matrix. Does not call `use` if the law is not one of `models_with_truth`.
 template <class Use>
 constexpr void with_law(Model model, const Use& use) {
   switch (model) {
@@ -52,11 +52,11 @@ constexpr void with_law(Model model, const Use& use) {
   }
 }
 
-/// What the solver of a model does, in words.
+/// A description of the solver of a law, in words.
 struct Description {
   std::string_view law;
-  std::string_view solve;   // of the 3×3 system; empty where there is none
-  std::string_view source;  // of the formula; empty where it is the solver's own
+  std::string_view solve;   // of the 3×3 system; empty if there is none
+  std::string_view source;  // of the formula; empty if the formula is the solver's own
 };
 
 [[nodiscard]] constexpr Description description_of(Model model) {

@@ -8,8 +8,9 @@
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/impulse/numbers/exact_sum.hpp>
 
-/// N·V of the numbers as they are stored: with V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), a polynomial of
-/// the collision's N, P, X_A, X_B and of any four velocities. Not of a Contact, whose lever arms are rounded.
+/// N·V of the stored numbers. With V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), it is a polynomial of the
+/// collision's N, P, X_A, X_B and of any four velocities. It does not use a Contact, because its lever arms are
+/// rounded.
 namespace carom::impulse {
 
 namespace detail {
@@ -29,14 +30,14 @@ inline void add_normal_velocity(const Collision& c, const Body& body, const Body
   }
 }
 
-/// |x| in the type that bounds are computed in.
+/// |x| in the type of the error bounds.
 template <class Size, class S>
 [[nodiscard]] Size size_of(const S& x) {
   using std::abs;
   return abs(static_cast<Size>(x));
 }
 
-/// r_j N_k and r_k N_j, of which component i of r × N is the difference.
+/// r_j N_k and r_k N_j. Their difference is component i of r × N.
 template <class S>
 struct MomentTerms {
   S left;
@@ -50,7 +51,7 @@ template <class S>
   return {r[j] * n[k], r[k] * n[j]};
 }
 
-/// s N·(v + w × (P − X)) in S, and the sum of the absolute values of its terms, for one body.
+/// For one body, s N·(v + w × (P − X)) in S, and the sum of the absolute values of its terms.
 template <class S, class Size>
 void add_rounded_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
                                  S& sum, Size& terms) {
@@ -69,22 +70,23 @@ void add_rounded_normal_velocity(const Collision& c, const Body& body, const Bod
   }
 }
 
-/// A term of N·V passes at most so many roundings on its way into the sum.
+/// The number of roundings that affect a term of N·V in the sum, at most.
 inline constexpr int roundings_of_normal_velocity = 10;
 
-/// So many times what one rounding makes of Σ|terms| covers them, and the roundings of Σ|terms| itself.
+/// This many unit roundoffs of Σ|terms| cover the rounding errors of N·V and of Σ|terms| itself.
 inline constexpr int covered_roundings_of_normal_velocity = 16;
 
-/// What may underflow: less than this, times 1 or a component of w.
+/// A bound of the underflow: the error is less than this, times 1 or a component of w.
 inline constexpr double underflow_of_normal_velocity = std::numeric_limits<double>::min();
 
-/// N·V in S, and by how much it may be off. With ρ = `rounding`, what one operation of S is off by relatively, n and 16
-/// the constants above, t the terms of the polynomial, T the computed sum of their absolute values:
+/// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. n and 16 are the
+/// constants above. In the formulas, t are the terms of the polynomial, and T is the computed sum of their absolute
+/// values:
 ///
 ///   (1) |value − N·V| ≤ n ρ / (1 − n ρ) Σ|t| + underflow;
-///   (2) Σ|t| ≤ (1 + 2⁻⁴⁸) T, for a term passes fewer than 2⁵ roundings of double on its way into T;
+///   (2) Σ|t| ≤ (1 + 2⁻⁴⁸) T, because fewer than 2⁵ roundings of double affect a term in T;
 ///   (3) n / (1 − n ρ) (1 + 2⁻⁴⁸) ≤ 16;
-///   (4) each of the 24 products loses less than 2⁻¹⁰⁷⁰ to underflow, and what is lost in r × N is multiplied by w.
+///   (4) each of the 24 products loses less than 2⁻¹⁰⁷⁰ to underflow, and the loss in r × N is multiplied by w.
 template <class S>
 struct RoundedNormalVelocity {
   RoundedNormalVelocity(const Collision& collision, const Outcome<double>& motion, double rounding) {
@@ -102,11 +104,11 @@ struct RoundedNormalVelocity {
 
 inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::epsilon() / 2;
 
-/// The most that an operation of DoubleDouble is off by relatively, short of division: its product's 7 u².
+/// The largest relative error of a DoubleDouble operation except division: 7 u², that of the product.
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
-/// A double-double sum counts as known where it is so many times its bound: n / 16 of 2⁻⁵⁰ and the rounding to double
-/// are then at most 2⁻⁵⁰ of it.
+/// The value of a double-double sum counts as known if it is at least this multiple of its bound. Its relative error is
+/// then n / 16 of 2⁻⁵⁰. Together with the rounding to double it is at most 2⁻⁵⁰.
 inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail
@@ -119,29 +121,29 @@ inline constexpr double known_multiple_of_bound = 0x1p+50;
   return sum;
 }
 
-/// What is asked of the exact N·V.
+/// The known properties of the exact N·V.
 struct NormalVelocity {
   int sign;      // −1, 0 or 1
-  double value;  // within a relative 2⁻⁵⁰; 0 or infinite where it leaves the range of double
+  double value;  // within a relative 2⁻⁵⁰; 0 or infinite beyond the range of double
 };
 
-/// By double-double arithmetic where its error bound decides, else by the exact sum. Precondition: all numbers are
+/// Uses double-double arithmetic if its error bound decides, otherwise the exact sum. Precondition: all numbers are
 /// finite.
 [[nodiscard]] inline NormalVelocity known_normal_velocity(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<DoubleDouble> closely(collision, motion, detail::unit_roundoff_of_double_double);
   const auto value = static_cast<double>(closely.value);
-  if (std::abs(value) > detail::known_multiple_of_bound * closely.bound) {  // false where anything overflowed
+  if (std::abs(value) > detail::known_multiple_of_bound * closely.bound) {  // false if anything overflowed
     return {value < 0 ? -1 : 1, value};
   }
   const ExactSum exactly = exact_normal_velocity(collision, motion);
   return {exactly.sign(), exactly.approximately()};
 }
 
-/// The sign of the exact N·V: −1, 0 or 1, by a sum in double where its error bound decides. Precondition: all numbers
+/// The sign of the exact N·V: −1, 0 or 1. Uses a sum in double if its error bound decides. Precondition: all numbers
 /// are finite.
 [[nodiscard]] inline int normal_velocity_sign(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<double> roughly(collision, motion, detail::unit_roundoff_of_double);
-  if (std::abs(roughly.value) > roughly.bound) {  // false where anything overflowed
+  if (std::abs(roughly.value) > roughly.bound) {  // false if anything overflowed
     return roughly.value < 0 ? -1 : 1;
   }
   return known_normal_velocity(collision, motion).sign;

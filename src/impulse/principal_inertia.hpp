@@ -9,16 +9,17 @@
 
 namespace carom::impulse {
 
-/// J⁻¹ = R diag(1/I) Rᵀ in its parts. Torques are turned into the body frame, divided there by the principal moments,
-/// and turned back, so that each principal component has a relative error of its own. As one matrix in world
-/// coordinates (world_inertia.hpp) the greatest component rounds all others: that costs the angular momentum of a body
-/// with moments 1 : ρ up to ρ/10 ulps. What is known not to be slender (below) needs less: `may_be_slender` is false.
+/// J⁻¹ = R diag(1/I) Rᵀ as separate factors. A torque is turned into the body frame, divided by the principal moments,
+/// and turned back. So each principal component has its own relative error. In one matrix in world coordinates
+/// (world_inertia.hpp), the largest component determines the rounding error of all others. That costs a body with
+/// moments 1 : ρ up to ρ/10 ulps of angular momentum. If `may_be_slender` is false, the body is known not to be slender
+/// (see below) and needs less work.
 template <class S, bool may_be_slender = true>
 struct PrincipalInertia {
   Matrix3<S> axes;             // its columns are the body axes, of unit length, in world coordinates
-  Vector3<S> inverse_moments;  // 1/I about the centre of mass along them; 0 where immovable [1/(kg m²)]
+  Vector3<S> inverse_moments;  // 1/I about the centre of mass along the axes; 0 if immovable [1/(kg m²)]
 
-  /// Where the moments are equal every axis is a body axis, and those of the world are not rounded.
+  /// If the moments are equal, every axis is a body axis. The world axes are used because they have no rounding error.
   static PrincipalInertia of(const Vector3<S>& moments, const Quaternion<S>& orientation) {
     const bool is_isotropic = moments[0] == moments[1] && moments[1] == moments[2];
     return {is_isotropic ? Matrix3<S>::Identity() : rotation_matrix(orientation),
@@ -42,11 +43,13 @@ template <class S>
 
 }  // namespace detail
 
-/// From this ratio of moments on a body counts as slender: up to here plain products lose some 4 ulps at most.
+/// A body is slender if its moments differ by more than this ratio. Up to this ratio, plain products lose about 4 ulps
+/// at most.
 inline constexpr int least_ratio_of_slender_moments = 8;
 
-/// Whether the moments are further apart. Of the product of vectors along each other rounding leaves u |x| |y|, by
-/// which the long axis of a body with moments 1 : ρ is turned ρ times as far as the others.
+/// Whether the moments of the body differ by more than the ratio above. The product of nearly parallel vectors has a
+/// rounding error of u |x| |y|. A torque with this error turns a body with moments 1 : ρ about its long axis ρ times as
+/// far as about the others.
 template <class S, bool may_be_slender>
 [[nodiscard]] auto is_slender(const PrincipalInertia<S, may_be_slender>& inertia) {
   if constexpr (may_be_slender) {
@@ -61,7 +64,7 @@ template <class S, bool may_be_slender>
   }
 }
 
-/// The matrix whose rows are e × r for the body axes e: times F it is Rᵀ (r × F).
+/// The matrix with the rows e × r for the body axes e. Its product with F is Rᵀ (r × F).
 template <class S, bool may_be_slender>
 [[nodiscard]] Matrix3<S> moments_of_unit_impulses(const PrincipalInertia<S, may_be_slender>& inertia,
                                                   const Vector3<S>& r) {
@@ -77,16 +80,16 @@ template <class S, bool may_be_slender>
       [&] { return rows_by([&](const Vector3<S>& e) { return cross(e, r); }); });
 }
 
-/// Rᵀ (r × F), the torque in body coordinates. About an axis e it is taken as (e × r)·F, which is what K is made of:
-/// then an impulse does what K says, however slender the body is. Where F lies along r but for rounding, or nearly, it
-/// is e·(r × F), of which nothing is left where nothing should be, and which both bodies share that turn about one
-/// place: `has_slender` is whether any body of the contact is.
+/// Rᵀ (r × F), the torque in body coordinates. The torque about an axis e is (e × r)·F, because K consists of these
+/// products. So an impulse acts as K says, even on a slender body. If F lies along r or nearly so, the torque is e·(r ×
+/// F), which vanishes if F lies exactly along r. Bodies that turn about the same place then share one r × F. For this
+/// reason `has_slender` says whether any body of the contact is slender.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse, const Condition& has_slender) {
   const Vector3<S> torque = select_called(
       has_slender, [&] { return accurate_cross(r, impulse); }, [&] { return cross(r, impulse); });
-  constexpr int nearly = 4096;  // times as much is between what rounding makes of r × F and what is there by chance
+  constexpr int nearly = 4096;  // a factor between the rounding error of r × F and its usual size
   const auto is_along =
       S(nearly) * detail::sum_of_sizes(torque) < detail::sum_of_sizes(r) * detail::sum_of_sizes(impulse);
   return select_called(
@@ -98,7 +101,7 @@ template <class S, bool may_be_slender, class Condition>
       [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
 }
 
-/// Both parts are of one torque, so that an impulse along F turns the body as much as it was expected to.
+/// Both results come from one torque. So an impulse along F turns the body as much as the law expects.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Turning<S> turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                  const Vector3<S>& impulse, const Condition& has_slender) {

@@ -5,10 +5,10 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/solve3.hpp>
 
-/// The laws with the system formed and solved in a narrow type `Low`, and one step of iterative refinement: the
-/// residual in the wide type S, its correction in Low again (N. J. Higham, "Accuracy and Stability of Numerical
-/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², c a small number.
-/// The range is that of Low.
+/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`, the residual
+/// is computed in the wide type S, and its correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
+/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², with a small number
+/// c. The range is that of Low.
 namespace carom::impulse {
 
 namespace detail {
@@ -21,7 +21,7 @@ template <class T, class S>
           body.velocity.template cast<T>(), body.angular_velocity.template cast<T>()};
 }
 
-/// What one body adds to K F.
+/// The contribution of one body to K F.
 template <class S>
 [[nodiscard]] Vector3<S> response(const ContactBody<S>& body, const Vector3<S>& impulse) {
   return impulse * body.inverse_mass + cross(angular_response(body.inertia, body.lever_arm, impulse), body.lever_arm);
@@ -62,8 +62,8 @@ template <class Low, class S>
   return apply_impulse<S>(contact, n * (f + solve(residual)));
 }
 
-/// The reflection law, the 3×3 solves in Low by one of solve3.hpp. Precondition: the contact was made from a valid
-/// collision.
+/// The reflection law. Solve, one of solve3.hpp, solves the 3×3 systems in Low. Precondition: the contact was made from
+/// a valid collision.
 template <class Low, class Solve, class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact, const See& see = {}) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,

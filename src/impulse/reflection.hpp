@@ -10,7 +10,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// Whether an impulse F turns neither body, exactly.
+/// Whether an impulse along F turns neither body, exactly.
 template <class S, class Inertia>
 [[nodiscard]] auto turns_no_body(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
   const auto is_not_turned = [&](const ContactBody<S, Inertia>& body) {
@@ -21,9 +21,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The reflection law without a tangent basis: note eq. 17, 20 and 21 together say
-/// K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp, Ldlt where none is
-/// named.
+/// The reflection law without a tangent basis. Note eq. 17, 20 and 21 together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N)
+/// N, with K the collision matrix. Solve is one of solve3.hpp, by default Ldlt.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
@@ -41,7 +40,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
-  // K N = λ N where N lies along both lever arms, and what rounding leaves elsewhere in K is to turn nothing.
+  // If N lies along both lever arms, K N = λ N. Rounding errors elsewhere in K must not turn a body then.
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }

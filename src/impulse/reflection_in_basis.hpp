@@ -10,9 +10,9 @@
 
 namespace carom::impulse {
 
-/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. The middle and
-/// last column are zero where the tangential part is exactly zero. It needs square roots, so S is a floating-point
-/// type.
+/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. The second and
+/// third columns are zero if the tangential part is exactly zero. S is a floating-point type, because the basis needs
+/// square roots.
 template <class S>
 [[nodiscard]] Matrix3<S> tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -27,8 +27,9 @@ template <class S>
   return basis;
 }
 
-/// A basis {N, T0, T1} that does not depend on V⁻: T0 is the coordinate axis least aligned with N, less its part along
-/// N. That axis has |N_i| ≤ 1/√3, so what is left has length √(2/3) or more and loses no digits. S as above.
+/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the normalised part across N of the coordinate axis that is
+/// least aligned with N. For that axis |N_i| ≤ 1/√3. So its part across N has length √(2/3) or more and loses no
+/// digits. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -42,25 +43,25 @@ template <class S>
 }
 
 /// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, λ counted once). It
-/// equals Bᵀ K B where the basis is orthonormal, and takes for granted that it is.
+/// equals Bᵀ K B if the basis is orthonormal. The function does not check that it is.
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
     const Matrix3<S> q = moments_of_unit_impulses(body.inertia, body.lever_arm) * basis;
     return q.transpose() * body.inertia.inverse_moments.asDiagonal() * q;
   };
-  // A and B enter alike, so that calling them the other way round changes no bit.
+  // A and B enter in the same way, so exchanging them changes no bit.
   return Matrix3<S>::Identity() * inverse_mass(contact) + (of_body(contact.a) + of_body(contact.b));
 }
 
-/// B C Bᵀ: the matrix in world axes, of an orthonormal basis that the columns of B are.
+/// B C Bᵀ: the matrix in world axes. The columns of B are an orthonormal basis.
 template <class S>
 [[nodiscard]] Matrix3<S> in_world_axes(const Matrix3<S>& matrix, const Matrix3<S>& basis) {
   return in_basis<S>(matrix, basis.transpose());
 }
 
 /// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25. `see`
-/// gets its C in world axes.
+/// receives the matrix C in world axes.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
                                                    const See& see = {}) {
@@ -76,9 +77,8 @@ template <class S, class See = UnseenMatrix>
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
-/// The reflection law as note §2 prints it, with the fall-back to eq. 18 that implementations take where V⁻ has no
-/// tangential part. Kept because it fails: near head-on T0 is rounding noise and not orthogonal to N. Use `reflection`
-/// instead.
+/// The reflection law as note §2 prints it. If V⁻ has no tangential part, it uses eq. 18, as implementations do. Kept
+/// because it fails: near a head-on collision T0 is rounding error and not orthogonal to N. Use `reflection` instead.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
@@ -88,8 +88,8 @@ template <class S, class See = UnseenMatrix>
   return reflection_in_given_basis(contact, basis, see);
 }
 
-/// The same with a T0 that does not depend on V⁻: the choice of T0 is all that fails in `reflection_in_basis`. Where N
-/// lies along both lever arms F lies along N (eq. 18), and what rounding leaves of T0 and T1 is to turn nothing.
+/// The reflection law with a T0 that does not depend on V⁻. Only the choice of T0 makes `reflection_in_basis` fail. If
+/// N lies along both lever arms, F lies along N (eq. 18). The rounding errors of T0 and T1 must not turn a body then.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {

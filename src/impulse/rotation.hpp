@@ -5,8 +5,8 @@
 
 namespace carom::impulse {
 
-/// The rotation matrix of a quaternion of any nonzero length, body axes to world axes; its columns are the body axes:
-/// R = ((q₀² − q·q) I + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
+/// The rotation matrix of a quaternion of any nonzero length, from body axes to world axes. Its columns are the body
+/// axes: R = ((q₀² − q·q) I + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
 template <class S>
 [[nodiscard]] Matrix3<S> rotation_matrix(const Quaternion<S>& quaternion) {
   const S& w = quaternion[0];

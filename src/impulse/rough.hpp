@@ -12,17 +12,17 @@
 
 namespace carom::impulse {
 
-/// What the law `rough` makes of a contact: an impulse, and the frictionless one where friction does nothing.
+/// The result of the law `rough`: an impulse with friction, and the frictionless impulse for contacts without friction.
 template <class S>
 struct RoughImpulse {
-  NormalImpulse<S> normal;                                       // (1 + ε) P_I and how it turns the bodies
+  NormalImpulse<S> normal;                                       // (1 + ε) P_I and the changes of spin that it causes
   decltype(std::declval<S>() < std::declval<S>()) has_friction;  // κ ≠ 0 and colliding: a bool or a mask
-  Vector3<S> on_a;  // F = (1 + ε) P_I + κ D [N s]; of no account where without friction
+  Vector3<S> on_a;  // F = (1 + ε) P_I + κ D [N s]; meaningless without friction
 };
 
 namespace detail {
 
-/// ‖v‖, of a vector whose squares may leave the range of S.
+/// ‖v‖. The squares of the components may leave the range of S.
 template <class S>
 [[nodiscard]] S length(const Vector3<S>& v) {
   using std::sqrt;
@@ -31,9 +31,10 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
-/// F, or less of it. F is to change the relative velocity by V, so K F = V, and F·K F = F·V. It takes F·V − ½ F·K F of
-/// energy. Where K is singular but for rounding, a solve may return so long an F that it adds energy: F·K F > 2 F·V.
-/// The share of F that takes the most is returned then. F·K F is a sum of terms ≥ 0 here, so that nothing cancels.
+/// F, or a part of it. F is the impulse that changes the relative velocity by V, so K F = V. It removes the energy F·V
+/// − ½ F·K F. If K is singular except for rounding, a solve may return an F so long that it adds energy: F·K F > 2 F·V.
+/// The function then returns the part of F that removes the most energy. F·K F is a sum of terms ≥ 0 here, so nothing
+/// cancels.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
                                                 const Vector3<S>& change) {
@@ -51,13 +52,13 @@ template <class S, class Inertia>
 }  // namespace detail
 
 /// The law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse space
-/// considerations", J. Appl. Mech. 65, 1998). With P_I the impulse along N that stops the approach, P_II = −K⁻¹ V⁻ the
-/// one that stops the contact point, and D = P_II − P_I:
+/// considerations", J. Appl. Mech. 65, 1998). P_I is the impulse along N that stops the approach, P_II = −K⁻¹ V⁻ is the
+/// impulse that stops the contact point, and D = P_II − P_I:
 ///
-///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t where ‖N × F‖ ≤ μ N·F then, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
+///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t if this F has ‖N × F‖ ≤ μ N·F, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
 ///
-/// Solve is one of solve3.hpp, Ldlt where none is named. Preconditions: the contact was made from a valid collision;
-/// `approach` is N·V⁻.
+/// Solve is one of solve3.hpp, by default Ldlt. Preconditions: the contact was made from a valid collision; `approach`
+/// is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
                                             const See& see = {}) {
@@ -68,14 +69,14 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   if (none_of(normal.colliding)) {
     return {normal, normal.colliding, n};
   }
-  // P_II by itself: K⁻¹ (V⁻ + K P_I) would multiply what rounding leaves of K P_I by κ(K).
+  // P_II is computed by itself, because K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by κ(K).
   const Vector3<S> velocity = relative_velocity(contact);
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
   const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
-  // (1 + ε) D, and κ / (1 + ε) with it, need one division only.
+  // (1 + ε) D and κ / (1 + ε) need only one division.
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;
   const Vector3<S> d = stops_point * rebound - normal.on_a;
@@ -83,7 +84,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
   const auto is_outside = limit * rebound < whole * divisor;
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
-  // Where D lies along N but for rounding no friction is asked for, and whatever κ is, without μ there is none.
+  // If D lies along N except for rounding, the law needs no friction. If μ = 0, there is none for any κ.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};
 }
@@ -92,8 +93,9 @@ template <class Solve = Ldlt, class S, class Inertia>
   return rough_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// Without friction these are the bits of the frictionless law. With it both parts of F turn a body at once: what they
-/// do each may be far more than the sum, of which a slender body would keep the rounding.
+/// Without friction, the outcome has the bits of the frictionless law. With friction, a body is turned by both parts of
+/// F at once. Each part alone may turn a slender body far more than their sum, which would leave the rounding errors of
+/// the parts.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
   const Outcome<S> without = apply_impulse(contact, impulse.normal);

@@ -8,13 +8,13 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// Choices by a condition that is one bool for a scalar, and a mask with one bool a lane for a pack of numbers.
+/// Choices by a condition: one bool for a scalar, and a mask with one bool for each lane for a pack of numbers.
 namespace carom::impulse {
 
-/// Whether the condition holds nowhere. For masks std::experimental::none_of is found by its argument.
+/// Whether the condition holds nowhere. For masks, argument-dependent lookup finds std::experimental::none_of.
 [[nodiscard]] inline bool none_of(bool condition) { return !condition; }
 
-/// `yes` where the condition holds, `no` elsewhere, lane by lane.
+/// `yes` if the condition holds, otherwise `no`, lane by lane.
 template <class Condition, class S>
 [[nodiscard]] S select(const Condition& condition, const S& yes, const S& no) {
   if constexpr (std::is_same_v<Condition, bool>) {
@@ -32,14 +32,14 @@ template <class S>
   return v[0] == S(0) && v[1] == S(0) && v[2] == S(0);
 }
 
-/// The number, or `least` where it is below that. NaN stays.
+/// The number, or `least` if the number is below it. A NaN stays.
 template <class S>
 [[nodiscard]] S at_least(const S& least, const S& number) {
   if constexpr (std::is_same_v<decltype(number < least), bool>) {
     return number < least ? least : number;
   } else {
-    // As a vector of the compiler's: it knows the one instruction that does this, where a mask and a choice by it wait
-    // three times as long.
+    // As a vector type of the compiler, which makes one instruction of this. A mask and a choice by it have three times
+    // the latency.
     using Numbers [[gnu::vector_size(sizeof(S))]] = typename S::value_type;
     const auto numbers = std::bit_cast<Numbers>(number);
     const auto leasts = std::bit_cast<Numbers>(least);
@@ -57,8 +57,8 @@ template <class S>
   }
 }
 
-/// x, or the least normal number of S where that is more; of packs that of their lanes. Scalar types that are no type
-/// of the language's have the range of binary64 or more.
+/// x, or the least normal number of S if x is below it. For a pack, S is the type of its lanes. Scalar types that are
+/// not built in have the range of binary64 or more.
 template <class S>
 [[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {
@@ -73,7 +73,7 @@ template <class S>
   return at_least(S(least), x);
 }
 
-/// 1/x, which is finite also below the least normal number.
+/// 1/x. Finite even if x is below the least normal number, which then replaces x.
 template <class S>
 [[nodiscard]] S finite_reciprocal(const S& x) {
   return S(1) / at_least_normal(x);
@@ -99,8 +99,8 @@ template <class Condition, class S>
   return {select(condition, yes.velocity, no.velocity), select(condition, yes.angular_velocity, no.angular_velocity)};
 }
 
-/// The same of what yes() and no() return: for a bool the one that is chosen is called; for a mask yes() where it is
-/// chosen in any lane, and no() always.
+/// Chooses between the results of yes() and no(). For a bool, calls only the chosen function. For a mask, calls no()
+/// always, and yes() if any lane chooses it.
 template <class Condition, class Yes, class No>
 [[nodiscard]] auto select_called(const Condition& condition, const Yes& yes, const No& no) {
   if constexpr (std::is_same_v<Condition, bool>) {

@@ -10,7 +10,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// |w_j r_k| + |w_k r_j|, of which each component of w × r has a share u of rounding.
+/// |w_j r_k| + |w_k r_j|. The rounding error of a component of w × r is about u times this sum.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> terms_of_spin(const ContactBody<S, Inertia>& body) {
   const Vector3<S>& w = body.angular_velocity;
@@ -21,8 +21,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// V, what the spins add to its component along N taken from r × N as that of `normal_velocity` is. What w × r misses
-/// of it is made up for by its components, each by no more than a few of its own roundings.
+/// V. The contribution of the spins to its component along N comes from r × N, as in `normal_velocity`. The components
+/// of w × r are corrected to agree with it, each by no more than a few of its own rounding errors.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -31,7 +31,8 @@ template <class S, class Inertia>
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
-  // δ of least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins; one factor at a time, against overflow.
+  // δ with the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins. One factor at a time, to avoid
+  // overflow.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
   const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
   const Vector3<S> shares = along * finite_reciprocal(sum);
@@ -41,9 +42,8 @@ template <class S, class Inertia>
   return (contact.a.velocity - contact.b.velocity) + Vector3<S>{mended(0), mended(1), mended(2)};
 }
 
-/// The law that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0, so
-/// K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp, Ldlt where none
-/// is named.
+/// The law that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0. So K
+/// F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp, by default Ldlt.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>

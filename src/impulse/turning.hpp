@@ -5,13 +5,15 @@
 
 namespace carom::impulse {
 
-/// How an impulse F at the lever arm r turns a body: what `turning(inertia, r, F, has_slender)` finds, with the inertia
-/// as `PrincipalInertia` or `WorldInertia`. `has_slender`, here and below, is whether a body of the contact is slender:
-/// then r × F is formed to its last digits, for both bodies alike; without it the body is taken for the only one.
+/// The rotation of a body by an impulse F at the lever arm r: the result of `turning(inertia, r, F, has_slender)`. The
+/// inertia is a `PrincipalInertia` or a `WorldInertia`. `has_slender` says whether a body of the contact is slender. If
+/// one is, r × F is computed accurately for both bodies. A function without this argument treats the body as the only
+/// one.
 template <class S>
 struct Turning {
   Vector3<S> change_of_spin;  // J⁻¹ (r × F)
-  S along_impulse;  // F·(J⁻¹ (r × F) × r) = (r × F)ᵀ J⁻¹ (r × F), how far that moves the contact point along F
+  /// F times the resulting velocity change of the contact point: F·(J⁻¹ (r × F) × r) = (r × F)ᵀ J⁻¹ (r × F).
+  S along_impulse;
 };
 
 /// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
@@ -25,7 +27,7 @@ template <class Inertia, class S>
   return angular_response(inertia, r, impulse, is_slender(inertia));
 }
 
-/// (r × F)ᵀ J⁻¹ (r × F): N·([r]ᵀ J⁻¹ [r]) N where F is N.
+/// (r × F)ᵀ J⁻¹ (r × F), which equals F·([r]ᵀ J⁻¹ [r]) F.
 template <class Inertia, class S>
 [[nodiscard]] S angular_part_along(const Inertia& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
   return turning(inertia, r, impulse, is_slender(inertia)).along_impulse;

@@ -25,11 +25,11 @@ template <class S>
   return inverse_inertia;
 }
 
-/// J⁻¹ as engines keep it: one matrix in world coordinates. Shorter to store and to multiply by than
+/// J⁻¹ as engines store it: one matrix in world coordinates. It needs less storage and fewer multiplications than
 /// `PrincipalInertia`. Kept because it fails: slender bodies lose the angular momentum about their long axes.
 template <class S>
 struct WorldInertia {
-  Matrix3<S> inverse;  // about the centre of mass; 0 where immovable [1/(kg m²)]
+  Matrix3<S> inverse;  // about the centre of mass; 0 if immovable [1/(kg m²)]
 
   static WorldInertia of(const Vector3<S>& moments, const Quaternion<S>& orientation) {
     return {world_inverse_inertia(moments, orientation)};
@@ -37,7 +37,7 @@ struct WorldInertia {
   static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
 };
 
-/// Nothing here takes more digits for slender bodies.
+/// Always false, because a WorldInertia uses no additional digits for slender bodies.
 template <class S>
 [[nodiscard]] bool is_slender(const WorldInertia<S>& /*inertia*/) {
   return false;
@@ -54,7 +54,7 @@ template <class S>
 /// [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const WorldInertia<S>& inertia, const Vector3<S>& r) {
-  Matrix3<S> half;  // J⁻¹ [r]: xᵀ [r] = (x × r)ᵀ, and the rows of J⁻¹ are its columns
+  Matrix3<S> half;  // J⁻¹ [r]: xᵀ [r] = (x × r)ᵀ, and the rows of J⁻¹ equal its columns
   for (int row = 0; row < 3; ++row) {
     half.row(row) = cross<S>(inertia.inverse.col(row), r);
   }

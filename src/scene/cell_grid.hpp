@@ -12,10 +12,10 @@
 
 namespace carom::scene {
 
-/// Which spheres are near each other: cubic cells at least as wide as the largest sphere, so that spheres that touch
-/// are in the same or in adjacent ones. A sphere is in the cell that it was last moved to: the loop moves it whenever
-/// its centre leaves (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput. Phys. 94, 1991).
-/// Space has no bounds; cells far apart may share a list, which costs time and nothing else.
+/// Finds the spheres near a sphere. The cells are cubes at least as wide as the largest sphere, so spheres that touch
+/// are in the same cell or in adjacent ones. A sphere is in the cell that it was last moved to. The loop moves it
+/// whenever its centre leaves the cell (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput.
+/// Phys. 94, 1991). Space has no bounds. Cells far apart may share a list, which only costs time.
 class CellGrid {
  public:
   using Index = std::uint32_t;
@@ -24,17 +24,17 @@ class CellGrid {
   struct Leaving {
     double time = never;
     int axis = 0;
-    int step = 0;  // −1 or 1 along that axis
+    int step = 0;  // −1 or 1 along the axis
   };
 
   CellGrid() = default;
-  /// `width` [m] is more than a millionth wider than the largest diameter: that is what the time of leaving, which is
-  /// rounded, may be off by. `extent` in cells along each axis: how far apart cells have lists of their own.
+  /// `width` [m] exceeds the largest diameter by more than a millionth of it. This margin covers the rounding error of
+  /// the time of leaving. `extent` is the number of cells along each axis that should have separate lists.
   CellGrid(double width, const Cell& extent, std::size_t spheres)
       : width_(width), next_(spheres, nobody), places_(spheres) {
     std::size_t lists = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::int64_t count = 4;  // neighbours on both sides have lists of their own
+      std::int64_t count = 4;  // the neighbours on both sides have separate lists
       while (count < extent[axis] && lists * static_cast<std::size_t>(count) < 8 * spheres + 64) {
         count *= 2;
       }
@@ -60,10 +60,11 @@ class CellGrid {
     link(sphere);
   }
 
-  /// Calls use(j) for every other sphere in the cell or in one beside it.
+  /// Calls use(j) for every other sphere in the same cell or in an adjacent one.
   template <class Use>
   void for_neighbours(Index sphere, const Use& use) const {
-    // Where most cells are empty or have one sphere, a branch for each would be guessed wrongly every third time.
+    // Collects the non-empty lists without a branch. If most cells hold no sphere or one, a branch for each cell would
+    // be mispredicted every third time.
     std::array<Index, 27> firsts;
     std::size_t lists = 0;
     for_lists_around(sphere, [&](std::size_t list) {
@@ -81,7 +82,7 @@ class CellGrid {
     }
   }
 
-  /// When the centre leaves its cell, but for rounding.
+  /// The time when the centre leaves its cell, except for rounding error.
   [[nodiscard]] Leaving leaving(Index sphere, const Path& path, double now) const {
     Leaving first;
     const Vector3<double> position = position_at(path, now);
@@ -92,7 +93,7 @@ class CellGrid {
       const double v = velocity[axis];
       const double a = path.acceleration[axis];
       for (const int step : {-1, 1}) {
-        // Distance to the wall on that side, and how it shrinks.
+        // The distance to the wall on that side, and the motion towards it.
         const double time = now + delay(step < 0 ? x : width_ - x, step * v, step * a);
         if (time < first.time) {
           first = {time, axis, step};
@@ -102,7 +103,7 @@ class CellGrid {
     return first;
   }
 
-  /// Of the cell that a sphere is in.
+  /// The centre of the cell that holds a sphere [m].
   [[nodiscard]] Vector3<double> centre_of_cell(Index sphere) const {
     const Cell& cell = places_[sphere].cell;
     return {(static_cast<double>(cell[0]) + 0.5) * width_, (static_cast<double>(cell[1]) + 0.5) * width_,
@@ -117,7 +118,7 @@ class CellGrid {
  private:
   static constexpr Index nobody = 0xffffffff;
 
-  /// The first s ≥ 0 at which v s + a s²/2 goes beyond `distance`.
+  /// The first s ≥ 0 at which v s + a s²/2 exceeds `distance`.
   [[nodiscard]] static double delay(double distance, double v, double a) {
     if (a == 0) {
       return v > 0 ? std::max(0.0, distance / v) : never;
@@ -132,8 +133,8 @@ class CellGrid {
     return std::max(0.0, 2 * distance / (v + std::sqrt(square)));
   }
 
-  /// The first of each list of 4 × 2 × 2 cells, in one line of a cache: the 27 cells about one are in 6 lines on
-  /// average, and would be in more than 9 row by row.
+  /// The first sphere of each list of 4 × 2 × 2 cells, in one cache line. The 27 cells around a sphere lie in 6 cache
+  /// lines on average. If cells were stored row by row, they would lie in more than 9.
   static constexpr std::size_t lists_in_a_block = 16;
   struct alignas(64) Block {
     std::array<Index, lists_in_a_block> first;
@@ -162,7 +163,7 @@ class CellGrid {
       }
     }
   }
-  /// What a coordinate of a cell adds to the number of its list.
+  /// The contribution of one coordinate of a cell to the number of its list.
   [[nodiscard]] std::size_t part(std::size_t axis, std::int64_t coordinate) const {
     const auto k = static_cast<std::size_t>(coordinate & mask_[axis]);
     switch (axis) {
@@ -206,9 +207,9 @@ class CellGrid {
 
   double width_ = 1;
   Cell mask_{};
-  std::size_t row_ = 0, layer_ = 0;  // lists of two rows of cells, and of two layers
+  std::size_t row_ = 0, layer_ = 0;  // lists in a row of blocks, and in a layer of blocks
   std::vector<Block> blocks_;
-  std::vector<Index> next_;  // searches read it of every neighbour: it lies apart
+  std::vector<Index> next_;  // separate from places_, because a search reads it for every neighbour
   std::vector<Place> places_;
 };
 

@@ -11,13 +11,13 @@
 
 namespace carom::scene {
 
-/// Bounds of when something happens. Where it never does both are `never`.
+/// Bounds of the time of an event. Both are `never` if it never happens.
 struct TimeBounds {
   double earliest = never;
   double latest = never;
 };
 
-/// c₀ + c₁ s + c₂ s², each coefficient known within a radius.
+/// c₀ + c₁ s + c₂ s². Each coefficient c_k is known within a radius e_k.
 struct UncertainQuadratic {
   double c0, c1, c2;
   double e0, e1, e2;
@@ -25,22 +25,23 @@ struct UncertainQuadratic {
 
 enum class Decision { none, bounded, undecided };
 
-/// The least s ≥ 0 at which a quadratic falls below 0, from at least 0 at s = 0, if it does: within `error` of s.
+/// The least s ≥ 0 at which a quadratic falls below 0, if it does. The quadratic is at least 0 at s = 0. The true value
+/// is within `error` of s.
 struct Crossing {
   Decision decision = Decision::none;
   double s = 0;
   double error = 0;
 };
 
-/// u of what the state is kept in.
+/// Unit roundoff of the stored state (binary64).
 inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 
-/// Precondition: every quadratic within the radii has a value at s = 0 that is at least 0 or, but for its radius, is.
+/// Precondition: the value at s = 0 is at least 0 within its radius, c₀ ≥ −e₀.
 ///
-/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true one, D = c₁² − 4 c₀ c₂ its discriminant, so that |s₂ − s₁| = √D/|c₂|. For
-/// the computed s, which lies on the side of s₁ from the vertex, |s − s₂| ≥ √D/(2|c₂|) wherever |q(s)| |c₂| ≤ D/4, and
-/// so |s − s₁| ≤ 2 |q(s)|/√D. What q(s) is at most comes from its computed value and the radii. Where D may be 0 or the
-/// side is not certain, it is left undecided.
+/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic and D = c₁² − 4 c₀ c₂ its discriminant. Then |s₂ − s₁| =
+/// √D/|c₂|. The computed s lies on the side of s₁ from the vertex. If |q(s)| |c₂| ≤ D/4, then |s − s₂| ≥ √D/(2|c₂|),
+/// and so |s − s₁| ≤ 2 |q(s)|/√D. An upper bound of |q(s)| comes from its computed value and the radii. If D may be 0
+/// or the side is not certain, the crossing is undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
   CAROM_EXPECTS(!(q.c0 < -q.e0), q.c0, q.e0);
   const double square = q.c1 * q.c1;
@@ -53,7 +54,7 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
                                 8 * roundoff * (square + std::abs(product));
   const bool falls = q.c1 < -q.e1;
   if (!falls) {
-    // Not falling at first: it stays above where it bends upwards, and comes down where it bends downwards.
+    // Not falling at first: it stays above 0 if it bends upwards, and falls below 0 later if it bends downwards.
     const bool rises = q.c1 > q.e1 || (q.c1 == 0 && q.e1 == 0 && q.c0 > q.e0);
     if (q.c2 > q.e2 || (q.c2 == 0 && q.e2 == 0)) {
       if (rises || discriminant < -e_discriminant || (q.c1 >= 0 && q.e1 == 0)) {
@@ -80,11 +81,11 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
   if (!(8 * residual * (size2 + q.e2) <= least_discriminant)) {
     return {Decision::undecided};
   }
-  // The quotient and the root are rounded too: a relative 8 u covers them.
+  // The quotient and the root are rounded too. A relative 8 u covers these errors.
   return {Decision::bounded, s, (1 + 16 * roundoff) * 2 * residual / std::sqrt(least_discriminant)};
 }
 
-/// From `now` on, as bounds of time.
+/// Bounds of the time of the crossing, with s counted from `now`.
 [[nodiscard]] inline TimeBounds bounds_from(double now, const Crossing& crossing) {
   const double time = now + crossing.s;
   const double error = (crossing.error + 2 * roundoff * (std::abs(now) + std::abs(crossing.s))) * (1 + 8 * roundoff);

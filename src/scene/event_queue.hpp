@@ -11,9 +11,10 @@
 
 namespace carom::scene {
 
-/// A time for each sphere, and whose is the least, of equal ones the lowest: a tournament of four in each match, so
-/// that a change costs log₄ of their number at most (D. Knuth, "The Art of Computer Programming" 3, 5.4.1). A match
-/// lies in one line of a cache, times beside whose they are; most changes concern no more than one or two.
+/// A time for each sphere, and the sphere with the least time. Of equal times the lowest index is first. It is a
+/// tournament with four players in each match, so a change updates at most log₄ n matches for n spheres (D. Knuth, "The
+/// Art of Computer Programming" 3, 5.4.1). A match fits in one cache line, with the times beside the players. Most
+/// changes affect only one or two matches.
 class EventQueue {
  public:
   using Index = std::uint32_t;
@@ -27,7 +28,7 @@ class EventQueue {
     for (std::size_t round = 0; round < rounds_.size(); ++round) {
       for (std::size_t k = 0; k < rounds_[round].size(); ++k) {
         for (std::size_t place = 0; place < 4; ++place) {
-          // Who never plays never wins: their times stay `never`, and of equal ones the lowest is first.
+          // Absent players never win: their times stay `never`, and of equal times the lowest index is first.
           rounds_[round][k].players[place] = static_cast<Index>((4 * k + place) << (2 * round));
         }
       }
@@ -42,7 +43,7 @@ class EventQueue {
       double& old_time = match.times[place % 4];
       Index& old_winner = match.players[place % 4];
       if (old_time == time && old_winner == winner) {
-        return;  // nothing above changes either
+        return;  // no later match changes either
       }
       old_time = time;
       old_winner = winner;
@@ -59,13 +60,13 @@ class EventQueue {
   }
   [[nodiscard]] double time_of(Index index) const { return rounds_.front()[index / 4].times[index % 4]; }
 
-  /// Calls use(k) for each whose time is at most `latest`, and not `never`, the lowest first.
+  /// Calls use(k) for each index k whose time is at most `latest` and not `never`, in ascending order of k.
   template <class Use>
   void for_each_until(double latest, const Use& use) const {
     visit(rounds_.size() - 1, 0, latest, use);
   }
 
-  /// Asks for what `set` reads first.
+  /// Prefetches the match that `set` reads first.
   void prefetch(Index index) const { __builtin_prefetch(&rounds_.front()[index / 4]); }
 
   [[nodiscard]] std::size_t bytes() const {
@@ -103,7 +104,7 @@ class EventQueue {
     }
   }
 
-  std::vector<std::vector<Match>> rounds_;  // a winner of match k plays in match k/4 of the next round
+  std::vector<std::vector<Match>> rounds_;  // the winner of match k plays in match k/4 of the next round
 };
 
 }  // namespace carom::scene

@@ -27,7 +27,7 @@ const Kernel& kernel() {
   return instance;
 }
 
-/// Coefficients by rising power of t − origin.
+/// Coefficients in ascending powers of t − origin.
 template <std::size_t N>
 using Coefficients = std::array<Rational, N>;
 
@@ -85,7 +85,7 @@ Coefficients<3> height(const Path& sphere, const Reach& plane, const Rational& o
 Coefficients<5> gap(const Path& a, const Path& b, const Rational& origin) { return squared_gap(a, b, origin); }
 Coefficients<3> gap(const Path& a, const Reach& b, const Rational& origin) { return height(a, b, origin); }
 
-/// At the origin, or where it is 0 there, just after it.
+/// The sign at the origin or, if the value is 0 there, just after it.
 template <std::size_t N>
 int sign_from_origin(const Coefficients<N>& q) {
   for (const Rational& coefficient : q) {
@@ -110,7 +110,7 @@ Kernel::Polynomial_1 with_whole_coefficients(const Sequence& q) {
   return {whole.begin(), whole.end()};
 }
 
-/// In rising order, with their multiplicities.
+/// The real roots in ascending order, with their multiplicities.
 template <class Sequence>
 std::vector<std::pair<Root, int>> roots_of(const Sequence& q) {
   std::vector<std::pair<Root, int>> roots;
@@ -145,12 +145,12 @@ TimeBounds ExactTime::bounds() const {
   if (compare(root, zero) == CGAL::EQUAL) {
     return {0, 0};
   }
-  constexpr int bits = 60;  // more than a double has, so that few doubles are left to look at
+  constexpr int bits = 60;  // more than a double has, so that few doubles remain to be tested
   double below = CGAL::to_interval(kernel().approximate_relative_1_object()(root, bits).first).first;
   for (;;) {
     const double next = std::nextafter(below, never);
     if (next == never) {
-      return {below, never};  // a sphere that creeps may come later than any double
+      return {below, never};  // a very slow sphere may touch later than every double
     }
     switch (compare(as_root(Rational(next)), root)) {
       case CGAL::SMALLER:
@@ -199,7 +199,7 @@ int sign_of_gap(const Path& sphere, const Reach& plane, double time) {
 
 namespace {
 
-/// The place of a double among all, 0 first; it rises with them.
+/// The index of a double in the ascending order of all doubles, with 0 for zero.
 std::int64_t in_order(double x) {
   const auto bits = std::bit_cast<std::int64_t>(std::abs(x));
   return x < 0 ? -bits : bits;
@@ -219,12 +219,12 @@ double reach_of(const Vector3<double>& normal, const Vector3<double>& point, dou
     square += Rational(normal[axis]) * Rational(normal[axis]);
   }
   square *= Rational(radius) * Rational(radius);
-  // Whether x ≥ N·p + R |N|, without the root.
+  // Whether x ≥ N·p + R |N|, without a square root.
   const auto is_clear = [&](double x) {
     const Rational over = Rational(x) - level;
     return over >= Rational(0) && over * over >= square;
   };
-  // Near it, in steps that double: the doubles in their order, as integers.
+  // The search uses the indices of the doubles, and starts with steps that double in length.
   std::int64_t low = in_order(CGAL::to_double(level) + std::sqrt(CGAL::to_double(square)));
   std::int64_t high = low;
   for (std::int64_t step = 1; is_clear(from_order(low)); step *= 2) {

@@ -9,46 +9,49 @@
 #include <carom/scene/crossing.hpp>
 #include <carom/scene/motion.hpp>
 
-/// What bounds cannot decide, decided exactly: real roots of polynomials with rational coefficients, by CGAL.
+/// Exact decisions if bounds cannot decide: real roots of polynomials with rational coefficients, by CGAL.
 namespace carom::scene {
 
-/// A plane as spheres of one radius meet it: a centre x touches it where N·x is `reach`, and stays above.
+/// A plane for spheres of one radius. A sphere touches the plane if its centre x has N·x = `reach`, and is clear of it
+/// if N·x is larger.
 struct Reach {
   Vector3<double> normal;  // any nonzero length
   double reach = 0;
 };
 
-/// An instant: a number, or a real root of a polynomial.
+/// An instant: a number or a real root of a polynomial.
 class ExactTime {
  public:
-  struct Instant;  // of CGAL, kept out of sight
+  struct Instant;  // a CGAL type, defined only in the source file
   explicit ExactTime(std::shared_ptr<const Instant> instant) : instant_(std::move(instant)) {}
-  /// Precondition: finite.
+  /// The instant of a number. Precondition: `time` is finite.
   [[nodiscard]] static ExactTime at(double time);
 
   friend std::strong_ordering operator<=>(const ExactTime& left, const ExactTime& right);
   [[nodiscard]] friend bool operator==(const ExactTime& left, const ExactTime& right) {
     return (left <=> right) == std::strong_ordering::equal;
   }
-  /// The greatest double not after the instant, and the least not before it.
+  /// The greatest double not after the instant, and the least double not before it.
   [[nodiscard]] TimeBounds bounds() const;
 
  private:
   std::shared_ptr<const Instant> instant_;
 };
 
-/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none where it does not. To
-/// touch without falling below is no contact. Precondition: at `now` the gap is at least 0.
+/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does.
+/// Bodies that touch while the gap does not fall below 0 have no contact. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
-/// The same of a sphere and a plane.
+/// The first instant from `now` on at which the gap N·x − reach of a sphere and a plane falls below 0, as for two
+/// spheres.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& sphere, const Reach& plane, double now);
 
-/// −1, 0 or 1: the sign of the gap at a time.
+/// The sign of the gap at a time: −1, 0 or 1.
 [[nodiscard]] int sign_of_gap(const Path& a, const Path& b, double time);
 [[nodiscard]] int sign_of_gap(const Path& sphere, const Reach& plane, double time);
 
-/// The least double that is at least N·p + R |N|: from there on a sphere of radius R is clear of the plane.
+/// The least double that is at least N·p + R |N|. A sphere of radius R is clear of the plane if N·x is at least this
+/// number.
 [[nodiscard]] double reach_of(const Vector3<double>& normal, const Vector3<double>& point, double radius);
 
 }  // namespace carom::scene

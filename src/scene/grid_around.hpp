@@ -9,7 +9,8 @@
 
 namespace carom::scene {
 
-/// An empty grid for these spheres: cells as wide as the largest of them, or so wide that there is about one for each.
+/// An empty grid for these spheres. The cells are as wide as the largest sphere, or wider if needed for about one cell
+/// for each sphere.
 [[nodiscard]] inline CellGrid grid_around(const std::vector<Path>& paths) {
   if (paths.empty()) {
     return {};

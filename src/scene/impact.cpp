@@ -42,13 +42,14 @@ BodyVelocity<double> in_double(const BodyVelocity<S>& velocity) {
 template <class S>
 Outcome<double> struck_in(Model law, const Collision& collision) {
   using impulse::Ldlt;
-  using Inertia = impulse::PrincipalInertia<S, false>;  // of spheres none is slender
+  using Inertia = impulse::PrincipalInertia<S, false>;  // no sphere is slender
   impulse::Contact<S, Inertia> contact = impulse::make_contact<S, Inertia>(collision);
   const auto outcome = [&]() -> Outcome<S> {
     switch (law) {
       case Model::frictionless:
       case Model::reflection:
-        // Lever arms along the normal: without them K N is λ N, and no spin is touched even by rounding.
+        // The lever arms are along the normal. With zero lever arms, K N = λ N exactly, and rounding cannot change the
+        // spins.
         contact.a.lever_arm.setConstant(S(0));
         contact.b.lever_arm.setConstant(S(0));
         return impulse::frictionless<S, Inertia>(contact);
@@ -64,7 +65,7 @@ Outcome<double> struck_in(Model law, const Collision& collision) {
     return impulse::rough<Ldlt, S, Inertia>(contact);
   }();
   Outcome<double> result{in_double(outcome.a), in_double(outcome.b)};
-  // Rounded to S, the velocities of what is not moved would change.
+  // The rounding to S would change velocities that the impulse does not affect.
   if (law == Model::frictionless || law == Model::reflection) {
     result.a.angular_velocity = collision.a.angular_velocity;
     result.b.angular_velocity = collision.b.angular_velocity;
@@ -75,7 +76,7 @@ Outcome<double> struck_in(Model law, const Collision& collision) {
   return result;
 }
 
-/// Adds to the component that moves N·v most what makes up for `approach`, N·v < 0, and an ulp.
+/// Corrects the component that changes N·v most. Adds enough to cancel `approach`, N·v < 0, and one ulp more.
 void add_along(const Vector3<double>& normal, double approach, Vector3<double>& velocity) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -83,7 +84,7 @@ void add_along(const Vector3<double>& normal, double approach, Vector3<double>& 
   velocity[axis] = std::nextafter(enough, std::copysign(never, normal[axis]));
 }
 
-/// N·v where it is certain in double, else its sign.
+/// N·v in double if its sign is certain, otherwise from the exact sum.
 template <class Exactly>
 double approach_of(const Vector3<double>& normal, const Vector3<double>& velocity, const Exactly& exactly) {
   const double sum = normal.dot(velocity);
@@ -96,7 +97,7 @@ Collision collision_of(const StruckSphere& a, const StruckSphere& b, const Mater
   Collision collision;
   const Vector3<double> unit = (a.position - b.position).normalized();
   collision.a = body_of(a, a.radius * unit);
-  // The lever arm of A itself: so N lies along it exactly, and along that of B where the radii are the same.
+  // The lever arm of A itself. So N lies exactly along it, and also along the lever arm of B if the radii are equal.
   collision.normal = collision.a.position;
   collision.b = body_of(b, -b.radius * unit);
   set_material(collision, pair);

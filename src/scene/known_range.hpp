@@ -7,7 +7,8 @@
 
 namespace carom::scene {
 
-/// The numbers that the precision of the impulses knows to a roundoff: masses and moments are of them.
+/// The range of numbers that have a relative rounding error of at most u in the precision of the impulses. Masses and
+/// moments must lie in it.
 struct KnownRange {
   double least, greatest;
   [[nodiscard]] bool contains(double value) const { return value >= least && value <= greatest; }

@@ -7,10 +7,11 @@
 namespace carom::scene {
 namespace {
 
-/// About normal, of mean 0 and deviation 1: sums of integers, so that nothing but the last step rounds.
+/// An approximately normal number with mean 0 and standard deviation 1. It is a sum of integers, so only the last step
+/// rounds.
 double draw(std::mt19937_64& engine) {
   constexpr std::int64_t one = std::int64_t{1} << 53;
-  std::int64_t sum = 6 - 6 * one;  // less the mean of twelve integers from 0 to one − 1
+  std::int64_t sum = 6 - 6 * one;  // minus the mean of twelve integers from 0 to one − 1
   for (int i = 0; i < 12; ++i) {
     sum += static_cast<std::int64_t>(engine() >> 11);
   }

@@ -8,27 +8,27 @@
 
 namespace carom::scene {
 
-/// A level plane: gravity g presses spheres onto it along an axis of the world.
+/// A level plane. Gravity g presses spheres onto it along an axis of the world.
 struct Level {
   int axis = 2;
-  double up = 1;       // 1 or −1, the normal along that axis
+  double up = 1;       // 1 or −1: the normal along the axis
   double gravity = 0;  // g > 0 [m/s²]
 };
 
-/// The motion, from `start` on, of a sphere on a level plane: slipping, rolling or resting, and spinning about the
-/// normal. With n the normal, u = v − R w × n is the slip. Friction μ g against it slows the slip by (7/2) μ g a second
-/// along a fixed direction; rolling resistance slows a sphere that rolls by μ_r g; spin about n loses (5/2) μ_s g/R (W.
-/// Leckie, M. Greenspan, "An event-based pool physics simulator", 2006). The direction u/‖u‖ is rounded, and is then
-/// what it is: the path is exactly that of the acceleration that stands in it. A slip that is nothing but rounding is
-/// none.
+/// The motion of a sphere on a level plane from `start` on: it slips, rolls or rests, and spins about the normal n. The
+/// slip is u = v − R w × n. Friction μ g against it slows the slip by (7/2) μ g [m/s²] along a fixed direction. Rolling
+/// resistance slows a rolling sphere by μ_r g [m/s²]. The spin about n loses (5/2) μ_s g/R [rad/s²] (W. Leckie, M.
+/// Greenspan, "An event-based pool physics simulator", 2006). The direction u/‖u‖ is rounded once. After that the path
+/// follows the stored acceleration exactly. A slip that is only rounding error counts as 0.
 ///
-/// Velocity along n is not read: it is 0. `has_friction`: whether the law reads μ; without, a sphere slips for ever.
+/// The function ignores the velocity along n, which is 0. `has_friction` says whether the law uses μ. Without friction,
+/// a sphere slips forever.
 [[nodiscard]] Arc level_arc(const Level& level, std::uint32_t plane, const MaterialPair& pair, bool has_friction,
                             double radius, double start, const Vector3<double>& position,
                             const Vector3<double>& velocity, const Vector3<double>& angular_velocity);
 
-/// The motion that follows on an arc's end: what ended by itself is exactly 0 then. `position` and `start` as the loop
-/// has stored them.
+/// The motion after the end of an arc. The quantity that ended the arc is exactly 0 from then on. `position` and
+/// `start` are the values that the loop stores.
 [[nodiscard]] Arc after_end(const Level& level, const MaterialPair& pair, bool has_friction, const Arc& ended,
                             double start, const Vector3<double>& position);
 

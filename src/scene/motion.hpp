@@ -13,10 +13,10 @@ namespace carom::scene {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// How a sphere moves between two of its events.
+/// The kind of motion of a sphere between two of its events.
 enum class Phase : std::uint8_t {
   flying,   // under gravity alone
-  sliding,  // on a level plane, its lowest point slipping
+  sliding,  // on a level plane, with its lowest point slipping
   rolling,  // on a level plane, without slip
   resting,  // on a level plane; it may still spin about the normal
 };
@@ -35,11 +35,11 @@ enum class Phase : std::uint8_t {
   return "resting";
 }
 
-/// The path of a sphere's centre from `start` on: x + v s + a s²/2, s = t − start, exactly, of the doubles that stand
-/// here. What predictions need beside it: radius and sizes.
+/// The path of a sphere's centre from `start` on: exactly x + v s + a s²/2 with s = t − start, for the stored doubles.
+/// The radius and the sizes are stored for predictions.
 struct Path {
   double start = 0;                       // [s]
-  double end = never;                     // where the phase changes by itself [s]
+  double end = never;                     // time at which the phase changes by itself [s]
   Vector3<double> position{0, 0, 0};      // x [m]
   Vector3<double> velocity{0, 0, 0};      // v [m/s]
   Vector3<double> acceleration{0, 0, 0};  // a [m/s²]
@@ -49,25 +49,25 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// What ends a phase by itself.
+/// The cause that ends a phase by itself.
 enum class Ending : std::uint8_t { none, slip, roll, spin };
 
-/// How a sphere turns, and on what it is.
+/// The rotation of a sphere, and the plane that supports it.
 struct Turning {
   Vector3<double> angular_velocity{0, 0, 0};      // w at the path's start; w + α s later [rad/s]
   Vector3<double> angular_acceleration{0, 0, 0};  // α [rad/s²]
   Phase phase = Phase::flying;
   Ending ending = Ending::none;  // at the path's end
-  std::uint32_t plane = 0;       // index of the plane that the sphere is on, where it is not flying
+  std::uint32_t plane = 0;       // index of the plane that the sphere is on, if it is not flying
 };
 
-/// All of a sphere's motion between two of its events.
+/// The whole motion of a sphere between two of its events.
 struct Arc {
   Path path;
   Turning turning;
 };
 
-/// Sums of sizes once for all predictions.
+/// Computes the sizes once for all predictions.
 inline void measure(Path& path) {
   path.position_size = path.position.cwiseAbs().sum();
   path.velocity_size = path.velocity.cwiseAbs().sum();

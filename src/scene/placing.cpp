@@ -11,7 +11,7 @@
 namespace carom::scene {
 
 Vector3<double> rounded_away(const Path& path, double time, const Vector3<double>& away) {
-  // In the format of x87, or better: its roundings are 2⁻¹¹ of one of double.
+  // long double has the x87 format or a better one. Its rounding errors are at most 2⁻¹¹ of those of double.
   using Wide = long double;
   constexpr Wide wide_roundoff = std::numeric_limits<Wide>::epsilon() / 2;
   const Wide s = Wide(time) - Wide(path.start);
@@ -38,8 +38,8 @@ Vector3<double> rounded_away(const Path& path, double time, const Vector3<double
 
 namespace {
 
-/// The sign of the gap of spheres where both paths start. A sum of products takes a small part of the time that
-/// rationals do, and crystals have spheres that touch by the hundred thousand.
+/// The sign of the gap of two spheres at the common start of their paths. An exact sum of products takes far less time
+/// than rational numbers. Crystals may have hundreds of thousands of touching spheres.
 int sign_of_gap_at_start(const Path& a, const Path& b) {
   impulse::ExactSum squared_gap;
   for (int axis = 0; axis < 3; ++axis) {
@@ -76,7 +76,7 @@ bool overlap(const Path& a, const Path& b, double time, unsigned long long& unde
 
 bool overlap(const Path& sphere, const Reach& plane, double time, unsigned long long& undecided) {
   if (time == sphere.start && plane.normal.cwiseAbs().sum() == 1 && plane.normal.cwiseAbs().maxCoeff() == 1) {
-    return plane.normal.dot(sphere.position) < plane.reach;  // one coordinate, or its negative
+    return plane.normal.dot(sphere.position) < plane.reach;  // the height is one coordinate or its negative
   }
   const UncertainQuadratic height = height_over(sphere, plane, time);
   return is_negative(height.c0, height.e0, sphere, plane, time, undecided);

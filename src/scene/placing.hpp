@@ -6,16 +6,18 @@
 
 namespace carom::scene {
 
-/// Where a path is at a time, rounded to double, each coordinate the way that `away` points along it, and to nearest
-/// where that is 0. So two spheres that are rounded away from each other are no nearer than their paths say.
+/// The position of a path at a time, rounded to double. Each coordinate is rounded in the direction of `away`, or to
+/// nearest if `away` is 0 there. So two spheres that are rounded away from each other are no nearer than on their
+/// paths.
 [[nodiscard]] Vector3<double> rounded_away(const Path& path, double time, const Vector3<double>& away);
 
-/// Whether two spheres overlap at a time, exactly: by bounds, and exactly where those do not decide, which is counted.
+/// Whether two spheres, or a sphere and a plane, overlap at a time. The answer is exact: error bounds decide if they
+/// can, otherwise exact arithmetic. `undecided` counts the exact decisions.
 [[nodiscard]] bool overlap(const Path& a, const Path& b, double time, unsigned long long& undecided);
 [[nodiscard]] bool overlap(const Path& sphere, const Reach& plane, double time, unsigned long long& undecided);
 
-/// The same position, moved by some ulps of its coordinates: the k-th of all moves, the least first. Calls with k from
-/// 0 to `moves` − 1; the 0th is the position itself.
+/// The position, moved by at most 3 ulps of each coordinate. The moves are ordered by length, and k is the index of the
+/// move, from 0 to `moves` − 1. Move 0 is the position itself.
 inline constexpr int moves = 7 * 7 * 7;
 [[nodiscard]] Vector3<double> moved_by_ulps(const Vector3<double>& position, int k);
 

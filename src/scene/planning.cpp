@@ -7,11 +7,12 @@
 #include <carom/scene/quick_look.hpp>
 #include <carom/scene/simulation.hpp>
 
-/// What the loop looks ahead to: each sphere's next event, and which of two is first.
+/// The planning of the loop: the next event of each sphere, and the order of two events.
 namespace carom::scene {
 namespace {
 
-/// From the origin. Up to there places are known to a sixteenth of the margin of a cell (cell_grid.hpp).
+/// A distance from the origin, in cells. Up to this distance positions are accurate to a sixteenth of the margin of a
+/// cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace
@@ -30,7 +31,7 @@ const Reach& Simulation::reach(Index sphere, std::size_t plane) const {
 }
 
 void Simulation::find_planes_in_reach(Index sphere) {
-  // While it is in the cell the centre is within a millionth of its width: more is taken.
+  // While the sphere is in the cell, its centre is in the cell within a millionth of the width. This margin is larger.
   const double margin = 0x1p-10 * grid_.width();
   const Vector3<double> centre = grid_.centre_of_cell(sphere);
   const double half = 0.5 * grid_.width() + margin;
@@ -76,7 +77,7 @@ void Simulation::keep_first(Index sphere, const Planned& planned, Planned& best)
     best = planned;
     return;
   }
-  // Which of this sphere's own events is first cannot wait: only one of them is kept.
+  // The order of this sphere's own events must be decided now, because only one of them is kept.
   ++counts_.exact.orders;
   const auto order = exact_time(sphere, planned) <=> exact_time(sphere, best);
   counts_.exact.ties += order == std::strong_ordering::equal ? 1 : 0;
@@ -126,7 +127,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
   for (std::size_t k = 0; k < left; ++k) {
     const Index other = neighbours_[k];
     const Path its = spheres_.path(other);
-    // What comes later than the first that was found is not asked for.
+    // Events later than the first one so far are not searched for.
     const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
     const Beside pair(here, placed(its, now_), path.radius + its.radius);
     is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();
@@ -212,7 +213,7 @@ void Simulation::move_clear(Index sphere) {
   for (int k = 1; k < moves; ++k) {
     spheres_.set_position(sphere, moved_by_ulps(position, k));
     if (is_clear(sphere)) {
-      ++agenda_[sphere].version;  // what was planned from the former place holds no longer
+      ++agenda_[sphere].version;  // plans from the former position are no longer valid
       return;
     }
   }

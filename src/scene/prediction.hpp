@@ -8,18 +8,19 @@
 #include <carom/scene/exact_time.hpp>
 #include <carom/scene/motion.hpp>
 
-/// When a sphere next touches another, or a plane, bounded by rounding alone, and exactly where that does not decide.
+/// The time at which a sphere next touches another sphere or a plane. Bounds allow for rounding errors. If they do not
+/// decide, exact arithmetic does.
 namespace carom::scene {
 
-/// Where a path is at a time, in double, and how far off at most. A coordinate x + s (v + (s/2) a) has at most 6
-/// roundings of each of its terms (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed. 2002, ch.
-/// 3).
+/// The position and velocity of a path at a time, in double, with bounds of their errors. In a coordinate x + s (v +
+/// (s/2) a), each term has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
+/// 2002, ch. 3).
 struct Placed {
   Vector3<double> position, velocity;
   double position_error, velocity_error;  // in the 1-norm
 };
 
-/// As s = t − start has gone by; sizes in the 1-norm.
+/// The position and velocity at s = t − start. Sizes are in the 1-norm.
 [[nodiscard]] inline Placed placed(double s, const Vector3<double>& position, const Vector3<double>& velocity,
                                    const Vector3<double>& acceleration, double position_size, double velocity_size,
                                    double acceleration_size) {
@@ -37,9 +38,9 @@ struct Placed {
                 path.velocity_size, path.acceleration_size);
 }
 
-/// Two spheres beside each other. Sizes and errors in the 1-norm, which is at least the Euclidean one.
+/// Two spheres beside each other. Sizes and errors are in the 1-norm, which is at least the Euclidean norm.
 struct Beside {
-  Vector3<double> distance, velocity;  // of A from B, and as it changes
+  Vector3<double> distance, velocity;  // of A relative to B
   double distance_size, velocity_size;
   double distance_error, velocity_error;
   double radii;
@@ -58,7 +59,7 @@ struct Beside {
     return (2 * distance_size + distance_error) * distance_error +
            8 * roundoff * (distance_size * distance_size + radii * radii);
   }
-  /// d·v, and what bounds its rounding.
+  /// d·v, and a bound of its rounding error.
   [[nodiscard]] double receding() const { return distance.dot(velocity); }
   [[nodiscard]] double receding_error() const {
     return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
@@ -66,7 +67,7 @@ struct Beside {
   }
 };
 
-/// |d + v s|² − R² of s = t − now, for two paths of the same acceleration.
+/// |d + v s|² − R² as a function of s = t − now, for two paths with the same acceleration.
 [[nodiscard]] inline UncertainQuadratic squared_gap(const Beside& pair) {
   return {pair.squared_gap(),
           2 * pair.receding(),
@@ -90,7 +91,7 @@ struct Beside {
           0.5 * rounding_of_dot(sphere.acceleration)};
 }
 
-/// Counts of what the bounds did not decide.
+/// The numbers of decisions that needed exact arithmetic.
 struct ExactCounts {
   unsigned long long predictions = 0;  // whether and when two paths touch
   unsigned long long orders = 0;       // which of two events is first
@@ -98,25 +99,26 @@ struct ExactCounts {
   unsigned long long ties = 0;         // two events at one instant, exactly
 };
 
-/// When the gap of two spheres first falls below 0, from `now` up to `horizon`; `never` where it does not, or later.
-/// Precondition: at `now` the gap is at least 0.
+/// The time at which the gap of two spheres first falls below 0, from `now` up to `horizon`; `never` if it does not, or
+/// only later. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
                                          ExactCounts& counts);
 
-/// The same of a sphere and a plane.
+/// The time at which the gap of a sphere and a plane first falls below 0, as for two spheres.
 [[nodiscard]] TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon,
                                          ExactCounts& counts);
 
-/// Whether two spheres certainly do not touch up to the horizon: they are too far apart, or recede. Most neighbours do.
-/// `bends`: their accelerations differ; then the sum of the sizes of both is read.
+/// Whether two spheres are certain not to touch up to the horizon, because they are too far apart or recede. Most
+/// neighbours are. `bends` says that their accelerations differ. Only then is `acceleration_size` used, the sum of the
+/// sizes of both.
 [[nodiscard]] inline bool stay_apart(const Beside& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
   const double bend = bends ? 0.5 * acceleration_size * span : 0;
-  // Some products and sums of positive numbers: a relative 16 u covers their rounding.
+  // Some products and sums of positive numbers. A relative 16 u covers their rounding errors.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  // Both are computed, and no branch is guessed: which of them holds is as good as random.
+  // Computes both without a branch, because a processor cannot predict which of them holds.
   const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
   const bool recedes = pair.receding() > pair.receding_error();
   return is_far | (!bends & recedes);

@@ -14,7 +14,7 @@ struct Halves {
   Bernstein first, second;
 };
 
-/// De Casteljau's subdivision at a share of the interval; each number has up to three roundings of its own.
+/// De Casteljau's subdivision at a share of the interval. Each new number has up to three roundings of its own.
 Halves divided(const Bernstein& whole, double share) {
   Bernstein row = whole;
   Halves halves{};
@@ -28,11 +28,11 @@ Halves divided(const Bernstein& whole, double share) {
   return halves;
 }
 
-/// Where a root lies in the middle, or so near that the middle has no sure sign.
+/// The share if a root lies in the middle, or so near that the sign in the middle is not certain.
 constexpr double beside_the_middle = 15.0 / 32;
 
-/// The first part of [begin, end] that is not certainly positive, as narrow as the bounds allow. `error` is of each
-/// coefficient; a division adds four rows of three roundings each.
+/// The first part of [begin, end] in which the quartic is not certainly positive, as narrow as the bounds allow.
+/// `error` bounds the error of each coefficient. A subdivision adds four rows of three roundings each.
 std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, double error, double resolution) {
   const auto [least, greatest] = std::minmax_element(b.begin(), b.end());
   if (*least > error) {
@@ -50,7 +50,7 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
   if (std::abs(halves.first[4]) <= divided_error) {
     share = beside_the_middle;
     halves = divided(b, share);
-    // Neither has a sign: what is left is hardly more than its error.
+    // Neither point has a certain sign, so the rest is hardly larger than its error.
     if (crosses && std::abs(halves.first[4]) <= divided_error) {
       return here;
     }
@@ -65,13 +65,13 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
 }  // namespace
 
 UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, double span) {
-  // Of t in [0, 1], s = t span.
+  // As a polynomial in t in [0, 1], with s = t span.
   const Vector3<double>& d = pair.distance;
   const Vector3<double> v = pair.velocity * span;
   const Vector3<double> h = (a.acceleration - b.acceleration) * (0.5 * span * span);
   const std::array<double, 5> power{d.dot(d) - pair.radii * pair.radii, 2 * d.dot(v), v.dot(v) + 2 * d.dot(h),
                                     2 * v.dot(h), h.dot(h)};
-  // Power k adds C(j, k)/C(4, k) of its coefficient to Bernstein coefficient j.
+  // The coefficient of power k adds C(j, k)/C(4, k) of itself to Bernstein coefficient j.
   Bernstein bernstein{};
   constexpr std::array<std::array<double, 5>, 5> shares{{{1, 0, 0, 0, 0},
                                                          {1, 1.0 / 4, 0, 0, 0},
@@ -87,7 +87,7 @@ UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, d
   const double size = pair.distance_size + pair.velocity_size * span + h_size;
   const double error = pair.distance_error + span * (pair.velocity_error + 4 * roundoff * pair.velocity_size) +
                        6 * roundoff * span * span * (a.acceleration_size + b.acceleration_size);
-  // |d + v t + h t²|² changes by at most (2 size + error) error; products and sums have less than 24 roundings.
+  // |d + v t + h t²|² changes by at most (2 size + error) error. Products and sums have fewer than 24 roundings.
   return {bernstein, (2 * size + error) * error + 24 * roundoff * (size * size + pair.radii * pair.radii), span};
 }
 

@@ -9,8 +9,8 @@
 
 namespace carom::scene {
 
-/// The squared gap of two spheres whose accelerations differ, as a quartic of s = t − now on [0, span], by its
-/// Bernstein coefficients there, each within `error` of the true one.
+/// The squared gap of two spheres whose accelerations differ, as a quartic in s = t − now on [0, span]. It is stored as
+/// its Bernstein coefficients on this interval. Each is within `error` of the true coefficient.
 struct UncertainQuartic {
   std::array<double, 5> bernstein;
   double error;
@@ -19,9 +19,9 @@ struct UncertainQuartic {
 
 [[nodiscard]] UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, double span);
 
-/// As of a quadratic: the least s in [0, span] at which it falls below 0. By halving the interval (R. T. Farouki, "The
-/// Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5): the quartic lies between its least and
-/// its greatest coefficient.
+/// The least s in [0, span] at which the quartic falls below 0, as for a quadratic. The search halves the interval (R.
+/// T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). The quartic lies
+/// between its least and its greatest coefficient.
 [[nodiscard]] Crossing first_crossing(const UncertainQuartic& quartic);
 
 }  // namespace carom::scene

@@ -8,23 +8,26 @@
 
 namespace carom::scene {
 
-/// A first look at the neighbours of a sphere that flies, for those that fly as well: whether they certainly neither
-/// overlap it now nor touch it before the horizon. It takes fewer operations than `stay_apart`, since its bounds of
-/// rounding are the same for all, and so wider, and no branch.
+/// A first look at the flying neighbours of a flying sphere. It finds those that certainly neither overlap the sphere
+/// now nor touch it before the horizon. It takes fewer operations than `stay_apart` and no branch, because its bounds
+/// of rounding errors are the same for all neighbours, and so wider.
 ///
 /// Let u be `roundoff`, P and W the bounds of `Extent`, R the sum of the radii, d the distance and v the relative
-/// velocity, so that their 1-norms are at most 2 P and 2 W. Computed, here and in `Beside`, d is off by at most
-/// 2 · 7 u P + 2 u · 2 P = 18 u P, v by 2 · 4 u W + 2 u · 2 W = 12 u W, and d·v by
-/// 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W; of second order there is less than a millionth of these.
-/// - Receding: d·v > 128 u P W as computed is positive.
-/// - Far: |d| > R + m + (|v| + 16 u W) s as computed, m = 256 u (P + R). Both sides are at most 2 P there, and have
-/// less
-///   than 8 roundings relative to that: 16 u P, and the 18 u P of d, are less than m.
-/// - No overlap: where |d| > R + m, |d|² − R² > (|d| + R) m. The error of the squared gap in `Beside` is at most
-///   (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
+/// velocity. The 1-norms of d and v are at most 2 P and 2 W. These are bounds of the errors of the computed numbers,
+/// here and in `Beside`:
+/// - d: 2 · 7 u P + 2 u · 2 P = 18 u P.
+/// - v: 2 · 4 u W + 2 u · 2 W = 12 u W.
+/// - d·v: 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W.
+///
+/// Terms of second order are less than a millionth of these bounds. The tests follow from them:
+/// - Receding: if d·v > 128 u P W as computed, d·v is positive.
+/// - Far: the test is |d| > R + m + (|v| + 16 u W) s as computed, with m = 256 u (P + R). Both sides are at most 2 P
+///   there, and have fewer than 8 roundings relative to that. These 16 u P, and the 18 u P of d, are less than m.
+/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The error of the squared gap in `Beside` is at most (2√3
+///   |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
 class QuickLook {
  public:
-  /// Of a sphere of this radius that is `here` at `now`. Nothing beyond `horizon` is asked for.
+  /// For a sphere of this radius that is `here` at `now`. Contacts after `horizon` do not matter.
   QuickLook(const Placed& here, double radius, const Vector3<double>& gravity, const Extent& extent, double now,
             double horizon)
       : here_(here),

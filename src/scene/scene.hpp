@@ -12,16 +12,16 @@
 
 namespace carom::scene {
 
-/// How two materials meet.
+/// The properties of the contact of two materials.
 struct MaterialPair {
   double restitution = 1;             // ε in [0, 1]
-  double friction = 0;                // μ ≥ 0, at impacts and where a sphere slides on a plane
-  double tangential_restitution = 0;  // e_t in [-1, 1]; read by the law `rough`
-  double rolling_resistance = 0;      // μ_r ≥ 0: a sphere that rolls on a plane loses μ_r g of its speed a second
-  double spinning_resistance = 0;     // μ_s ≥ 0: its spin about the plane's normal loses (5/2) μ_s g/R a second
+  double friction = 0;                // μ ≥ 0, for impacts and for a sphere that slides on a plane
+  double tangential_restitution = 0;  // e_t in [-1, 1]; only the law `rough` reads it
+  double rolling_resistance = 0;      // μ_r ≥ 0: slows a sphere that rolls on a plane by μ_r g [m/s²]
+  double spinning_resistance = 0;     // μ_s ≥ 0: slows its spin about the plane's normal by (5/2) μ_s g/R [rad/s²]
 };
 
-/// The pairs of `count` materials, in whichever order they meet.
+/// The properties of every pair of `count` materials, in either order.
 class MaterialPairs {
  public:
   explicit MaterialPairs(std::size_t count = 0) : count_(count), pairs_(count * count) {}
@@ -37,7 +37,7 @@ class MaterialPairs {
   std::vector<MaterialPair> pairs_;
 };
 
-/// A uniform solid ball, at the scene's beginning. World coordinates.
+/// A uniform solid ball at the beginning of a scene, in world coordinates.
 struct Sphere {
   std::string name;
   double radius = 1;                          // > 0 [m]
@@ -48,8 +48,8 @@ struct Sphere {
   Vector3<double> angular_velocity{0, 0, 0};  // [rad/s]
 };
 
-/// A convex body of uniform density, at the scene's beginning. A point x of its own frame is at position + R x, R the
-/// rotation of `orientation`. World coordinates but for the vertices.
+/// A convex body of uniform density at the beginning of a scene. A point x of its own frame is at position + R x, with
+/// R the rotation of `orientation`. Everything except the vertices is in world coordinates.
 struct Polyhedron {
   std::string name;
   std::vector<Vector3<double>> vertices;       // its corners, in its own frame [m]
@@ -66,18 +66,18 @@ struct Plane {
   std::string name;
   std::size_t material = 0;         // index into Scene::materials
   Vector3<double> normal{0, 0, 1};  // any nonzero length
-  Vector3<double> point{0, 0, 0};   // one of the plane's [m]
+  Vector3<double> point{0, 0, 0};   // a point of the plane [m]
 };
 
-/// Rebounds from a level plane that rise no higher than this part h of the sphere's radius are not followed: the sphere
-/// stays on the plane, as ε = 0 would have it. Where nothing can rest, on another sphere or on a slope, what approaches
-/// slower than √(2 g h R) is met elastically and leaves at that speed: it hops on, no higher than that.
+/// The part h of a sphere's radius up to which rebounds from a level plane are not followed. Such a sphere stays on the
+/// plane, as with ε = 0. On another sphere or on a slope, a sphere cannot rest. There an approach slower than √(2 g h
+/// R) becomes an elastic impact that sends the sphere off at that speed. So it keeps hopping, no higher than h R.
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {
   std::string title;
   Model law = Model::frictionless;            // not `any`
-  Precision precision = Precision::binary64;  // that impulses are computed in; the state is kept in binary64
+  Precision precision = Precision::binary64;  // of the impulses; the state is stored in binary64
   double duration = 1;                        // ≥ 0 [s]
   Vector3<double> gravity{0, 0, 0};           // [m/s²]; along an axis of the world, or none
   double capture_height = default_capture_height;
@@ -88,7 +88,7 @@ struct Scene {
   std::vector<Plane> planes;
 };
 
-/// Bodies are counted spheres first.
+/// The number of bodies. The index of a body counts the spheres first, then the polyhedra.
 [[nodiscard]] inline std::size_t body_count(const Scene& scene) {
   return scene.spheres.size() + scene.polyhedra.size();
 }
@@ -99,12 +99,12 @@ struct Scene {
 [[nodiscard]] inline std::size_t material_of(const Scene& scene, std::size_t body) {
   return is_sphere(scene, body) ? scene.spheres[body].material : polyhedron_of(scene, body).material;
 }
-/// "sphere 3", "polyhedron 0", as they are counted in the scene.
+/// The kind of a body and its number among the bodies of this kind: "sphere 3", "polyhedron 0".
 [[nodiscard]] inline std::string kind_and_number(const Scene& scene, std::size_t body) {
   return is_sphere(scene, body) ? "sphere " + std::to_string(body)
                                 : "polyhedron " + std::to_string(body - scene.spheres.size());
 }
-/// The same with its name: "sphere 3 (cue)".
+/// The kind, number and name of a body: "sphere 3 (cue)".
 [[nodiscard]] inline std::string description_of(const Scene& scene, std::size_t body) {
   const std::string& name = is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
   return kind_and_number(scene, body) + " (" + name + ')';

@@ -12,10 +12,10 @@
 namespace carom::scene {
 namespace {
 
-/// Impacts at one time, more than any that ends by itself has been seen to need.
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
 constexpr unsigned long long most_at_one_instant = 100'000;
 
-/// How often it is looked whether to stop, where nothing happens but that spheres leave cells.
+/// The number of cell crossings between two checks for a stop request, if no other event happens.
 constexpr unsigned long long crossings_between_looks = 4096;
 
 std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity) {
@@ -136,7 +136,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     }
     Index chosen = first;
     std::optional<Index> unsettled;
-    std::optional<Index> leaves;  // its cell, first of those within the bounds
+    std::optional<Index> leaves;  // leaves its cell before all others within the bounds
     queue_.for_each_until(planned.when.latest, [&](Index other) {
       const Agenda& its = agenda_[other];
       if (other == first || unsettled) {
@@ -162,7 +162,7 @@ std::optional<Simulation::Index> Simulation::next_sphere() {
     if (unsettled) {
       plan(*unsettled);
     } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
-      // Before anything can happen: a fast sphere would be far out of its cell by then.
+      // Before any other event: by then a fast sphere would be far outside its cell.
       leave_cell(*leaves);
     } else {
       return chosen;

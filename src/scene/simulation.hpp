@@ -25,7 +25,8 @@ namespace carom::scene {
 
 class QuickLook;
 
-/// What ends a run before its time: bodies that overlap at the beginning, impacts at one instant that do not end.
+/// An error that ends a run early. For example, bodies overlap at the beginning, impacts at one instant do not end, or
+/// a position is no longer accurate enough.
 class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -34,17 +35,17 @@ enum class EventKind : std::uint8_t {
   impact,        // of two bodies
   plane_impact,  // of a body and a plane
   capture,       // a sphere stays on a level plane
-  phase,         // slip, rolling or spin has ended
-  renewal,       // a polyhedron has turned so far that it is stored anew, and goes on as it was
+  phase,         // slipping, rolling or spinning has ended
+  renewal,       // a polyhedron has turned so far that its state is stored again; its motion continues
 };
 
 [[nodiscard]] std::string_view name_of(EventKind kind);
 
-/// A body's motion up to an event, and from it on.
+/// The motion of a body before and after an event.
 struct Change {
   std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
   Arc before, after;
-  /// Where the scene has polyhedra: body axes to world axes at the event, and how it turned until then [rad/s].
+  /// If the scene has polyhedra: body axes to world axes at the event, and the angular velocity before it [rad/s].
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity_before{0, 0, 0};
 };
@@ -53,16 +54,17 @@ struct Event {
   double time = 0;  // [s]
   EventKind kind = EventKind::impact;
   Change a;
-  std::optional<Change> b;   // of an impact of two bodies
-  std::uint32_t plane = 0;   // of the other kinds
-  bool has_impulse = false;  // of impacts always; of a capture where the sphere came down
-  Collision collision;       // of impacts and captures: its origin is the contact point
-  Outcome<double> outcome;   // as the law gave it; `after` has what was stored
-  /// Slower than what is followed, where nothing can rest: elastic by the law, and then sent off at `least_speed`.
+  std::optional<Change> b;   // only for an impact of two bodies
+  std::uint32_t plane = 0;   // only for plane impacts, captures and phases
+  bool has_impulse = false;  // of impacts and captures: whether the bodies approached
+  Collision collision;       // of impacts and captures; its origin is the contact point
+  Outcome<double> outcome;   // as the law gave it; `after` has the stored velocities
+  /// The approach was slower than the least speed, and the body cannot rest. The impact is elastic by the law, and the
+  /// body is then sent off at `least_speed`.
   bool was_slow = false;
 };
 
-/// What a run has counted.
+/// Numbers that are counted during a run.
 struct Counts {
   unsigned long long events = 0;
   unsigned long long impacts = 0;  // of two bodies
@@ -70,31 +72,32 @@ struct Counts {
   unsigned long long captures = 0;
   unsigned long long phases = 0;
   unsigned long long renewals = 0;
-  unsigned long long crossings = 0;       // of cells; no events of the scene
+  unsigned long long crossings = 0;       // of cells; these are not events of the scene
   unsigned long long slow = 0;            // impacts that were sent off at the least speed
-  unsigned long long moved_clear = 0;     // stored positions that had to be moved by ulps, for a third body
-  unsigned long long at_one_instant = 0;  // most impacts at one time
+  unsigned long long moved_clear = 0;     // stored positions that were moved by ulps because of a third body
+  unsigned long long at_one_instant = 0;  // largest number of impacts at one time
   unsigned long long advances = 0;        // of conservative advancement
   ExactCounts exact;
 };
 
-/// Runs a scene of spheres alone, one event at a time, in certified order: whatever the bounds of prediction.hpp leave
-/// open is decided exactly, and of two events at one instant that with the lower spheres is first. An event takes place
-/// at a double that is not after its exact time, by what the bounds leave: so nothing ever overlaps, and what is stored
-/// is rounded so that nothing does (placing.hpp).
+/// Runs a scene that has only spheres, one event at a time, in certified order. If the bounds of prediction.hpp do not
+/// decide, an exact method does. Of two events at one instant, the event with the lower sphere indices is first. An
+/// event takes place at a double that is not after its exact time. The difference is within the width of the bounds. So
+/// no bodies ever overlap, and stored positions are rounded so that none do (placing.hpp).
 ///
-/// Each sphere keeps its own next event alone, and is looked at again when that is due: an event that no longer holds,
-/// since its partner has been struck, is too early and never too late (B. Lubachevsky 1991).
+/// Each sphere keeps only its own next event, which is checked again when it is due. An event may no longer hold
+/// because its partner has been struck. Such an event is too early and never too late (B. Lubachevsky 1991).
 class Simulation {
  public:
-  /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError where bodies overlap.
+  /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.
   explicit Simulation(Scene scene);
 
-  /// The next event; nothing after the scene's duration. The reference holds until the next call. Throws SceneError
-  /// where impacts at one instant do not end.
+  /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
+  /// impacts at one instant do not end, or if a sphere is too far away for its cell to be known. Also throws it if no
+  /// position within 3 ulps is free of overlap.
   [[nodiscard]] const Event* advance();
 
-  /// From now on `advance` ends early, with nothing, once a stop is requested.
+  /// Makes `advance` end early and return null once a stop is requested.
   void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -104,7 +107,7 @@ class Simulation {
   [[nodiscard]] Arc arc(std::size_t sphere) const { return spheres_.arc(sphere); }
   [[nodiscard]] double mass(std::size_t sphere) const { return spheres_.make(sphere).mass; }
   [[nodiscard]] double moment(std::size_t sphere) const { return spheres_.make(sphere).moment; }
-  /// Which plane spheres can rest on, and how.
+  /// How spheres rest on a plane; nothing if they cannot.
   [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
   [[nodiscard]] std::size_t bytes_per_sphere() const;
   [[nodiscard]] SceneState state() const;
@@ -117,7 +120,7 @@ class Simulation {
     Kind kind = Kind::none;
     Index partner = 0;
   };
-  /// What the loop keeps of a sphere: half a line of a cache.
+  /// The loop's data of a sphere: half a cache line.
   struct alignas(32) Agenda {
     TimeBounds when;  // of the next event
     Index partner = 0;
@@ -125,30 +128,33 @@ class Simulation {
     Index version = 0;  // of the sphere's path
     Kind kind = Kind::none;
     std::int8_t leaving_axis = 0, leaving_step = 0;
-    std::uint8_t planes_in_reach = 0;  // from within the cell: bit k is of plane k, bit 7 of all from 7 on
+    std::uint8_t planes_in_reach =
+        0;  // planes that can be touched from within the cell: bit k is plane k, bit 7 is any plane from 7 on
 
     [[nodiscard]] Planned planned() const { return {when, kind, partner}; }
   };
   static_assert(sizeof(Agenda) == 32);
 
-  /// Finds and keeps the sphere's next event. False where it may overlap another body.
+  /// Finds and stores the next event of the sphere. False if the sphere may overlap another body.
   [[nodiscard]] bool plan_or_doubt(Index sphere);
-  /// The same of a sphere that is known to overlap nothing.
+  /// Finds and stores the next event of a sphere that is known to overlap nothing.
   void plan(Index sphere);
-  /// The same of one that has been stored anew; what overlaps is moved clear first.
+  /// Finds and stores the next event of a sphere with a new stored state. If it overlaps a body, it is first moved
+  /// clear.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
-  /// Puts the event in place of `best` if it is the first of both. Precondition: both are events of the sphere.
+  /// Replaces `best` with the event if the event comes first. Precondition: both are events of the sphere.
   void keep_first(Index sphere, const Planned& planned, Planned& best);
-  /// Moves those of the first `count` of neighbours_ that may come near to the front, in their order. Their number.
+  /// Moves those of the first `count` of neighbours_ that may come near to the front, in their order. Returns their
+  /// number.
   [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
   [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);
   void leave_cell(Index sphere);
-  /// Which planes the sphere can touch before it leaves its cell.
+  /// Finds the planes that the sphere can touch before it leaves its cell.
   void find_planes_in_reach(Index sphere);
-  /// Calls use(k) for each of them.
+  /// Calls use(k) for each plane k that the sphere can touch before it leaves its cell.
   template <class Use>
   void for_planes_in_reach(Index sphere, const Use& use) const;
   [[nodiscard]] const Reach& reach(Index sphere, std::size_t plane) const;
@@ -173,7 +179,7 @@ class Simulation {
   SphereStore spheres_;
   std::vector<Agenda> agenda_;
   std::vector<Reach> reaches_;     // of make i and plane k at i · planes + k
-  std::vector<Index> neighbours_;  // of the sphere that is planned
+  std::vector<Index> neighbours_;  // of the sphere that is being planned
   std::vector<std::optional<Level>> levels_;
   CellGrid grid_;
   EventQueue queue_;

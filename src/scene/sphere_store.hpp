@@ -11,7 +11,7 @@
 
 namespace carom::scene {
 
-/// What spheres that are made alike have in common.
+/// The common properties of spheres with the same radius, density and material.
 struct Make {
   double radius;         // [m]
   double mass;           // [kg]
@@ -19,29 +19,29 @@ struct Make {
   std::size_t material;  // index into Scene::materials
 };
 
-/// What is read of a sphere by all whose neighbour it is: one line of a cache. Its acceleration is gravity's, unless it
-/// is on a plane, and its radius that of its make.
+/// The data of a sphere that each of its neighbours reads: one cache line. Its acceleration is gravity unless it is on
+/// a plane. Its radius is that of its make.
 struct alignas(64) Track {
   Vector3<double> position{0, 0, 0};
   double start = 0;  // of the path [s]
   Vector3<double> velocity{0, 0, 0};
-  double until = never;  // the path ends then, or what is further off is not looked for yet: the loop's own [s]
+  double until = never;  // end of the path, or the time up to which the loop searches for now [s]
 };
 static_assert(sizeof(Track) == 64);
 
-/// Bounds of places [m] and velocities [m/s].
+/// Bounds of the positions [m] and the velocities [m/s].
 struct Extent {
   double position_size, velocity_size;
 };
 
-/// The motions of all spheres of a scene. Events are anywhere in space, so that each reads memory that no cache holds
-/// any more: what is read together lies together here, and what many spheres share is kept once.
+/// The motions of all spheres of a scene. Events happen anywhere in space, so each event reads memory that is in no
+/// cache any more. So data that is read together is stored together, and data that many spheres share is stored once.
 class SphereStore {
  public:
   using Index = std::uint32_t;
 
   SphereStore() = default;
-  /// The spheres as they are at the beginning, flying.
+  /// The spheres at the beginning of the scene, all flying.
   explicit SphereStore(const Scene& scene);
 
   [[nodiscard]] std::size_t size() const { return tracks_.size(); }
@@ -50,7 +50,7 @@ class SphereStore {
   [[nodiscard]] const Make& make(std::size_t sphere) const { return makes_[make_index(sphere)]; }
   [[nodiscard]] const Track& track(std::size_t sphere) const { return tracks_[sphere]; }
   [[nodiscard]] bool is_flying(std::size_t sphere) const { return tags_[sphere] % 2 == 0; }
-  /// Precondition: it is not flying.
+  /// The index of the plane that the sphere is on. Precondition: the sphere is not flying.
   [[nodiscard]] std::uint32_t plane(std::size_t sphere) const {
     CAROM_EXPECTS(!is_flying(sphere), sphere);
     return turnings_[sphere].turning.plane;
@@ -71,19 +71,20 @@ class SphereStore {
     measure(path);
     return path;
   }
-  /// What the sizes of all places and velocities from the beginning up to `now` have been at most, in the 1-norm, but
-  /// for a few roundings. Accelerations of spheres on planes are left out.
+  /// Upper bounds of the sizes of all positions and velocities from the beginning up to `now`, in the 1-norm, except
+  /// for a few roundings. The accelerations of spheres on planes are not included.
   [[nodiscard]] Extent extent(double now) const {
     const double turn = gravity_size_ * now;
     return {position_size_ + now * (velocity_size_ + turn), velocity_size_ + turn};
   }
   [[nodiscard]] Arc arc(std::size_t sphere) const { return {path(sphere), turnings_[sphere].turning}; }
-  /// Precondition: the radius is that of the sphere's make; where it flies, the acceleration is gravity, and no end.
+  /// Precondition: the radius is that of the sphere's make. If the arc is flying, its acceleration is gravity and it
+  /// has no end.
   void set_arc(std::size_t sphere, const Arc& arc);
   void set_position(std::size_t sphere, const Vector3<double>& position);
   void set_until(std::size_t sphere, double until) { tracks_[sphere].until = until; }
 
-  /// Asks for what `track` and the acceleration of a sphere that flies read, before they do.
+  /// Prefetches the data of a flying sphere that `track` and `acceleration` read.
   void prefetch(std::size_t sphere) const {
     __builtin_prefetch(&tracks_[sphere]);
     __builtin_prefetch(&tags_[sphere]);
@@ -96,7 +97,7 @@ class SphereStore {
  private:
   void widen(const Track& track);
 
-  using Tag = std::uint32_t;  // twice the index of the make, and 1 where the sphere is not flying
+  using Tag = std::uint32_t;  // twice the index of the make, plus 1 if the sphere is not flying
   struct alignas(64) TurningAndEnd {
     Turning turning;
     double end = never;
@@ -104,12 +105,12 @@ class SphereStore {
 
   Vector3<double> gravity_{0, 0, 0};
   double gravity_size_ = 0;
-  double position_size_ = 0, velocity_size_ = 0;  // of what has been set, at most
+  double position_size_ = 0, velocity_size_ = 0;  // upper bounds of all values that were set
   std::vector<Make> makes_;
   std::vector<Track> tracks_;
   std::vector<Tag> tags_;
   std::vector<TurningAndEnd> turnings_;
-  std::vector<Vector3<double>> accelerations_;  // of those that are not flying; none before the first of them
+  std::vector<Vector3<double>> accelerations_;  // of spheres that are not flying; empty until the first of them
 };
 
 }  // namespace carom::scene

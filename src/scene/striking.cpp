@@ -6,7 +6,7 @@
 #include <carom/scene/placing.hpp>
 #include <carom/scene/simulation.hpp>
 
-/// What the loop does to spheres at an event.
+/// The effects of events on spheres.
 namespace carom::scene {
 namespace {
 

@@ -6,7 +6,7 @@
 
 namespace carom::scene {
 
-/// All parts one after the other, numbers with six digits.
+/// The parts one after the other, numbers with six digits.
 template <class... Parts>
 [[nodiscard]] std::string text_of(const Parts&... parts) {
   std::ostringstream text;

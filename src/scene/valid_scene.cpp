@@ -17,7 +17,7 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// In largest diameters: beyond it a double knows a place to less than 2⁻¹² of one.
+/// In largest diameters. Up to this distance, an ulp of a coordinate is at most 2⁻²⁴ of the largest diameter.
 constexpr double farthest = 0x1p28;
 
 constexpr double least_gravity = 1e-200;
@@ -97,7 +97,7 @@ Found plane_defect(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Of one sphere by itself.
+/// The first defect of one sphere by itself.
 Found sphere_defect(const Scene& scene, std::size_t i) {
   const Sphere& sphere = scene.spheres[i];
   const auto defect = [&](const char* field, std::string what) {
@@ -117,7 +117,7 @@ Found sphere_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // Rounded as the loop does.
+  // Rounded as in the loop (sphere_store.cpp).
   const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
   const double moment = 0.4 * mass * sphere.radius * sphere.radius;
   const KnownRange range = known_range(scene.precision);
@@ -147,7 +147,7 @@ Found spheres_defect(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Whether the sphere is clear of the plane by so much that rounding does not matter.
+/// Whether the sphere is clear of the plane by more than any rounding error.
 bool is_far_above(const Sphere& sphere, const Plane& plane) {
   const double height = plane.normal.dot(sphere.position - plane.point) - sphere.radius * plane.normal.norm();
   const double size =
@@ -175,7 +175,7 @@ Found overlap_defect(const Scene& scene) {
             text_of(description_of(scene, i), " overlaps plane ", k, " (", plane.name, "), or is behind it")};
       }
     }
-    // Only those before it are in the grid.
+    // The grid holds only the spheres with a lower index.
     grid.put(i, sphere.position);
     std::optional<CellGrid::Index> partner;
     grid.for_neighbours(i, [&](CellGrid::Index j) {

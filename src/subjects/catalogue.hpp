@@ -13,16 +13,16 @@ namespace carom::subjects {
 /// The subjects of `methods()`: the solvers of carom/impulse, as users compile them.
 [[nodiscard]] std::vector<Subject> built_in_subjects();
 
-/// The built-in solvers, and the engines that are linked: what runs in this process, also what is not installed.
+/// The subjects that run in this process: the built-in solvers and the linked engines, including absent engines.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
-/// Every engine, linked or over the protocol, also those not installed. Programs are started with these options.
+/// Every engine, linked or over the protocol, including absent ones. The options apply to the programs that it starts.
 [[nodiscard]] std::vector<Subject> engine_subjects(const protocol::ExecOptions& options);
 
-/// The subject that this program knows by that name, engines over the protocol among them.
+/// The subject with this name, including engines over the protocol; empty if there is none.
 [[nodiscard]] std::optional<Subject> subject_named(std::string_view name, const protocol::ExecOptions& options = {});
 
-/// What subject_named knows, with nothing started: engines over the protocol have no `open`.
+/// The subjects that subject_named knows. Starts no program: engines over the protocol have no `open`.
 [[nodiscard]] std::vector<Subject> known_subjects();
 
 }  // namespace carom::subjects

@@ -8,17 +8,17 @@
 
 namespace carom::subjects {
 
-/// Bullet's sequential impulse solver, double build: as shipped and configured.
+/// The double build of Bullet's sequential impulse solver, as shipped and configured.
 [[nodiscard]] std::vector<Subject> bullet_subjects();
 
-/// ODE's world step on one contact joint, double build: as shipped and configured.
+/// The double build of ODE's world step on one contact joint, as shipped and configured.
 [[nodiscard]] std::vector<Subject> ode_subjects();
 
-/// The engines that speak the protocol, in programs of their own: with `specification`, and without `open` until
+/// The engines that speak the protocol in programs of their own. They have a `specification`, and no `open` until
 /// started.
 [[nodiscard]] std::vector<Subject> protocol_engines();
 
-/// The same subject, ready to be opened: a program that is installed is started and asked what it is.
+/// The same subject, ready to be opened. If its program is installed, it is started and asked to introduce itself.
 [[nodiscard]] Subject started(const Subject& subject, const protocol::ExecOptions& options);
 
 }  // namespace carom::subjects

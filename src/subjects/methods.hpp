@@ -10,40 +10,41 @@
 
 namespace carom::subjects {
 
-/// Solves the contacts that it was prepared with, once each, from memory to memory. What it computes is kept where the
-/// compiler cannot drop it.
+/// Solves each contact that it was prepared with once, from memory to memory. It keeps the results, so that the
+/// compiler cannot drop the computation.
 using Kernel = std::function<void()>;
 
-/// What a method computes in.
+/// The scalar type in which a method computes.
 struct ScalarType {
-  std::string_view in_name;  // of the method
+  std::string_view in_name;  // in the name of the method
   std::string_view in_words;
   std::string_view in_code;
-  int rank;  // the fewer bits, the less
+  int rank;  // lower for fewer bits
 };
 
 /// A 3×3 solve of solve3.hpp or solve3_pivoting.hpp.
 struct Solve3 {
   std::string_view in_words;
   std::string_view in_code;
-  int rank;  // 0: the one that is recommended
+  int rank;  // 0: the recommended solve
   bool pivots = false;
 };
 inline constexpr Solve3 recommended_solve{"LDLᵀ", "Ldlt", 0};
 inline constexpr int solve_count = 7;
 
-/// Which text of carom/impulse a method is.
+/// The part of carom/impulse that a method uses.
 enum class MethodForm { law, in_basis, in_stable_basis, refined, guaranteed, batch };
 
-/// A way to compute an impulse, as what the gate judges and as what a clock measures: the same text in both.
+/// A way to compute an impulse, both as a subject that the gate judges and as a kernel that a clock measures. Both run
+/// the same code.
 struct Method {
   Subject subject;
   MethodForm form = MethodForm::law;
   ScalarType scalar = {};
-  Solve3 solve = recommended_solve;  // read where the law has a 3×3 system
+  Solve3 solve = recommended_solve;  // unused if the law has no 3×3 system
   bool keeps_inertia_in_world = false;
-  /// Lays the collisions out as the method reads them (contacts in its scalar type; not part of what is measured), and
-  /// gives what solves them all once. Precondition: every collision is valid.
+  /// Converts the collisions to the input of the method (contacts in its scalar type), and returns the kernel that
+  /// solves all of them once. The conversion is not part of the measured time. Precondition: every collision is valid.
   std::function<Kernel(std::span<const Collision>)> prepare;
 };
 

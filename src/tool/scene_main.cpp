@@ -4,7 +4,7 @@
 #include "commands/scene_command.hpp"
 #include "plan/contacts_of_scene.hpp"
 
-/// carom-scene: the commands of `carom` that know scenes.
+/// carom-scene: the commands of `carom` for scenes.
 int main(int argc, char** argv) {
   using namespace carom::tool;
   return run_program(argc, argv, {add_scene, [](CLI::App& app, Chosen& chosen) {

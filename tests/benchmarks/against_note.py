@@ -1,26 +1,26 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Holds the times of the solvers against the note's plain C++ (plain_note.hpp), which was timed in the same run.
+"""Compares the times of the solvers with those of the note in plain C++ (plain_note.hpp) from the same run.
 
-    against_note.py RESULTS
+against_note.py RESULTS
 
-RESULTS is what `solvers --benchmark_out=RESULTS --benchmark_out_format=json` writes. Exit status 1 if a ratio is beyond
-its limit, 2 if a time is missing.
+RESULTS is what `solvers --benchmark_out=RESULTS --benchmark_out_format=json` writes. The exit status is 1 if a
+ratio exceeds its limit, and 2 if a time is missing.
 """
 import json
 import re
 import statistics
 import sys
 
-# A solver takes 1.6 and 2.1 times as long as the plain text, for which it has no range that it fails in. Another host
-# has other ratios, but not twice as large ones. A batch that is no quicker than the plain text has no use.
+# A solver takes 1.6 or 2.1 times as long as the plain code, which fails on some inputs. The solver does not. Ratios
+# on another host differ, but not by a factor of two. A batch that is no faster than the plain code is useless.
 LIMIT_OF_SOLVERS = 4
 LIMIT_OF_BATCHES = 1
-CONTACTS = 64  # in cache
+CONTACTS = 64  # fits in the first-level cache
 
 
 def nanoseconds(runs, pattern):
-    """The median over the repetitions of a benchmark; of several the quickest."""
+    """The median time over the repetitions of a benchmark. If several benchmarks match, the smallest median."""
     times = {}
     for run in runs:
         if run.get("run_type") == "iteration" and re.fullmatch(pattern, run["run_name"]):

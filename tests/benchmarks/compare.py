@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Runs the same benchmark program of two checkouts in turn and compares them, benchmark by benchmark.
+"""Runs the same benchmark program from two checkouts alternately and compares each benchmark.
 
-    compare.py BEFORE AFTER [--rounds N] [--slower PERCENT] [-- BENCHMARK FLAGS]
+compare.py BEFORE AFTER [--rounds N] [--slower PERCENT] [-- BENCHMARK FLAGS]
 
-BEFORE and AFTER are programs of Google Benchmark. A disturbance of the machine hits both of a round, so what is shown is
-the ratio AFTER / BEFORE of the times within each round: its median, lowest and highest. Exit status 1 where a benchmark
-is slower by more than PERCENT in every round, 2 where one cannot be run.
+BEFORE and AFTER are programs of Google Benchmark. A disturbance of the machine affects both runs of a round. So
+the output is the ratio AFTER / BEFORE of the times within each round: its median, lowest and highest value. The
+exit status is 1 if a benchmark is slower by more than PERCENT in every round, and 2 if one cannot run.
 """
 import argparse
 import json
@@ -17,7 +17,7 @@ import tempfile
 
 
 def times_of(program, flags):
-    """Nanoseconds of each benchmark of one run, the median of its repetitions."""
+    """Nanoseconds per benchmark of one run: the median of the repetitions."""
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
         command = [program, f"--benchmark_out={out.name}", "--benchmark_out_format=json", *flags]
         done = subprocess.run(command, stdout=subprocess.DEVNULL)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-"""docs/examples/solver.py with a planted defect, restitution counted twice: how soon is it found?
+"""docs/examples/solver.py with a planted defect: it counts the restitution twice. Measures how soon the gate finds
+it.
 
 build/tests/benchmarks/first_violation 'exec:python3 tests/benchmarks/defective_solver.py'
 """

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the engines' friction is (docs/findings/engines.md): engine_formulas [CASES]
-// How far each engine's impulse is from the formula that says what it computes, and from the law `coulomb`, over
-// contacts of real bodies with moments to 1 : 100. Where a formula leaves gyroscopic torque out the bodies do not spin.
+// Compares the friction of the engines with formulas (docs/reference/engines.md): engine_formulas [CASES]
+//
+// Prints how far each engine's impulse is from the formula that describes it, and from the law `coulomb`. The
+// contacts are of real bodies with moments up to 1 : 100. If a formula omits gyroscopic torque, the bodies do not
+// spin.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -28,15 +30,15 @@ namespace carom::benchmarks {
 namespace {
 
 constexpr std::array frictions{0.1, 0.3, 0.6, 1.0, 5.0};
-constexpr double time_limit = 60;  // of an engine that does not answer [s]
+constexpr double time_limit = 60;  // until an engine counts as hung [s]
 
-/// Whether the moments are further apart than an engine in world coordinates of binary32 stands.
+/// Whether the ratio of the moments is too large for an engine that keeps inertia in world coordinates, in binary32.
 bool is_slender(const Body& body) {
   constexpr double limit = 100;
   return !body.immovable && body.principal_inertia.maxCoeff() > limit * body.principal_inertia.minCoeff();
 }
 
-/// The first contacts of `physical` that collide and are not so slender, each with every μ.
+/// The first contacts of `physical` that collide and whose bodies are not too slender, each with every μ.
 std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;
@@ -59,7 +61,7 @@ std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   return drawn;
 }
 
-/// F on A, from the velocities of the body that can move.
+/// F on A, computed from the velocities of the body that can move.
 template <class S>
 Vector3<double> impulse_of(const Collision& collision, const Outcome<S>& after) {
   const bool reads_b = collision.a.immovable;
@@ -68,7 +70,7 @@ Vector3<double> impulse_of(const Collision& collision, const Outcome<S>& after) 
   return (change * static_cast<S>(reads_b ? -body.mass : body.mass)).template cast<double>();
 }
 
-/// Medians and the like of relative differences; infinite where there is no answer.
+/// Quantiles of relative differences. A difference is infinite if there is no answer.
 struct Differences {
   std::vector<double> of_norm;
 
@@ -96,7 +98,7 @@ Measured measure(const Subject& subject, const formulas::OutcomeOf& formula, std
         has_answer ? impulse_of(collision, *outcome) : Vector3<double>::Constant(HUGE_VAL);
     const Vector3<double> lawful = impulse::coulomb_impulse(impulse::make_contact<double>(collision)).on_a;
     const Vector3<double> computed = impulse_of(collision, formula(collision));
-    // By gyroscopic torque an engine may find nothing to do where the law does.
+    // Because of gyroscopic torque, an engine may return no impulse on a contact where the law returns one.
     const double size = std::max(computed.norm(), lawful.norm());
     measured.from_formula.of_norm.push_back((by_engine - computed).norm() / size);
     measured.from_law[i % frictions.size()].of_norm.push_back((by_engine - lawful).norm() / lawful.norm());

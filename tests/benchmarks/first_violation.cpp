@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// How soon a defect is found, by a gate that ends at the first violation, its witness shrunk:
-//   first_violation                    over the planted defects, in this process
-//   first_violation 'exec:PROGRAM…'    of a program, its starts included
-//   first_violation --families         which families find most, soonest: the order of properties/gate/schedule.cpp
+// Times how soon a gate that ends at the first violation finds a defect and shrinks its witness.
+//
+//  first_violation                    for the planted defects, in this process
+//  first_violation 'exec:PROGRAM…'    for a program, including its starts
+//  first_violation --families         ranks the families for properties/gate/schedule.cpp
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -25,15 +26,15 @@
 namespace carom::benchmarks {
 namespace {
 
-constexpr int runs = 5;  // of each subject
+constexpr int runs = 5;  // for each subject
 
 struct Find {
   double milliseconds;
-  double of_processor;   // [ms], of this process and those it waited for: what is left of the time on a busy machine
-  std::string violated;  // the invariant; empty where none was
+  double of_processor;   // [ms], of this process and its finished children; other programs hardly change it
+  std::string violated;  // the invariant; empty if there is no violation
 };
 
-/// [ms]
+/// Processor time of this process and its finished children [ms].
 double processor_time() {
   double sum = 0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -46,7 +47,7 @@ double processor_time() {
   return sum;
 }
 
-/// From what it takes to open the subject to its shrunk witness.
+/// Times one find, from opening the subject to the shrunk witness.
 template <class Open>
 Find first_find(const Open& open) {
   properties::GateOptions options;
@@ -102,11 +103,12 @@ int time_program(const std::string& specification) {
   return 0;
 }
 
-/// Takes the family that finds most of what is left, by its first two cases, and goes on without these.
+/// Ranks families greedily: takes the family that finds most of the remaining defects by its first two cases, removes
+/// these defects, and repeats.
 int rank_families() {
   constexpr std::uint64_t seeds = 8;
   constexpr std::uint64_t cases = 2;
-  using Defect = std::pair<std::string_view, std::uint64_t>;  // a mutant, a seed
+  using Defect = std::pair<std::string_view, std::uint64_t>;  // a mutant and a seed
   std::map<std::string_view, std::set<Defect>> found;         // by family
   std::vector<Subject> subjects;
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
@@ -139,7 +141,7 @@ int rank_families() {
   return 0;
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::string argument = argc > 1 ? argv[1] : "";
   if (argument.empty()) {

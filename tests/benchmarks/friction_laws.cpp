@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// How the laws with friction differ (docs/findings/friction.md): friction_laws [CASES]
-// How many answers `coulomb` has, by κ(K) and μ, of general bodies and of real ones; how often an answer creates
-// energy; and how far it is from that of `rough` at e_t = 0. The answers are exact, of what slips to 2⁻¹²⁰.
+// Compares the laws with friction (docs/findings/friction.md): friction_laws [CASES]
+//
+// For general and for real bodies, by κ(K) and μ, it prints the number of answers of `coulomb` and how often an
+// answer creates energy. It also prints the distance from the answer of `rough` at e_t = 0. The answers are exact.
+// Those that slip are exact to 2⁻¹²⁰.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -36,7 +38,7 @@ struct Cell {
   std::uint64_t cases = 0;
   std::uint64_t several = 0;
   std::uint64_t most = 0;
-  std::uint64_t example = none;  // the number of the first case with several
+  std::uint64_t example = none;  // the number of the first case with several answers
   std::uint64_t create_energy = 0;
   std::vector<double> differences;  // ‖F_coulomb − F_rough‖ / ‖F_rough‖
 

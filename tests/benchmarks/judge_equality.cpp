@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judges the same outcomes with every filter and in rational numbers alone, and counts the verdicts that agree:
-//   judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
-//   [--one-subject] [--models M,M]
-// N cases of the families, one in W wild (three by default); each is put to all subjects, or to one that is drawn: the
-// built-in ones, the mutants, and outcomes planted at the edge of what is allowed. Of the others one in L keeps all its
-// digits (each by default); numbers of few digits cost the rational judge less. Relations are judged on one case in R.
-// With --models only subjects of these models are examined.
-// Ends in 1 where anything differs.
+// Judges the same outcomes with all filters and in rational arithmetic alone, and counts equal verdicts:
+//
+//  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
+//  [--one-subject] [--models M,M]
+//
+// It runs N cases of the families; one case in W is wild (default 3). Each case goes to all subjects, or to one drawn
+// at random. The subjects are the built-in ones, the mutants, and outcomes planted at the edge of the allowance. One
+// in L of the cases that are not wild keeps all its digits (default: every one), because numbers of few digits cost
+// the rational judge less. Relations are judged on one case in R. With --models, only subjects of these models run.
+// The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -49,7 +51,7 @@ std::vector<Subject> subjects_and_mutants() {
   return subjects;
 }
 
-/// Of these models; of all where none is named.
+/// The subjects of these models, or of all models if the list is empty.
 std::vector<Examined> examined_of(const std::vector<std::string>& models) {
   std::vector<Examined> examined;
   for (const Subject& subject : subjects_and_mutants()) {
@@ -73,7 +75,7 @@ struct Options {
   std::vector<std::string> models;
 };
 
-/// The case, and what it is called in a difference.
+/// A case and its name in a reported difference.
 struct Drawn {
   properties::Case one;
   std::string name;
@@ -109,7 +111,7 @@ double rate(std::uint64_t count, std::chrono::nanoseconds spent) {
   return static_cast<double>(count) / std::chrono::duration<double>(spent).count();
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Compares the filtered judge with the rational one");
@@ -133,7 +135,8 @@ int run(int argc, char** argv) {
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);
   {
-    // The last one works here: alone, it spares the rationals' shared digits their atomic counts.
+    // The last agreement runs on this thread. A single thread avoids atomic counts of the digits that rationals
+    // share.
     std::vector<std::jthread> workers;
     for (std::size_t i = 0; i + 1 < agreements.size(); ++i) {
       workers.emplace_back([&, i] { compare(options, next, agreements[i]); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judgements a second and core: of the judge in rational numbers alone, and with its filters; generation of cases; the
-// whole gate, by threads. --benchmark_filter and --benchmark_format as ever; the last lines say the ratios and, by
-// invariant, what decided.
+// Judgements per second and core: for the judge in rational arithmetic alone, and for the judge with its filters.
+// Also times generating cases, and the whole gate by number of threads. It takes the flags of Google Benchmark. The
+// last lines print the ratios and, for each invariant, the share of comparisons that each filter decided.
 #include <algorithm>
 #include <ctime>
 #include <map>
@@ -43,11 +43,11 @@ struct Asked {
   std::vector<Answer> related;
 };
 
-/// Cases with the answers of each subject, so that what is timed is the judge alone.
+/// Cases with the answers of each subject, so that only the judge is timed.
 struct Prepared {
   std::vector<Subject> subjects;
   std::vector<properties::Case> cases;
-  std::vector<std::vector<Asked>> asked;  // by case and subject: in memory as they are judged
+  std::vector<std::vector<Asked>> asked;  // by case and subject: in memory in the order of judging
 };
 
 properties::RelationTurn relations_if(bool wanted) {
@@ -79,7 +79,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
   return result;
 }
 
-/// Judges each case by each subject, what is known of a case shared by the subjects as in the gate.
+/// Judges each case for each subject. As in the gate, all subjects of a case share the results computed for it.
 std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, bool with_relations) {
   std::uint64_t verdicts = 0;
   std::vector<double> known(work.subjects.size(), 0);
@@ -124,7 +124,7 @@ void judge(benchmark::State& state, const std::string& name, const std::vector<S
   }
   std::uint64_t judgements = 0;
   std::uint64_t verdicts = 0;
-  const std::clock_t start = std::clock();  // of the process: what else the machine does is no matter
+  const std::clock_t start = std::clock();  // processor time of this process, which other programs do not change
   for ([[maybe_unused]] const auto _ : state) {
     for (const Prepared& one : work) {
       verdicts += judge_all(one, claims, with_relations);
@@ -165,7 +165,7 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
   state.counters["judgements/s"] = benchmark::Counter(static_cast<double>(judgements), benchmark::Counter::kIsRate);
 }
 
-/// What decided the comparisons of each invariant, over every family and sound subject.
+/// Prints which filter decided the comparisons of each invariant, over all families and sound subjects.
 void print_shares() {
   constexpr std::uint64_t cases = 20;
   fmt::print("\nwhat decided, of the comparisons of each invariant [%]\n{:<24}{:>12}{:>11}{:>11}{:>15}{:>11}{:>10}\n",
@@ -181,7 +181,8 @@ void print_shares() {
       if (!is_claimed || claim.invariants.empty()) {
         continue;
       }
-      // The truth and backward error are judged with every invariant: theirs are counted once, as backward_error.
+      // Every invariant needs the truth and the backward error. Their comparisons are counted once, as
+      // backward_error.
       for (const properties::Family& family : properties::all_families()) {
         const Prepared work = prepared({subject}, {claim}, family, cases, true);
         const oracles::StageCounts before = oracles::decided_by_stage();
@@ -216,7 +217,7 @@ void print_shares() {
   }
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::vector<Subject> sound = sound_subjects();
   std::vector<const properties::Family*> families;
@@ -227,7 +228,7 @@ int run(int argc, char** argv) {
     for (const bool filtered : {false, true}) {
       const std::string kind =
           std::string(filtered ? "filtered" : "rational") + (with_relations ? "/relations" : "/one_outcome");
-      constexpr std::uint64_t cases = 8;  // of each family
+      constexpr std::uint64_t cases = 8;  // for each family
       const std::string all = kind + "/all";
       benchmark::RegisterBenchmark(("judge/" + all).c_str(), [=](benchmark::State& state) {
         judge(state, all, sound, families, cases, filtered, with_relations);

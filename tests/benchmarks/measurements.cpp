@@ -8,7 +8,7 @@
 namespace carom::benchmarks {
 namespace {
 
-/// The number below which this share of them lies. Precondition: there is one.
+/// The quantile of the numbers at this share. Precondition: there is at least one number.
 double quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   const double place = share * static_cast<double>(numbers.size() - 1);
@@ -30,11 +30,11 @@ bool Recorder::ReportContext(const Context&) { return true; }
 void Recorder::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
-      // Time on the processor does not count what other programs take of it. Where the clock on the wall is asked for,
-      // for threads, the iterations are those of all of them.
+      // Processor time excludes the time of other programs. Benchmarks of threads ask for real time; their iteration
+      // count is the sum over the threads.
       const bool by_the_wall = run.run_name.time_type == "real_time";
       const double seconds = by_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time;
-      // The name without what Google Benchmark adds to it.
+      // The name without the suffixes that Google Benchmark adds.
       measurements_[run.run_name.function_name].nanoseconds.push_back(seconds * 1e9 /
                                                                       static_cast<double>(run.iterations));
     }

@@ -9,23 +9,23 @@
 
 namespace carom::benchmarks {
 
-/// Repeated measurements of one thing, of which the median stands for it: interleaved with all others, it forgives a
-/// machine that is busy for less than half of the repetitions.
+/// Repeated measurements of one quantity, represented by their median. The repetitions are interleaved with those of
+/// all other benchmarks. So the median tolerates a machine that is busy for less than half of the repetitions.
 struct Measurement {
-  std::vector<double> nanoseconds;  // an iteration of any thread
+  std::vector<double> nanoseconds;  // for each iteration of any thread
 
   [[nodiscard]] double median() const;
-  /// Half the distance between the quartiles over the median.
+  /// Half the interquartile range divided by the median.
   [[nodiscard]] double spread() const;
 };
 
-/// Keeps what Google Benchmark measures, by name, and shows its progress as dots.
+/// Keeps Google Benchmark's measurements by name, and shows progress as dots.
 class Recorder : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// Whether this was measured at all: --benchmark_filter may have left it out.
+  /// Whether this benchmark was measured: --benchmark_filter may have excluded it.
   [[nodiscard]] bool has(const std::string& name) const { return measurements_.contains(name); }
   /// Precondition: has(name).
   [[nodiscard]] const Measurement& at(const std::string& name) const { return measurements_.at(name); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Compiled once for each instruction set, named CAROM_INSTRUCTION_SET.
+// Compiled once for each instruction set, with its name in CAROM_INSTRUCTION_SET.
 #include "peak.hpp"
 
 #include <experimental/simd>
@@ -8,14 +8,15 @@ namespace carom::benchmarks::CAROM_INSTRUCTION_SET {
 
 [[gnu::flatten]] std::size_t multiply_and_add(double* sink) {
   using Pack = std::experimental::native_simd<double>;
-  // Each chain waits for itself; twelve of them fill two pipelines of four cycles and leave registers for the factors.
+  // Each chain depends on itself. Twelve chains fill two pipelines with a latency of four cycles each, and leave
+  // registers for the factors.
   constexpr std::size_t chains = 12;
   constexpr std::size_t rounds = 1000;
   Pack x[chains];
   for (std::size_t k = 0; k < chains; ++k) {
     x[k] = Pack(1.0 + static_cast<double>(k));
   }
-  const Pack factor = sink[0];  // not known to the compiler
+  const Pack factor = sink[0];  // read at run time, so that the compiler does not know it
   const Pack addend = sink[1];
   for (std::size_t i = 0; i < rounds; ++i) {
 #pragma GCC unroll 12

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 
-/// The most multiplications and additions, one after the other and not fused, as the batch solvers are compiled: what a
-/// roofline's flat part is. One namespace for each instruction set.
-#define CAROM_DECLARE_PEAK(SET)                            \
-  namespace carom::benchmarks::SET {                       \
-  /** How many operations were made; keeps `sink` alive.*/ \
-  std::size_t multiply_and_add(double* sink);              \
+/// The peak rate of multiplications and additions in sequence and not fused, as the batch solvers are compiled. It is
+/// the flat part of a roofline. Each instruction set has a namespace.
+#define CAROM_DECLARE_PEAK(SET)                        \
+  namespace carom::benchmarks::SET {                   \
+  /** The number of operations; keeps `sink` alive. */ \
+  std::size_t multiply_and_add(double* sink);          \
   }
 
 CAROM_DECLARE_PEAK(baseline)

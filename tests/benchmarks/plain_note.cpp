@@ -52,7 +52,7 @@ Matrix rotation(const Quaternion<double>& quaternion) {
 Vector plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 Vector3<double> shared(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// The motion of these momenta.
+/// The motion for these momenta.
 Motion motion_of(const RigidBody& body, const Vector& momentum, const Vector& angular_momentum) {
   return {momentum, angular_momentum, body.inverse_mass * momentum, body.inverse_inertia * angular_momentum};
 }
@@ -65,7 +65,7 @@ Motion pushed(const RigidBody& body, const Vector& lever_arm, const Vector& impu
   return motion_of(body, body.motion.momentum + impulse, body.motion.angular_momentum + cross(lever_arm, impulse));
 }
 
-/// An impulse on A, and its opposite on B.
+/// Applies the impulse to A and its opposite to B.
 Motions pushed(const Contact& contact, const Vector& impulse) {
   return {pushed(*contact.a, contact.point - contact.a->position, impulse),
           pushed(*contact.b, contact.point - contact.b->position, -1 * impulse)};

@@ -6,10 +6,10 @@
 #include <carom/collision/collision.hpp>
 #include <carom/collision/outcome.hpp>
 
-/// The note as the author of a game writes it, in plain C++ and double: an object a body, whose state are its momenta,
-/// a basis of one normal and two tangents, and the inverse of a 3×3 matrix. What the batches are measured against. It
-/// shares no text with the library, and takes on trust what such code does: it fails where the relative velocity is
-/// nearly along the normal (docs/findings/note.md).
+/// The note as a game developer would implement it, in plain C++ and double. Each body is an object with its momenta
+/// as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3 matrix. It is the
+/// baseline of the batches. It shares no code with the library, and makes the assumptions that such code makes: it
+/// fails if the relative velocity is nearly along the normal (docs/findings/note.md).
 namespace carom::benchmarks::plain {
 
 struct Vector {
@@ -20,7 +20,7 @@ struct Matrix {
   std::array<Vector, 3> rows;
 };
 
-/// What changes in a collision. The velocities are derived from the momenta.
+/// The state that a collision changes. The velocities are derived from the momenta.
 struct Motion {
   Vector momentum;          // kg m/s
   Vector angular_momentum;  // kg m²/s, about the centre of mass
@@ -28,7 +28,8 @@ struct Motion {
   Vector angular_velocity;  // rad/s
 };
 
-/// In world coordinates. An immovable body has no inverse mass and no inverse inertia, and so no velocities.
+/// In world coordinates. The inverse mass and inverse inertia of an immovable body are zero, so its velocities are
+/// zero.
 struct RigidBody {
   double mass;
   double inverse_mass;
@@ -37,7 +38,7 @@ struct RigidBody {
   Motion motion;
 };
 
-/// Two bodies that touch. They are the caller's.
+/// Two bodies in contact. The caller owns them.
 struct Contact {
   const RigidBody* a;
   const RigidBody* b;
@@ -51,14 +52,14 @@ struct Motions {
   Motion b;
 };
 
-/// Precondition: the collision is valid, and what is immovable rests.
+/// Precondition: the collision is valid, and an immovable body is at rest.
 [[nodiscard]] RigidBody rigid_body(const Body& body);
-/// Of bodies made from the same collision, which outlive it.
+/// A contact of bodies made from the same collision. The bodies must outlive it.
 [[nodiscard]] Contact contact(const Collision& collision, const RigidBody& a, const RigidBody& b);
 
 /// An impulse along the normal: note §1, eq. 18.
 [[nodiscard]] Motions solve_frictionless(const Contact& contact);
-/// The relative velocity is reflected: note §2, eq. 20 to 29 as corrected in docs/findings/note.md.
+/// Reflects the relative velocity: note §2, eq. 20 to 29 as corrected in docs/findings/note.md.
 [[nodiscard]] Motions solve_reflection(const Contact& contact);
 
 [[nodiscard]] Outcome<double> outcome(const Motions& motions);

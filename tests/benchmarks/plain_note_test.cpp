@@ -12,9 +12,8 @@
 
 #include "support/cases.hpp"
 
-/// What the batches are measured against is right: the judge allows it what it allows a sound subject. Of slender
-/// bodies it loses the angular momentum, and nearly head-on it fails, as docs/findings/note.md tells of the basis that
-/// it takes.
+/// The baseline of the batches is correct: the judge accepts it within the allowance of a sound subject. It loses
+/// angular momentum of slender bodies, and it fails if nearly head-on, because of its basis (docs/findings/note.md).
 namespace carom::benchmarks {
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Solves a second over the line protocol, judging left out: protocol_rate 'exec:PROGRAM ARG…' [THREADS]
+// Solves per second over the line protocol, without judging: protocol_rate 'exec:PROGRAM ARG…' [THREADS]
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -15,7 +15,7 @@
 namespace carom::benchmarks {
 namespace {
 
-constexpr std::size_t batch = 500;  // about what the gate asks at once
+constexpr std::size_t batch = 500;  // about the size of the gate's batches
 constexpr std::chrono::seconds duration{5};
 
 std::vector<Collision> valid_collisions() {
@@ -27,7 +27,7 @@ std::vector<Collision> valid_collisions() {
   return collisions;
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
   if (argc < 2) {
     std::cerr << "protocol_rate 'exec:PROGRAM ARG…' [THREADS]\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Events a second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION [CSV]]].
-// EVENTS are of each round; the file CSV is what tests/figures/scene_events_chart draws.
+// Events per second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION
+// [CSV]]]. EVENTS is the number in each round. tests/figures/scene_events_chart draws the file CSV.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,7 +53,7 @@ Scene gas(int edge, double volume_fraction) {
   return scene;
 }
 
-/// Of processor time: what else runs takes no part in it, but for the caches.
+/// Processor time of the events [s]. Other programs affect it only through the caches.
 double seconds_of(carom::scene::Simulation& simulation, long events) {
   const std::clock_t begin = std::clock();
   for (long k = 0; k < events; ++k) {
@@ -66,16 +66,16 @@ double seconds_of(carom::scene::Simulation& simulation, long events) {
 
 struct Measured {
   std::unique_ptr<carom::scene::Simulation> simulation;
-  std::vector<double> rates;  // events a second of each round, the least first once they are sorted
+  std::vector<double> rates;  // events per second in each round; sorted in ascending order at the end
   double cells_left = 0;      // for each event
 };
 
-/// The rounds of all sizes in turn: what else the machine does meanwhile is in all of them.
+/// Each round runs all sizes in turn, so a disturbance of the machine affects all of them.
 std::vector<Measured> measure(long events, double volume_fraction) {
   std::vector<Measured> all;
   for (const int edge : edges) {
     all.push_back({std::make_unique<carom::scene::Simulation>(gas(edge, volume_fraction)), {}});
-    // Out of the lattice: some events of each sphere.
+    // Some events of each sphere, so that the spheres leave the lattice.
     seconds_of(*all.back().simulation, std::max(events, 2 * static_cast<long>(all.back().simulation->size())));
   }
   for (std::size_t round = 0; round < rounds; ++round) {

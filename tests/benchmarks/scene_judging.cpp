@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What judging a scene takes, under each law: scene_judging FILE [ROUNDS]. Medians of the rounds, in processor time.
+// The time to judge a scene under each law: scene_judging FILE [ROUNDS]. Prints medians over the rounds, in processor
+// time.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>

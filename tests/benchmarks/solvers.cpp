@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// How long the solvers take: solvers [--benchmark_…], about a minute. Every figure is the median of repetitions that
-// are interleaved with those of all others, and stands beside its ratio to a baseline of the same run.
+// Times the solvers: solvers [--benchmark_…]; it takes about a minute. Every figure is the median of repetitions that
+// are interleaved with those of all other benchmarks. Each is printed with its ratio to a baseline of the same run.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -62,10 +62,10 @@ std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_o
 
 /// The laws of the note.
 constexpr Model models[]{Model::frictionless, Model::reflection};
-/// Those whose batches are compared.
+/// The laws whose batches are compared.
 constexpr Model batch_models[]{Model::frictionless, Model::reflection, Model::rough};
 
-/// One workload for all who need one of that size.
+/// The shared workload of this size.
 template <class S>
 Workload<S>& shared_workload(std::size_t size) {
   static std::map<std::size_t, Workload<S>> workloads;
@@ -96,7 +96,7 @@ void register_methods() {
   }
 }
 
-/// The note in plain C++, over objects of bodies that lie one after the other.
+/// The note in plain C++, on bodies in consecutive memory.
 void register_plain() {
   static const std::vector<Collision> collisions = colliding(in_cache);
   static const std::vector<plain::RigidBody> bodies = [] {
@@ -162,7 +162,7 @@ void register_batches() {
   }
 }
 
-/// Every thread has a batch of its own.
+/// Every thread has its own batch.
 void register_threads() {
   for (const Model model : models) {
     for (const std::size_t size : {in_cache, out_of_cache / 4}) {
@@ -208,7 +208,7 @@ void register_peaks() {
   }
 }
 
-/// Operations for one colliding contact, by running the solver's text with a scalar that counts.
+/// Operations for one colliding contact: runs the solver with a scalar that counts.
 Operations operations_of(Model model) {
   const auto contact = colliding_batch<double>(1).at(0);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
@@ -226,7 +226,7 @@ Operations operations_of(Model model) {
   return Counted::operations;
 }
 
-/// Nanoseconds a contact, of a measurement over so many.
+/// Nanoseconds per contact of a measurement over this many contacts.
 double per_contact(const Recorder& recorder, const std::string& name, std::size_t contacts) {
   return recorder.at(name).median() / static_cast<double>(contacts);
 }
@@ -270,8 +270,8 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
-/// How many times as quick as the note in plain C++ the batches are: as its solver of the same law, and as its
-/// reflection, which is all of the note.
+/// The speed of the batches relative to the note in plain C++: to its solver of the same law, and to its reflection,
+/// which is the whole note.
 void print_plain(const Recorder& recorder) {
   const std::string reflection = plain_name(Model::reflection);
   if (!recorder.has(reflection)) {
@@ -297,7 +297,7 @@ void print_plain(const Recorder& recorder) {
   }
 }
 
-/// What it costs that about half the bodies are slender.
+/// The cost of slender bodies, which are about half of the bodies.
 void print_slender(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
   fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));
@@ -434,9 +434,9 @@ void print_goals(const Recorder& recorder) {
   }
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
-  // Defaults; what is said on the command line comes later and wins.
+  // Defaults. Options on the command line come later and override them.
   std::vector<std::string> words{argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.02",
                                  "--benchmark_enable_random_interleaving=true"};
   words.insert(words.end(), argv + 1, argv + argc);

@@ -6,21 +6,21 @@
 
 #include <carom/impulse/batch/solve.hpp>
 
-/// What is measured, and over what.
+/// The contacts that the benchmarks run on.
 namespace carom::benchmarks {
 
-/// Contacts that fit the first cache with their outcomes, in double.
+/// Number of contacts that fit into the first-level cache with their outcomes, in double.
 inline constexpr std::size_t in_cache = 64;
-/// Contacts that no cache holds: 384 MB in double.
+/// Number of contacts that fit into no cache: 384 MB in double.
 inline constexpr std::size_t out_of_cache = 1'000'000;
 
-/// Colliding contacts of general bodies, moments to 1 : 4, the first of a fixed sequence.
+/// Colliding contacts of general bodies with moments up to 1 : 4, from the start of a fixed sequence.
 [[nodiscard]] std::vector<Collision> colliding(std::size_t count);
 
-/// The same of bodies of which about half are plates or rods, moments to 1 : 10⁸.
+/// Colliding contacts of bodies with moments up to 1 : 10⁸. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
-/// Collisions as a batch; where there are fewer they repeat.
+/// Collisions as a batch of `count` contacts. If there are fewer collisions, they repeat.
 template <class S>
 [[nodiscard]] impulse::ContactBatch<S> batch_of(const std::vector<Collision>& collisions, std::size_t count) {
   std::vector<impulse::Contact<S>> contacts;
@@ -40,7 +40,7 @@ template <class S>
   return batch_of<S>(collisions, count);
 }
 
-/// Contacts and where their outcomes go.
+/// Contacts and storage for their outcomes.
 template <class S>
 struct Workload {
   explicit Workload(std::size_t count) : contacts(colliding_batch<S>(count)), outcomes(count) {}
@@ -51,16 +51,16 @@ struct Workload {
   impulse::OutcomeBatch<S> outcomes;
 };
 
-/// Bytes that a batch solver reads and writes for a contact.
+/// Bytes that a batch solver reads and writes for each contact.
 template <class S>
 inline constexpr std::size_t bytes_of_contact = (impulse::contact_number_count + impulse::outcome_number_count) *
                                                 sizeof(S);
 
-/// The plain triad z = x + s y over the arrays of a workload, one triple of arrays after the other: each of the arrays
-/// of outcomes from two of the arrays of contacts.
+/// The plain triad z = x + s y over the arrays of a workload, three arrays at a time. It computes each array of
+/// outcomes from two arrays of contacts.
 void triad(Workload<double>& workload);
 
-/// Bytes that the triad reads and writes for a contact.
+/// Bytes that the triad reads and writes for each contact.
 inline constexpr std::size_t triad_bytes_of_contact = 3 * impulse::outcome_number_count * sizeof(double);
 
 }  // namespace carom::benchmarks

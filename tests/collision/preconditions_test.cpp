@@ -19,8 +19,8 @@
 #include <carom/properties/trial/trial.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Some preconditions of each library, all of functions that headers define: this program is checked whether the
-/// libraries are or not.
+/// Some preconditions of each library. All functions are defined in headers, so this program checks them even if the
+/// libraries are built without checks.
 namespace carom {
 namespace {
 

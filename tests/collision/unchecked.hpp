@@ -3,7 +3,7 @@
 
 namespace carom::unit {
 
-/// How often a build that is not checked evaluates a condition that it states, and a value.
+/// How often a build without checks evaluates the condition of a precondition, and the value that it returns.
 [[nodiscard]] int evaluations_of_an_unchecked_precondition();
 
 }  // namespace carom::unit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A built-in subject by its name.
+// A built-in subject, found by its name.
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
 
-# Runs a command that has to end in `expected`; what it printed is then in `output`.
+# Runs a command that must end with the exit status `expected`. Its output is then in `output`.
 function(run_expecting expected)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
   if(NOT result EQUAL expected)
@@ -14,7 +14,7 @@ macro(run)
   run_expecting(0 ${ARGN})
 endmacro()
 
-# Fails where the last output does not hold one of these texts.
+# Fails if the last output lacks one of these texts.
 function(expect_output)
   foreach(text IN LISTS ARGN)
     string(FIND "${output}" "${text}" place)

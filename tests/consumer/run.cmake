@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake -DBUILD=… -DWORK=… -DCONSUMER=… -P run.cmake: installs into WORK, builds the consumers against that, runs them.
+# cmake -DBUILD=… -DWORK=… -DCONSUMER=… -P run.cmake: installs into WORK, builds the consumers against that
+# installation, and runs them.
 
 include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
 
-# README.md shows ten lines of C++, and what they print.
+# README.md shows ten lines of C++ and their output.
 file(READ ${CONSUMER}/../../README.md readme)
 if(NOT readme MATCHES "    (#include <carom/impulse/reflection.hpp>\n.*\n    }\n)\nprints\n\n    ([^\n]*\n)")
   message(FATAL_ERROR "README.md shows no C++ and what it prints")
@@ -15,7 +16,7 @@ set(printed "${CMAKE_MATCH_2}")
 string(REPLACE "\n    " "\n" example "${CMAKE_MATCH_1}")
 file(WRITE ${WORK}/readme.cpp "${example}")
 
-# The solvers and the gate ask for neither GoogleTest nor RapidCheck.
+# The solvers and the gate need neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
     -DCMAKE_BUILD_TYPE=Debug -DREADME_EXAMPLE=${WORK}/readme.cpp -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
@@ -31,8 +32,9 @@ run(${WORK}/build/builtin)
 run(${WORK}/build/scene)
 run(${WORK}/installed/bin/carom subjects)
 
-# Every library is a component, and what there is not is said. Bounds in the headers of oracles and scenes rest on each
-# product being rounded by itself; no other library, the kit among them, changes how its user is compiled.
+# Every library is a component. Asking for an unknown component is an error that names it. Bounds in the headers of
+# oracles and scenes require that each product is rounded by itself. No other library, including the kit, changes the
+# compile options of its user.
 set(components collision impulse batch collision_json messages oracles properties judge report protocol subjects plan scene scene_json
                scene_polyhedra scene_properties kit conformance)
 list(JOIN components "," names)
@@ -54,7 +56,7 @@ run_expecting(1 ${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/unknown -G
               -DCMAKE_PREFIX_PATH=${WORK}/installed -DCOMPONENTS=juggling)
 expect_output("its component juggling is not installed here" "scene_polyhedra" "kit")
 
-# README.md shows a property, and what RapidCheck says of the solver in my_solver.hpp.
+# README.md has a property, and RapidCheck's output for the solver in my_solver.hpp.
 if(NOT readme MATCHES "    (#include <carom/properties/three_properties.hpp>\n.*\n    }\n)\nsays,[^\n]*\n\n(    [^#]*\n)\nIt is")
   message(FATAL_ERROR "README.md shows no property and what RapidCheck says")
 endif()
@@ -76,7 +78,7 @@ macro(expect_said)
   endforeach()
 endmacro()
 expect_said()
-# RapidCheck's own string leads to the same collision, without shrinking.
+# RapidCheck's own string reproduces the same collision without shrinking.
 if(NOT output MATCHES "RC_PARAMS=\"(reproduce=[^\"]*)\"")
   message(FATAL_ERROR "RapidCheck prints no string to reproduce the failure\n${output}")
 endif()
@@ -89,7 +91,7 @@ run_expecting(1 ${CMAKE_COMMAND} -E env RC_PARAMS=seed=1 ${WORK}/conformance/mut
 expect_output("mutant violates restitution in generic" "The normal velocity is reversed and multiplied by ε."
               "A: mass 1, principal inertia (1, 1, 1)" "  answered" "N·V⁺ and −ε N·V⁻: 2 and 1, apart by 1, allowed"
               "RC_PARAMS=" "[       OK ] Mutant/Conformance.Holds/restitution_in_inelastic")
-# What holds in one file alone, and what was skipped, is not listed at the end; what failed is.
+# The summary at the end lists failed tests, and no skipped ones.
 expect_output("[  SKIPPED ] " " tests, each with its reason above.")
 string(FIND "${output}" "[==========] " start REVERSE)
 string(SUBSTRING "${output}" ${start} -1 closing)
@@ -98,12 +100,12 @@ if(NOT closing MATCHES "\\[  FAILED  \\] Mutant/Conformance.Holds/[a-z_]*\n$" OR
   message(FATAL_ERROR "the closing lines are\n${closing}")
 endif()
 
-# A wrong option is a test that fails.
+# A wrong option is reported as a failed test.
 run_expecting(1 ${CMAKE_COMMAND} -E env CAROM_EXACT=maybe ${WORK}/conformance/sound_test)
 expect_output("CAROM_EXACT: expected" "[  FAILED  ] Textbook/Conformance.Holds/options")
 run_expecting(1 ${CMAKE_COMMAND} -E env RC_PARAMS=seed=x ${WORK}/conformance/sound_test)
 
-# Nothing that the judge's bounds rest on is compiled in a file of the user's: their flags may be anything.
+# The user's files may have any compile flags. So no code that the judge's bounds rest on may be compiled in them.
 find_program(nm nm REQUIRED)
 file(GLOB_RECURSE objects ${WORK}/conformance/*.o)
 run(${nm} --demangle --defined-only ${objects})

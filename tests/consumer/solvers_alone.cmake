@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake -DSOURCE=… -DWORK=… -DCONSUMER=… -DCOMPILER=… -P solvers_alone.cmake: the solvers from the tree, where of all
-# packages Eigen alone is to be found: configured, built and installed into WORK, and used from there.
+# cmake -DSOURCE=… -DWORK=… -DCONSUMER=… -DCOMPILER=… -P solvers_alone.cmake: configures, builds and installs the
+# solvers of the tree into WORK, and uses them from there. Eigen is the only package that CMake can find.
 
 include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 

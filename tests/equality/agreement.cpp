@@ -36,7 +36,7 @@ struct Answers {
   std::vector<Answer> related;
 };
 
-/// One of the two judges, and what it knows of the case.
+/// One of the two judges, with its own knowledge of the case.
 class Judge {
  public:
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
@@ -117,7 +117,7 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     }
     const Claim claim = properties::claim_of(examined.subject, yardstick);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
-    // Every other time all is known, so that lower bounds of the sensitivity decide what they can.
+    // Half of the time the whole backward error counts as known, so that lower bounds of the sensitivity decide more.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(claim, relations, answers, known, agreement.filtered),
             exact(claim, relations, answers, 0, agreement.rational), origin + ", " + examined.subject.name, agreement);

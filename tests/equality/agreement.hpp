@@ -12,24 +12,24 @@
 
 #include <carom/properties/trial/trial.hpp>
 
-/// The same outcomes judged twice, with every filter and in rational numbers alone.
+/// Judges the same outcomes twice: with every filter, and in rational arithmetic alone.
 namespace carom::equality {
 
-/// How often one invariant came out how, by the rational judge.
+/// The number of verdicts of each kind for one invariant, by the rational judge.
 struct Outcomes {
   std::uint64_t holds = 0;
   std::uint64_t violated = 0;
   std::uint64_t skipped = 0;
 };
 
-/// What came of comparing.
+/// The result of a comparison.
 struct Agreement {
   std::uint64_t cases = 0;
-  std::uint64_t judgements = 0;  // of one subject's outcome of one case
-  std::uint64_t verdicts = 0;    // of one invariant each
+  std::uint64_t judgements = 0;  // one for each subject's outcome of one case
+  std::uint64_t verdicts = 0;    // one for each invariant
   std::map<std::string, Outcomes> invariants;
   std::vector<std::string> differences;  // in words, each with the case
-  std::chrono::nanoseconds filtered{};   // spent on judging, the subject left out
+  std::chrono::nanoseconds filtered{};   // time of judging, without the subject
   std::chrono::nanoseconds rational{};
 
   Agreement& operator+=(const Agreement& other);
@@ -46,9 +46,9 @@ struct Examined {
   Session session;
 };
 
-/// Puts the case to each subject once, with all further questions, and judges the answers by both judges, each with
-/// what it knows of the case worked out by itself; one time in three by a number of digits in place of ulps. `origin`
-/// says in a difference where the case is from.
+/// Puts the case and all further questions to each subject once, and judges the answers by both judges. Each judge
+/// computes what it needs for the case itself. In one of three comparisons the yardstick is a number of digits
+/// instead of ulps. `origin` names the source of the case in a reported difference.
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);
 

@@ -10,8 +10,8 @@
 #include "on_families.hpp"
 #include "support/effort.hpp"
 
-/// The filters change no verdict: what they decide is held against the judge in rational numbers alone. The program
-/// `judge_equality` does the same on as many cases as there is time for.
+/// The filters change no verdict: each is compared with the judge in rational arithmetic alone. The program
+/// `judge_equality` runs the same comparison on any number of cases.
 namespace carom::equality {
 namespace {
 

@@ -7,11 +7,11 @@ namespace carom::equality {
 
 inline constexpr std::uint64_t seed = 4;
 
-/// Compares the judges on so many cases of each family, and on as many wild ones for each fifth family. Each case is
-/// worked out once for all subjects.
+/// Compares the judges on `cases` cases of each family, and on as many wild cases for every fifth family. All
+/// subjects share the results computed for a case.
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement);
 
-/// The differences, a line each.
+/// The differences, one per line.
 [[nodiscard]] std::string joined(const Agreement& agreement);
 
 }  // namespace carom::equality

@@ -12,7 +12,7 @@
 #include "support/effort.hpp"
 #include "wild.hpp"
 
-/// As equality_test.cpp, of outcomes that are planted where the filters have most to decide.
+/// Repeats equality_test.cpp with outcomes planted near the bounds, where the filters have most to decide.
 namespace carom::equality {
 namespace {
 
@@ -38,7 +38,7 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
   EXPECT_GT(agreement.verdicts, 1000U);
 }
 
-/// Here the bounds are tight: verdicts come out both ways within a factor of two of what is allowed.
+/// Here the bounds are tight: both verdicts occur within a factor of two of the allowance.
 TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   std::vector<Examined> examined;
   for (const Model model : models_with_truth) {

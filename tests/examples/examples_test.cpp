@@ -10,7 +10,7 @@
 
 #include "support/program.hpp"
 
-/// The examples of docs/guide/plug-in.md are sound, and are found out where a defect is planted in them.
+/// The examples of docs/guide/plug-in.md are sound, and the gate finds a defect planted in any of them.
 namespace carom::tests {
 namespace {
 
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 const std::filesystem::path documents = std::filesystem::path(CAROM_SOURCE_DIR) / "docs";
 
-/// The gate's report on one subject; none where the gate wrote none.
+/// The gate's report on one subject; null if the gate wrote none.
 json report_on(const std::string& subject, const std::string& cases) {
   const TemporaryDirectory out;
   const RunResult run = run_carom({"gate", subject, "--cases", cases, "--out", out.path().string()});
@@ -51,7 +51,7 @@ TEST(Examples, InJavaScriptIsSound) {
   EXPECT_EQ(report.at("status"), "sound") << report;
 }
 
-/// It shows its matrix, which is judged.
+/// This example reports its collision matrix, which is judged.
 TEST(Examples, OfReflectionIsSound) {
   const json report = report_on("exec:python3 " + (documents / "examples" / "reflection.py").string(), "200");
   EXPECT_EQ(report.at("status"), "sound") << report;
@@ -59,7 +59,7 @@ TEST(Examples, OfReflectionIsSound) {
   for (const char* invariant : {"definite", "well_conditioned", "matrix_used"}) {
     std::uint64_t held = 0;
     for (const json& family : report.at("families")) {
-      // Of invalid collisions it does not speak.
+      // Invalid collisions have no such invariant.
       const json& invariants = family.at("invariants");
       held += invariants.contains(invariant) ? invariants.at(invariant).at("holds").get<std::uint64_t>() : 0;
     }
@@ -67,7 +67,7 @@ TEST(Examples, OfReflectionIsSound) {
   }
 }
 
-/// A line of an example, what stands there in its place, and the invariant that points to it.
+/// A line of an example, its replacement, and the invariant that finds the defect.
 struct Defect {
   std::string name;
   std::string line;

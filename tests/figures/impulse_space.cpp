@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The laws in impulse space (docs/guide/laws.md): impulse_space OUT
-// One contact in a plane: a body of mass 1 and moments 1 whose contact point is at (1, −1, 0) from its centre strikes a
-// fixed one with (3, −4, 0), N = (0, 1, 0), ε = 1/2, μ = 1. K = (2, 1; 1, 2) of the tangential and the normal
+//
+// The contact is planar: a body of mass 1 and moments 1 hits a fixed body at velocity (3, −4, 0). The contact point
+// is at (1, −1, 0) from its centre. N = (0, 1, 0), ε = 1/2, μ = 1. K = (2, 1; 1, 2) in the tangential and the normal
 // component.
 #include <array>
 #include <filesystem>
@@ -44,7 +45,7 @@ Point impulse_by(Model model, const Collision& collision) {
   return point;
 }
 
-/// What leads to F: the impulses as one of the coefficients grows, from no restitution on.
+/// The path to F: the impulses as one of the coefficients grows, starting without restitution.
 std::vector<Point> path_of(Model model) {
   Collision c = shown();
   std::vector<Point> path{{0, 0}};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Measured rebound angles beside the laws (docs/findings/impacts.md): oblique_impact DATA OUT
-// DATA has lines "incidence,rebound" in degrees, the angles of the velocity of the contact patch before and after,
-// after lines that begin with '#' and one of names. The sphere and its coefficients are those of the measurement.
+// Measured rebound angles compared with the laws (docs/findings/impacts.md): oblique_impact DATA OUT
+//
+// DATA has comment lines that begin with '#', one line of column names, and lines "incidence,rebound". These are the
+// angles, in degrees, of the velocity of the contact patch before and after. The sphere and its coefficients are
+// those of the measurement.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -60,10 +62,10 @@ std::vector<Angles> read_angles(const std::filesystem::path& file) {
   return angles;
 }
 
-/// 5 mm of aluminium oxide at 3.9 m/s, ε = 0.98, μ = 0.092.
+/// A 5 mm sphere of aluminium oxide at 3.9 m/s, ε = 0.98, μ = 0.092.
 Collision impact(double incidence, double tangential_restitution) {
   constexpr double radius = 0.0025;
-  constexpr double density = 4000;  // [kg/m³]; no angle depends on it
+  constexpr double density = 4000;  // [kg/m³]; the angles do not depend on it
   Collision c;
   c.a.mass = density * 4 / 3 * std::numbers::pi * radius * radius * radius;
   c.a.principal_inertia.setConstant(c.a.mass * radius * radius * 2 / 5);

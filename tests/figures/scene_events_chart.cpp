@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Events a second by the number of spheres (docs/internals/performance.md): scene_events_chart DATA OUT
-// DATA is what tests/benchmarks/scene_events writes: lines "spheres,median,least,most" after one of names.
+// Events per second by the number of spheres (docs/internals/performance.md): scene_events_chart DATA OUT
+//
+// DATA is the output of tests/benchmarks/scene_events: one line of column names, then lines
+// "spheres,median,least,most".
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -9,10 +9,13 @@
 
 #include "input.hpp"
 
-/// Cases as bytes, in two forms that the first byte tells apart. Below 120: the family of that number, counted round,
-/// draws from the integers that follow. Below 128: one beyond the claimed domain does. From there on: which body is
-/// immovable (1: A, 2: B), and then the numbers of a collision as they stand, valid or not. What is worth keeping is
-/// kept in the second form, which outlives a change of the families.
+/// Cases as bytes, in two forms. The first byte selects the form:
+///
+///  below 120:     the family with that number (modulo the number of families) draws from the integers that follow
+///  below 128:     a family beyond the claimed domain does
+///  128 and above: which body is immovable (1: A, 2: B), then the raw numbers of a collision, valid or not
+///
+/// Inputs that are kept use the second form, which does not depend on the families.
 namespace carom::fuzz {
 
 struct ReadCase {
@@ -22,13 +25,13 @@ struct ReadCase {
 
 [[nodiscard]] ReadCase case_from(Input& input);
 
-/// What the family of that number draws as the case of that index, seed 1, in the first form.
+/// The case with this index and seed 1 of the family with this number, in the first form.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t index);
 
-/// The same of the families beyond the claimed domain.
+/// The case with this index of the family with this number beyond the claimed domain, in the first form.
 [[nodiscard]] std::vector<std::uint8_t> bytes_beyond_domain(std::size_t family, std::uint64_t index);
 
-/// The second form.
+/// The collision in the second form.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of(const Collision& collision);
 
 }  // namespace carom::fuzz

@@ -7,7 +7,7 @@ namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Model model) {
   constexpr double largest_ratio_of_moments = 1e8;
-  // Of λ, with the 1 that λI itself is, and a half for what is rounded here.
+  // In units of λ. K ⪯ 16 λI includes λI itself, and 0.5 covers the rounding of this computation.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {
     return false;

@@ -6,11 +6,11 @@
 
 namespace carom::fuzz {
 
-/// Whether Carom's solvers of the law in double claim to be sound on this collision, whose numbers follow no family:
-/// they are moderate (carom/oracles/filters/moderate.hpp); no body is more slender than those of the family
-/// `physical`; and, for laws that invert K, K ⪯ 16 λI, as of bodies of uniform density that are star-shaped from the
-/// contact point, convex ones among them (the README and docs/findings/accuracy.md say what happens beyond).
-/// Precondition: the collision is valid.
+/// Whether Carom's solvers of the law in double claim to be sound on this collision, which no family drew. Its
+/// numbers must be moderate (carom/oracles/filters/moderate.hpp), and no body may be more slender than those of the
+/// family `physical`. Laws that invert K also require K ⪯ 16 λI. This holds for bodies of uniform density that are
+/// star-shaped from the contact point, which includes convex bodies. The README and docs/reference/accuracy.md
+/// describe the behaviour beyond the domain. Precondition: the collision is valid.
 [[nodiscard]] bool is_in_claimed_domain(const Collision& collision, Model model);
 
 }  // namespace carom::fuzz

@@ -13,23 +13,23 @@ namespace carom::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// What a fuzzer made up, read from the front. Beyond its end stand the numbers of a fixed stream: so every input is
-/// long enough, and a family that draws until something fits comes to an end.
+/// The fuzzer's input, read from the front. After its end the numbers of a fixed stream follow. So every input is
+/// long enough, and a family that rejects draws until one fits terminates.
 class Input {
  public:
   explicit Input(Bytes bytes) : left_(bytes), beyond_(properties::stream_from(0)) {}
 
   [[nodiscard]] std::uint8_t byte() { return static_cast<std::uint8_t>(number_of(1)); }
 
-  /// Eight bytes, the least first.
+  /// Eight bytes, the least significant first.
   [[nodiscard]] std::uint64_t word() { return number_of(sizeof(std::uint64_t)); }
 
   [[nodiscard]] double number() { return std::bit_cast<double>(word()); }
 
-  /// All bytes that are left, as text.
+  /// All remaining bytes, as text.
   [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(left_.data()), left_.size()}; }
 
-  /// A stream of the words that are left. It refers to this input.
+  /// A stream of the remaining words. It refers to this input.
   [[nodiscard]] properties::Stream stream() {
     return properties::Stream([this] { return word(); });
   }

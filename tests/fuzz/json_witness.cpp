@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The reader of what `carom replay` is given: witnesses and collisions, one, an array or lines of them. What it does
-// not take is a UsageError; what it takes is valid, unless it says that it is not.
+// The reader for the input of `carom replay`: witnesses and collisions, as one object, an array or lines. Rejected
+// input throws a UsageError. Accepted input is valid, unless it says that it is not.
 #include <string>
 
 #include <sys/mman.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The filtered judge against the one in rational numbers alone, on answers near the truth and far from it: the same
-// verdicts. The first byte chooses the yardstick, the second relations and digits; then comes the case, then what the
-// subject is and answers.
+// The judge with filters and the judge in rational arithmetic alone give the same verdicts, on answers near the truth
+// and far from it. The first byte selects the yardstick; the second selects relations and digits. The case follows,
+// then the subject's claim and its answers.
 #include <cmath>
 #include <span>
 
@@ -16,7 +16,7 @@
 namespace carom::fuzz {
 namespace {
 
-/// Rational arithmetic takes seconds on numbers that are further apart.
+/// Rational arithmetic takes seconds if the numbers differ more in size.
 bool is_quick_to_judge(const Collision& collision) {
   constexpr double largest = 0x1p+100;
   bool quick = true;
@@ -32,14 +32,14 @@ bool is_quick_to_judge(const Collision& collision) {
 void compare_judges(Bytes bytes) {
   Input input(bytes);
   equality::Agreement agreement;
-  agreement.cases = input.byte();  // which decides how the yardstick is drawn
+  agreement.cases = input.byte();  // selects how the yardstick is drawn
   const std::uint8_t choices = input.byte();
   properties::Case one = case_from(input).one;
   if (!is_quick_to_judge(one.collision)) {
     return;
   }
   equality::Examined examined(made_up_subject(input));
-  // What costs most is left to one input in four each: numbers of all digits, and relations.
+  // The two most expensive options, numbers with all digits and relations, each get one input in four.
   if (choices % 4 != 0) {
     properties::Stream stream = input.stream();
     one = equality::shortened(one, stream);

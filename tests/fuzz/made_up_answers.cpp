@@ -15,7 +15,7 @@
 namespace carom::fuzz {
 namespace {
 
-/// One of the twelve numbers of the exact outcome moved by a few units in the last place of binary64, all rounded.
+/// The exact outcome rounded to binary64, with one of its twelve numbers moved by up to 128 ulps.
 ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Model model, Input& input) {
   Outcome<double> outcome = exact_case.nearest_truth(model);
   const int which = input.byte() % 12;
@@ -30,7 +30,7 @@ ReportedOutcome any_outcome(Input& input) {
                                   [&](long double) { return static_cast<long double>(input.number()); });
 }
 
-/// The exact collision matrix, one of its entries moved by so many units in the last place.
+/// The exact collision matrix, with one entry moved by this many ulps.
 Matrix3<long double> moved_matrix(const Collision& collision, Precision precision, int place, int ulps) {
   Matrix3<long double> matrix;
   const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();

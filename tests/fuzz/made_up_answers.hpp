@@ -7,9 +7,9 @@
 
 namespace carom::fuzz {
 
-/// A subject that answers what the input says: the truth as rounded and moved by so many ulps, an outcome at the edge
-/// of what is allowed, any twelve numbers, a refusal or a skip. It shows a collision matrix that is the exact one but
-/// for one number. It refers to the input, and reads on in it with each answer.
+/// A subject that answers as the input says: the rounded truth moved by some ulps, an outcome at the edge of the
+/// allowance, any twelve numbers, a refusal or a skip. It reports the exact collision matrix with one changed entry.
+/// It refers to the input, and each answer reads more of it.
 [[nodiscard]] Subject made_up_subject(Input& input);
 
 }  // namespace carom::fuzz

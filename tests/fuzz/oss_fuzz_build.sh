@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
-# Builds every target as OSS-Fuzz asks for it: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, in $WORK, to $OUT, each with
-# its seeds and its dictionary. README.md has the project that runs it.
+# Builds every target as OSS-Fuzz requires: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, in $WORK, to $OUT, each with
+# its seeds and its dictionary. README.md describes the project that runs it.
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 fuzz=$source/tests/fuzz
 
-# The packs of the batch solvers are libstdc++'s (<experimental/simd>), and {fmt} of the system was compiled for it.
+# The batch solvers use libstdc++'s <experimental/simd>, and the system's {fmt} is compiled for libstdc++.
 flags=${CXXFLAGS:-}
 flags=${flags//-stdlib=libc++/}
 
-# Targets run where nothing is installed: what is shared goes with them.
+# Targets run on machines without the shared libraries, so these are copied beside them.
 # shellcheck disable=SC2016 # $ORIGIN is the loader's
 cmake -S "$source" -B "$WORK/carom" -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
   -DCAROM_BUILD_FUZZERS=ON -DCAROM_BUILD_TESTS=OFF -DCAROM_UNITY=ON -DCAROM_WARNINGS_AS_ERRORS=OFF \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a foreign program wrote, made safe to print, and words of a command line, split and quoted. The first byte is
-// the greatest length that may be printed.
+// Makes the output of a foreign program safe to print, and splits and quotes words of a command line. The first byte
+// is the greatest printed length.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -19,7 +19,7 @@ namespace {
 namespace protocol = subjects::protocol;
 
 constexpr std::string_view ellipsis = "…";
-constexpr std::size_t longest_replacement = 3;  // of a byte that is no UTF-8
+constexpr std::size_t longest_replacement = 3;  // of a byte that is not UTF-8
 
 bool is_utf8(const std::string& text) {
   try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a program prints, as the gate reads it: the first byte chooses its precision, the rest is a line, read as the
-// reply to `start` and as that to `solve` number 1. What cannot be read is a FormatError; what can be is the same when
-// written and read again.
+// The gate's reader for a program's output. The first byte selects the precision. The rest is a line, read as the
+// reply to `start` and as the reply to `solve` number 1. An unreadable line throws a FormatError. A readable one does
+// not change when written and read again.
 #include <array>
 #include <optional>
 
@@ -17,7 +17,7 @@ namespace {
 
 namespace protocol = subjects::protocol;
 
-// Longer texts are cut when read.
+// The reader cuts longer texts.
 constexpr std::size_t surely_whole_name = 100;
 constexpr std::size_t surely_whole_text = 2000;
 

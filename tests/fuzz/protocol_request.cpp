@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The subject's side of the line: whatever is sent to it, it answers each request in a line that the gate can read, or
-// says that it cannot and ends in status 2.
+// The subject's side of the protocol. It answers every request in a line that the gate can read, or reports that it
+// cannot and ends with status 2.
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -18,7 +18,7 @@ namespace {
 
 namespace protocol = subjects::protocol;
 
-/// Standard error, kept out of the fuzzer's own.
+/// Silences standard error, so that it does not mix with the fuzzer's.
 class Silence {
  public:
   Silence() : kept_(std::cerr.rdbuf(dropped_.rdbuf())) {}
@@ -31,7 +31,7 @@ class Silence {
   std::streambuf* kept_;
 };
 
-/// Each reply is the one to the request that stands in its place.
+/// Checks that the n-th reply answers the n-th request.
 void require_right_replies(const std::string& requests, const std::string& replies, Precision precision) {
   std::istringstream asked(requests);
   std::istringstream answered(replies);

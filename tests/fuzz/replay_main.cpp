@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-//   fuzz_replay TARGET FILE…
-// Runs a target on files, and on the files of directories, in place of a fuzzing engine. Directories that are not there
-// hold nothing.
+//  fuzz_replay TARGET FILE…
+// Runs a target without a fuzzing engine, on files and on the files of directories. A missing directory counts as
+// empty.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -45,7 +45,7 @@ std::vector<fs::path> files_of(const std::vector<std::string>& arguments) {
   return files;
 }
 
-/// The exit status.
+/// Returns the exit status.
 int replay(Target target, const std::vector<std::string>& arguments) {
   const std::vector<fs::path> files = files_of(arguments);
   for (const fs::path& file : files) {
@@ -54,7 +54,7 @@ int replay(Target target, const std::vector<std::string>& arguments) {
       std::cerr << file << ": cannot be read\n";
       return 2;
     }
-    // Before it is run: where that ends the process, it is the last line.
+    // Printed before the run: if the process ends, this is the last line.
     std::cerr << file.string() << std::endl;
     const std::vector<char> bytes(std::istreambuf_iterator<char>(stream), {});
     (void)target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

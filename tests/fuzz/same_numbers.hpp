@@ -5,7 +5,7 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// What was written and read again. No number is as good as any other that is none.
+/// Compares values that were written and read again. Any NaN equals any other NaN.
 namespace carom::fuzz {
 
 template <class S>

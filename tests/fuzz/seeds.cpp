@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, inputs for each target made from the families, a few of each.
+// seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, a few inputs for each target, made from the families.
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -38,7 +38,7 @@ std::string with_head(std::initializer_list<std::size_t> head, const std::vector
   return text + std::string(bytes.begin(), bytes.end());
 }
 
-/// Of the same cases in both forms; the numbers before them go round through what can be chosen.
+/// Writes the same case in both forms. The numbers in front cycle through the possible choices.
 void write_cases(const fs::path& directory, std::size_t number, std::string_view family,
                  const std::vector<std::uint8_t>& drawn, const Collision& collision) {
   const std::string name(family);

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-/// What a fuzzing engine calls with each input; every target defines it. A finding ends the process, by `fail`, by an
-/// exception that gets out, or by a sanitizer.
+/// The function that a fuzzing engine calls with each input. Every target defines it. A finding ends the process, by
+/// `fail`, by an uncaught exception, or by a sanitizer.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace carom::fuzz {

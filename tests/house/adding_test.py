@@ -4,8 +4,9 @@
 
 usage: adding_test.py SOURCE BUILD NINJA COMPILER WORK
 
-The first three take one row each: the file of the row is compiled, and a program (listing.cpp) that is linked with it
-lists the row. The law is an enumerator alone: the compiler has to name what is left, and the page each of these files.
+The first three take one row each. The test compiles the file of the row and links it with a program (listing.cpp),
+which must list the row. The law is only an enumerator. The compiler has to name the places that lack the law, and
+the page has to name each of these files.
 """
 import pathlib
 import re
@@ -18,7 +19,7 @@ SOURCE, BUILD, NINJA, COMPILER, WORK = *sys.argv[1:5], pathlib.Path(sys.argv[5])
 TREE = WORK / "tree"
 PAGES = pathlib.Path(SOURCE) / "docs/internals"
 
-# Page, what names the file there, file, (anchor, what is put in front of it)…, what lists it besides, the line
+# Page, its words for the file, file, (anchor, text to insert before it)…, further files to compile, the listed line.
 ROWS = [
     ("contributing.md", "row in `family.cpp`", "properties/families/family.cpp",
      [("constexpr std::array families{", "Case at_rest(Stream& stream) {\n  Case result = generic(stream);\n"
@@ -62,8 +63,9 @@ def change(path, insertions):
 
 
 def arguments(line):
-    """Of one call of the compiler, without its launcher. The build has other commands, which delete files: none of them
-    is run here."""
+    """The arguments of one call of the compiler, without its launcher. Other commands of the build delete files, so
+    none of them runs here.
+    """
     words = shlex.split(line)
     if COMPILER not in words or any(word in ("&&", "||", ";", "|") for word in words):
         sys.exit(f"no call of {COMPILER} alone: {line}")
@@ -71,7 +73,7 @@ def arguments(line):
 
 
 def commands_of_listing():
-    """How the build compiles listing.cpp, and links it: with folders of headers that are those of the copy."""
+    """The build's commands that compile and link listing.cpp, with the include folders of the copy."""
     lines = checked([NINJA, "-t", "commands", "house_listing"]).strip().splitlines()
     compile_line, link_line = next(line for line in lines if line.endswith("listing.cpp")), lines[-1]
     flags, skip = [], False
@@ -104,7 +106,7 @@ def adds_rows(compiler, link):
     output = link.index("-o")
     link = link[:own + 1] + list(map(str, objects)) + link[own + 1:]
     link[link.index("-o") + 1] = str(program)
-    # The libraries hold the rows as they were; the first definition is taken.
+    # The libraries still contain the original rows. The linker takes the first definition.
     checked([*link[:output], "-Wl,--allow-multiple-definition", *link[output:]])
     listed = checked([program]).splitlines()
     for *_, line in ROWS:
@@ -121,7 +123,7 @@ def names_what_a_law_leaves(compiler):
     switching = {path for folder in folders for path in folder.rglob("*.?pp") if "case Model::any:" in path.read_text()}
     switching.discard(TREE / LAW[0])
     units = [path for path in switching if path.suffix == ".cpp"]
-    for extra in ("oracles/judge/exact_case.cpp", "oracles/judge/accuracy.cpp"):  # they instantiate what headers hold
+    for extra in ("oracles/judge/exact_case.cpp", "oracles/judge/accuracy.cpp"):  # they instantiate code of headers
         units.append(TREE / extra)
     headers = WORK / "headers.cpp"
     headers.write_text("".join(f'#include "{path}"\n' for path in switching if path.suffix == ".hpp"))

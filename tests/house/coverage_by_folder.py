@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Reads what `gcovr --csv` prints, and prints the share of lines that were run, a folder a line."""
+"""Reads the output of `gcovr --csv` and prints the share of executed lines, one folder per line."""
 
 import collections
 import csv
@@ -9,7 +9,7 @@ import sys
 
 
 def main():
-    folders = collections.defaultdict(lambda: [0, 0])  # lines that were run, lines
+    folders = collections.defaultdict(lambda: [0, 0])  # executed lines, lines
     for row in csv.DictReader(sys.stdin):
         for folder in (os.path.dirname(row["filename"]), "together"):
             folders[folder][0] += int(row["line_covered"])

@@ -6,15 +6,17 @@
 
 #include "layout.hpp"
 
-/// C++ leaves open which operand of a product, or which argument of a call, is drawn first: two draws from a stream
-/// that nothing puts in order give other cases with another compiler.
+/// C++ does not specify the order in which operands of a product, or arguments of a call, are evaluated. Two draws
+/// from a stream in unspecified order give different cases with another compiler.
 namespace carom::layout {
 namespace {
 
-/// The first such pair of draws; empty where there is none. What a `?` or the commas of braces put in order may pass.
+/// The first unordered pair of draws; empty if there is none. Draws that `?` or the commas of braces order are
+/// allowed.
 std::string unordered_draws(const std::string& text) {
-  // A draw, of the stream or of a function that is given it; what ends the braces or parentheses about it; an operator
-  // or a comma; and another draw in the same statement.
+  // Matches four parts in a row. The first is a draw, by the stream or by a function that takes it. The second is the
+  // end of the braces or parentheses around it. An operator or a comma follows, and then another draw in the same
+  // statement.
   static const std::regex pair(
       R"re((stream\.\w+\([^()]*\)|\w+\(stream\b[^()]*\)|stream\.\w+\([^()]*\)[^;?{}()]*\})\)*\s*[-+*/,][^;?{}]*(stream\.\w|\(stream\b))re");
   std::smatch match;

@@ -11,7 +11,7 @@
 
 #include "layout.hpp"
 
-/// No function has more than 80 lines. The checker is tested on planted text first.
+/// No function has more than 80 lines. The checker is first tested on planted text.
 namespace carom::layout {
 namespace {
 
@@ -34,7 +34,7 @@ std::size_t end_of_opaque(const std::string& text, std::size_t begin) {
     const std::size_t open = text.find('(', begin);
     return after(')' + text.substr(begin + 2, open - begin - 2) + '"', open);
   }
-  // An apostrophe between digits separates them.
+  // An apostrophe between digits is a digit separator.
   const bool is_character = rest.starts_with('\'') && (begin == 0 || std::isalnum(text[begin - 1]) == 0);
   if (!rest.starts_with('"') && !is_character) {
     return begin;
@@ -46,7 +46,7 @@ std::size_t end_of_opaque(const std::string& text, std::size_t begin) {
   return end + 1;
 }
 
-/// The text with a space in place of every character of a comment, a literal or a directive.
+/// The text with every character of a comment, a literal or a directive replaced by a space.
 std::string without_opaque(std::string text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t end = std::min(end_of_opaque(text, i), text.size());
@@ -71,8 +71,8 @@ std::size_t lines_in(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// The lines of the statement at the end of a body `{…` that returns a table: a table is no code, and rows that are
-/// functions are measured by themselves.
+/// The number of lines of the statement at the end of a body `{…` that returns a table. A table is no code, and
+/// functions in its rows are measured separately.
 std::size_t lines_of_returned_table(std::string_view body) {
   int depth = 0;
   std::size_t last = 1;
@@ -89,7 +89,7 @@ std::size_t lines_of_returned_table(std::string_view body) {
   return statement.starts_with("return") ? lines_in(statement) : 0;
 }
 
-/// The declaration up to its parameters of each function with more than `most` lines.
+/// The declaration, up to its parameters, of each function with more than `most` lines.
 std::vector<std::string> long_functions(const std::string& source, std::size_t most) {
   const std::string text = without_opaque(source);
   const auto next_from = [&](std::size_t from) { return std::min(text.find_first_not_of(" \n", from), text.size()); };
@@ -101,7 +101,7 @@ std::vector<std::string> long_functions(const std::string& source, std::size_t m
     return text[i] == '{' || text[i] == '}' || text[i] == ';';
   };
   std::vector<std::string> found;
-  std::vector<std::size_t> heads;  // of the blocks that are open
+  std::vector<std::size_t> heads;  // of the open blocks
   std::size_t head = next_from(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '{') {
@@ -120,7 +120,7 @@ std::vector<std::string> long_functions(const std::string& source, std::size_t m
       if (lines > most && is_head_of_function(declaration)) {
         found.emplace_back(declaration.substr(0, declaration.find('(')));
       }
-      // After the initializer of a member, name{…}, the head of its constructor goes on.
+      // After a member initializer, name{…}, the constructor's head continues.
       const bool is_initializer = !declaration.empty() && declaration.back() != ' ';
       if (is_initializer && head < text.size() && (text[head] == ',' || text[head] == '{')) {
         head = begin;

@@ -57,7 +57,7 @@ std::string licence_offence(const std::string& text) {
 std::vector<std::string> header_offences(const std::vector<CompiledObject>& objects,
                                          const std::set<std::string>& gpl_test_programs,
                                          const std::function<std::string(const std::string&)>& read) {
-  std::map<std::string, std::string> includers;  // of each header of CGAL the first object
+  std::map<std::string, std::string> includers;  // for each header of CGAL, the first object that includes it
   for (const CompiledObject& object : objects) {
     if (object.file.starts_with("tests/") && gpl_test_programs.contains(target_of(object.file))) {
       continue;

@@ -7,12 +7,12 @@
 #include <vector>
 
 /// The licences of CGAL's headers. CGAL has parts under the LGPL and parts under the GPL. Code under BSL-1.0 includes
-/// the first kind alone.
+/// only LGPL parts.
 namespace carom::header_licences {
 
 struct CompiledObject {
   std::string file;                  // relative to the build directory
-  std::vector<std::string> sources;  // the file that is compiled and all that it includes
+  std::vector<std::string> sources;  // the compiled file and every file that it includes
 };
 
 /// The objects that `ninja -t deps` lists.
@@ -23,12 +23,12 @@ struct CompiledObject {
 
 [[nodiscard]] bool is_of_cgal(const std::string& header);
 
-/// The reason why code under BSL-1.0 does not include a header with this text: a GPL tag, or no tag. Empty if there is
-/// none.
+/// The reason why code under BSL-1.0 must not include a header with this text: a GPL tag, or no tag. Empty if there
+/// is none.
 [[nodiscard]] std::string licence_offence(const std::string& text);
 
 /// One line for each header of CGAL with an offence. `read` returns the text of a header. A target below tests/ that
-/// `gpl_test_programs` names may include what it likes.
+/// `gpl_test_programs` names may include any header.
 [[nodiscard]] std::vector<std::string> header_offences(const std::vector<CompiledObject>& objects,
                                                        const std::set<std::string>& gpl_test_programs,
                                                        const std::function<std::string(const std::string&)>& read);

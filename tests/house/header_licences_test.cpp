@@ -11,7 +11,7 @@
 
 #include "support/program.hpp"
 
-/// No installed library or program includes a GPL header of CGAL. The checker is tested on planted headers first.
+/// No installed library or program includes a GPL header of CGAL. The checker is first tested on planted headers.
 namespace carom::header_licences {
 namespace {
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
-"""How many judgements a gate's reports hold: judgements.py REPORT_DIRECTORY…
+"""Counts the judgements in a gate's reports: judgements.py REPORT_DIRECTORY…
 
-A judgement is one invariant held against one answer, or several that it relates, and decided. Ends in 1 where a
-subject that is expected to pass was rejected or not judged.
+A judgement is one decided comparison of an invariant with an answer, or with several answers that it relates. The
+exit status is 1 if a subject that is expected to pass was rejected or not judged.
 """
 import json
 import pathlib

@@ -13,16 +13,16 @@
 namespace carom::layout {
 namespace {
 
-/// One folder, the most special first: what its files may include beside the standard library, as beginnings of names.
-/// Without `only`, what they may not include.
+/// The rule for one folder. Special rules come first. The names begin the includes that its files may have besides
+/// the standard library. Without `only`, they begin the forbidden includes.
 struct Rule {
   std::string folder;
-  std::string name_begins;  // of the file; empty for any
+  std::string name_begins;  // beginning of the file name; empty matches any file
   bool only;
   std::vector<std::string> names;
 };
 
-/// Of the files that use CGAL, each has its part.
+/// The rule for one file that uses CGAL. Each such file may include its own part of CGAL.
 Rule of_exact(const std::string& file, const std::vector<std::string>& packages) {
   Rule rule{"oracles/exact/", file, true, {"carom/collision/", "carom/oracles/laws/", "carom/oracles/exact/"}};
   rule.names.insert(rule.names.end(), packages.begin(), packages.end());
@@ -42,7 +42,7 @@ const std::vector<Rule>& rules() {
        {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/", "fcl/", "gmpxx.h"}},
       {"src/scene/", "", true, {"carom/collision/", "carom/impulse/", "carom/scene/", "Eigen/"}},
       {"src/subjects/", "", false, {"carom/oracles/", "carom/properties/", "carom/report/", "carom/tool/", "CGAL/"}},
-      // A report starts no process and no thread and touches no file: it has nothing of the system to include.
+      // A report starts no process or thread and touches no file, so it includes no system header.
       {"src/report/document/", "", true, {"carom/collision/", "carom/report/document/", "pugixml"}},
       {"src/report/drawing/",
        "",
@@ -63,14 +63,14 @@ const std::vector<Rule>& rules() {
        true,
        {"carom/collision/", "carom/oracles/", "carom/report/document/", "carom/report/drawing/", "carom/report/model/",
         "carom/report/chart/", "fmt/", "nlohmann/"}},
-      {"src/report/", "", true, {}},  // every file stands in one of these rooms
+      {"src/report/", "", true, {}},  // every file belongs to one of the folders above
       {"src/tool/io/", "memory_reserve.cpp", true, {"carom/report/", "gmp.h", "sys/", "unistd.h"}},
       {"src/tool/",
        "",
        true,
        {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "benchmark/", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/",
         "signal.h", "fcntl.h", "poll.h"}},
-      // Trust is a folder: what is trusted includes nothing of what is not.
+      // Trusted code has its own folder, and includes no code that is not trusted.
       {"oracles/laws/", "", true, {"carom/collision/", "carom/oracles/laws/", "Eigen/"}},
       of_exact("gmpq.hpp", {"CGAL/Gmpq.h"}),
       of_exact("elimination.cpp", {"CGAL/Linear_algebraCd.h", "Eigen/"}),
@@ -92,9 +92,9 @@ const std::vector<Rule>& rules() {
        {"carom/collision/", "carom/oracles/laws/", "carom/oracles/exact/", "carom/oracles/numbers/",
         "carom/oracles/models/", "carom/oracles/filters/", "Eigen/"}},
       {"oracles/judge/", "", true, {"carom/collision/", "carom/oracles/", "Eigen/"}},
-      {"oracles/", "", true, {}},  // every file stands in one of these rooms
+      {"oracles/", "", true, {}},  // every file belongs to one of the folders above
       {"properties/draws/", "", true, {"carom/collision/", "carom/properties/draws/", "Eigen/"}},
-      // A family knows exact numbers and how bodies turn, and no oracle.
+      // A family uses exact numbers and rotations of bodies, and no oracle.
       {"properties/families/",
        "",
        true,
@@ -127,7 +127,7 @@ const std::vector<Rule>& rules() {
   return all;
 }
 
-/// A room of the program, and those rooms beside it that its files may name.
+/// A folder of the program, and the neighbouring folders that its files may include.
 struct Room {
   std::string folder;
   std::vector<std::string> neighbours;
@@ -162,7 +162,7 @@ bool is_standard(const std::string& name) {
 /// Headers by which a library could start a thread or touch a file.
 const std::set<std::string> outside{"csignal", "filesystem", "fstream", "future", "thread"};
 
-/// Whether the file is of a component that starts no process and no thread and touches no file.
+/// Whether the file belongs to a component that starts no process, starts no thread and touches no file.
 bool stays_inside(const std::string& path) {
   static const std::vector<std::string> folders{"oracles/", "properties/", "src/collision/", "src/impulse/",
                                                 "src/report/"};
@@ -179,7 +179,8 @@ bool is_allowed(const Rule& rule, const std::string& name) {
   return rule.only ? named || is_standard(name) : !named;
 }
 
-/// Whether a file of the program may name this one in quotes: of its own room, or of one below it.
+/// Whether a file of the program may include this file in quotes: a file of its own folder or of an allowed
+/// neighbour.
 bool is_neighbour(const std::string& path, const std::string& name) {
   const auto room =
       std::find_if(rooms().begin(), rooms().end(), [&](const Room& one) { return begins_with(path, one.folder); });
@@ -209,8 +210,8 @@ std::vector<std::string> include_offences(const std::string& path, const std::st
     if (!std::regex_search(line, match, include)) {
       continue;
     }
-    // A name in quotes leaves the folders' spelling <carom/…>, and could reach anywhere: only programs that install no
-    // header (the tool and the tests) may use one, for a neighbour.
+    // A name in quotes bypasses the form <carom/…> and could refer to any file. So only programs that install no
+    // header (the tool and the tests) may use one, for a neighbouring file.
     const bool quoted = match[1] == "\"";
     const bool may_quote = begins_with(path, "src/tool/") || begins_with(path, "tests/");
     const std::string name = match[2];

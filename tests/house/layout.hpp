@@ -6,19 +6,18 @@
 #include <string>
 #include <vector>
 
-/// The rules of the source tree: which folder may include what, what stands at the top, and the licence tag of each
-/// file.
+/// The rules of the source tree: allowed includes for each folder, the names at the top level, and the licence tag of
+/// each file.
 namespace carom::layout {
 
-/// The offences of one source file, "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to the top, with
-/// slashes. Files in folders without a rule have none.
+/// The offences of one source file, for example "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to
+/// the top, with slashes. Files in folders without a rule have none.
 [[nodiscard]] std::vector<std::string> include_offences(const std::string& path, const std::string& text);
 
 /// The offence of a source file whose first comment does not name BSL-1.0. Other files have none.
 [[nodiscard]] std::vector<std::string> licence_offences(const std::string& path, const std::string& text);
 
-/// What is missing at the top, and what should not be there. Dot-files and names that begin with "build" are nobody's
-/// business.
+/// Missing and unexpected names at the top level. Dot-files and names that begin with "build" are ignored.
 [[nodiscard]] std::vector<std::string> top_level_offences(const std::vector<std::string>& names);
 
 struct SourceFile {
@@ -26,8 +25,8 @@ struct SourceFile {
   std::string text;
 };
 
-/// Every *.hpp, *.cpp, *.sh, *.cmake and CMakeLists.txt of the tree, sorted, without dot-folders, build directories and
-/// node_modules.
+/// Every *.hpp, *.cpp, *.sh, *.cmake and CMakeLists.txt of the tree, sorted, without dot-folders, build directories
+/// and node_modules.
 [[nodiscard]] std::vector<SourceFile> source_files(const std::filesystem::path& top);
 
 }  // namespace carom::layout

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-/// The tree keeps to the house of the design. The checker is tested on planted text first.
+/// The tree follows the layout rules. The checker is first tested on planted text.
 namespace carom::layout {
 namespace {
 
@@ -23,7 +23,7 @@ std::string joined(const Offences& offences) {
   return text;
 }
 
-/// What a file at this path that includes this is reproached with.
+/// The offences of a file at this path with this include.
 std::string offence_of(const std::string& path, const std::string& include) {
   return joined(include_offences(path, "// SPDX\n#pragma once\n\n#include <vector>\n" + include + "\nint x;\n"));
 }

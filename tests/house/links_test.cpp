@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-/// docs/README.md leads to every page, and no link of any page leads nowhere.
+/// Every page can be reached from docs/README.md, and no link of any page is broken.
 namespace carom::links {
 namespace {
 
@@ -25,7 +25,7 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Without blocks of code, which are shown as they stand.
+/// The text without code blocks, whose content is not interpreted.
 std::string without_blocks(const std::string& text) {
   std::istringstream lines(text);
   std::string rest;
@@ -40,7 +40,7 @@ std::string without_blocks(const std::string& text) {
   return rest;
 }
 
-/// The relative targets of links and pictures, "../x.md#part".
+/// The relative targets of links and pictures, such as "../x.md#part".
 std::vector<std::string> links_of(const std::string& text) {
   static const std::regex link(R"re(\]\(([^()\s]+)\))re");
   const std::string prose = std::regex_replace(without_blocks(text), std::regex("`[^`\n]*`"), "");
@@ -54,7 +54,7 @@ std::vector<std::string> links_of(const std::string& text) {
   return targets;
 }
 
-/// The anchors that a heading gets: small letters, digits, - and _, blanks as -.
+/// The anchors of the headings: lower-case letters, digits, - and _; a blank becomes -.
 std::set<std::string> anchors_of(const std::string& text) {
   std::set<std::string> anchors;
   std::istringstream lines(without_blocks(text));
@@ -77,7 +77,7 @@ std::set<std::string> anchors_of(const std::string& text) {
   return anchors;
 }
 
-/// Why the link of a page leads nowhere; empty where it leads somewhere.
+/// Why the page's link is broken; empty if it is not.
 std::string offence_of(const fs::path& page, const std::string& target) {
   const std::size_t hash = target.find('#');
   const fs::path file = hash == 0 ? page : page.parent_path() / target.substr(0, hash);
@@ -91,7 +91,7 @@ std::string offence_of(const fs::path& page, const std::string& target) {
   return {};
 }
 
-/// Every page of the tree, without dot-folders, build directories and other people's packages.
+/// Every page of the tree, without dot-folders, build directories and third-party packages.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
   auto walk = fs::recursive_directory_iterator(top);

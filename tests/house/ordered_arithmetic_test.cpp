@@ -6,12 +6,12 @@
 
 #include "layout.hpp"
 
-/// What families and features draw is the same on every machine: no sum whose order Eigen chooses, no minus
-/// sign of Eigen, and of the mathematical library only what every machine computes alike.
+/// Families and features draw the same numbers on every machine. So they use no sum whose order Eigen chooses, and no
+/// minus sign of Eigen. They use only those mathematical functions that every machine computes alike.
 namespace carom::layout {
 namespace {
 
-/// The first operation that rounds in an order, or by a formula, that the text does not state; empty where there is
+/// The first operation that rounds in an order, or by a formula, that the source does not state; empty if there is
 /// none.
 std::string unstated_rounding(const std::string& text) {
   static const std::regex operation(
@@ -39,7 +39,7 @@ TEST(OrderedArithmetic, IsAllThatFamiliesAndFeaturesUse) {
   for (const SourceFile& file : source_files(CAROM_SOURCE_DIR)) {
     const bool draws = file.path.starts_with("properties/draws/") || file.path.starts_with("properties/families/") ||
                        file.path.starts_with("properties/features/");
-    // Of integers and rationals each order gives the same; logarithms and angles are for print.
+    // In integers and rationals the order does not matter. Logarithms and angles are only printed.
     const bool is_exact = file.path == "properties/families/polyhedron.cpp";
     const bool is_printed = file.path == "properties/features/quantities.cpp";
     if (draws && !is_exact && !is_printed) {

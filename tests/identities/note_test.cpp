@@ -7,7 +7,7 @@
 
 #include "support/exact.hpp"
 
-/// What was found in the note (D. Eberly, "Computing Impulse Forces for Colliding Contact"), on exact numbers.
+/// Findings about the note (D. Eberly, "Computing Impulse Forces for Colliding Contact"), checked on exact numbers.
 namespace carom {
 namespace {
 
@@ -17,7 +17,8 @@ using unit::ratio;
 using unit::Rational;
 using unit::same;
 
-/// Two unit masses without spin, their centres on the normal, A coming down with velocity 1 on B at rest, ε = 1.
+/// Two unit masses without spin. Their centres lie on the normal. A approaches B, which is at rest, at speed 1,
+/// ε = 1.
 BasicCollision<Rational> newtons_cradle() {
   BasicCollision<Rational> c;
   c.a.position = {0, 1, 0};
@@ -26,8 +27,9 @@ BasicCollision<Rational> newtons_cradle() {
   return c;
 }
 
-/// eq. 9 and 13 reverse the normal velocity of each body by itself, N·v⁺ = −ε N·v⁻. The resting body that is hit would
-/// rest on; it takes over the whole velocity instead. Only the difference of the two equations, eq. 17, is right.
+/// eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then the resting body would stay
+/// at rest after the impact. In fact it takes over the whole velocity. Only the difference of the two equations, eq.
+/// 17, is right.
 TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const auto c = newtons_cradle();
   const auto contact = impulse::make_contact<Rational>(c);
@@ -48,7 +50,7 @@ ExactMatrix cross_matrix(const ExactVector& r) {
   return q;
 }
 
-/// "yᵀQy ≥ 0, so Q is positive semidefinite" proves nothing: Q is skew.
+/// "yᵀQy ≥ 0, so Q is positive semidefinite" proves nothing, because Q is skew-symmetric.
 TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
   properties::Stream stream = properties::stream_from(3);
   for (int i = 0; i < 500; ++i) {
@@ -59,7 +61,7 @@ TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
   }
 }
 
-/// What is semidefinite is QᵀJ⁻¹Q, because J⁻¹ is definite; and it is singular, along r.
+/// QᵀJ⁻¹Q is semidefinite, because J⁻¹ is definite. It is singular along r.
 TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   properties::Stream stream = properties::stream_from(4);
   for (int i = 0; i < 200; ++i) {
@@ -85,7 +87,7 @@ TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   EXPECT_FALSE(oracles::is_positive_definite(k));
 }
 
-/// λI ⪯ C on every family, and no more than that where the contact is at the centre of mass.
+/// λI ⪯ C on every family. The bound is sharp if the contact is at the centre of mass.
 TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
   int sharp = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {

@@ -16,23 +16,31 @@
 
 /// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
-/// The solver text uses + − × ÷ alone, so each entry of its outcome is a quotient of polynomials in the numbers of the
-/// collision, and each law, cleared of denominators, says that a polynomial p vanishes. One that is not zero, of degree
-/// d, vanishes at a point drawn uniformly from s values for each variable with probability at most d/s.
+/// The solver uses only + − × ÷, so each entry of its outcome is a quotient of polynomials in the numbers of the
+/// collision. Each law, cleared of denominators, says that a polynomial p is zero. Suppose p is not zero and has
+/// degree d. Then it vanishes at a random point with probability at most d/s, if each variable is drawn uniformly
+/// from s values.
 ///
-/// The degree. With D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B (I: the product of the three moments), of degree 2·(1 + 4 + 3) =
-/// 16:
-///   J⁻¹ is (degree 6) / (degree 7): entries R_ri R_ci / I_i with R of degree 2/2.
-///   K = K̂ / D with K̂ of degree 17, from r·r J⁻¹ with (2 + 6) + (16 − 7).
-///   F = −(1+ε) (N·V⁻) D adj(K̂) N / ((N·N) det K̂): degree (1 + 3 + 16 + 34 + 1) / (2 + 51) = 55/53. The frictionless
-///   one, −(1+ε) (N·V⁻) D N / (N·K̂N), has less. Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
-/// The longest law is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124, and over the denominator that
-/// both bodies share, ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 + 4) =
-/// 144, it has degree 149. The denominators of its other side divide that one. So d < 256 for every law.
+/// The degree. With D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B (I: the product of the three moments), of degree 2·(1 + 4 +
+/// 3) = 16:
 ///
-/// The answer depends on the sign of N·V⁻, so N is turned around where the contact does not approach: p(x) or p(x with
-/// −N), and their product is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points the
-/// probability that a false law passes is at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
+///  J⁻¹ is (degree 6) / (degree 7): entries R_ri R_ci / I_i with R of degree 2/2.
+///
+///  K = K̂ / D with K̂ of degree 17, from r·r J⁻¹ with (2 + 6) + (16 − 7).
+///
+///  F = −(1+ε) (N·V⁻) D adj(K̂) N / ((N·N) det K̂): degree (1 + 3 + 16 + 34 + 1) / (2 + 51) = 55/53.
+///  The frictionless F = −(1+ε) (N·V⁻) D N / (N·K̂N) has a lower degree.
+///
+///  Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
+///
+/// The law with the highest degree is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124. Both bodies
+/// share the denominator ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 +
+/// 4) = 144. Over it the law has degree 149. The denominators of its other side divide that one. So d < 256 for every
+/// law.
+///
+/// The answer depends on the sign of N·V⁻, so N is reversed if the contact does not approach. The test evaluates p(x)
+/// or p at x with −N. Their product is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent
+/// points, a false law passes with probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
 namespace carom::properties {
 namespace {
 
@@ -48,7 +56,8 @@ constexpr std::uint64_t seed = 20240301;
 /// Uniform in the 2³² integers from `lowest` on.
 Rational uniform(Stream& stream, double lowest) { return Rational(lowest + static_cast<double>(stream.bits() >> 32U)); }
 
-/// Restitution is any integer: the identities do not ask that it be in [0, 1]. Masses and moments are positive.
+/// Restitution is any integer, because the identities do not require it to be in [0, 1]. Masses and moments are
+/// positive.
 RationalCollision random_point(Stream& stream) {
   RationalCollision c;
   for_each_number(
@@ -68,7 +77,7 @@ bool is_identity(const oracles::Sides<Rational, N>& sides) {
   return sides.left == sides.right;
 }
 
-/// The two sides that tell the model from the others.
+/// The two sides of the law that distinguishes the model from the others.
 oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model model, const Outcome<Rational>& y) {
   switch (model) {
     case Model::frictionless:
@@ -77,7 +86,7 @@ oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model mod
       return oracles::equation::ReflectionPlane{}(c, y);
     case Model::sticking:
       return oracles::equation::Sticks{}(c, y);
-    case Model::rough:  // a combination of two laws, by what is no polynomial
+    case Model::rough:  // combines two laws, and its factor is not a polynomial
     case Model::coulomb:
     case Model::any:
       break;
@@ -114,8 +123,8 @@ Rational energy_gain(const RationalCollision& c, Model model) {
   oracles::determines_no_outcome(model);
 }
 
-/// The name of a law that the solver's outcome does not satisfy at one of the points; nothing where all are identities.
-/// A solver that does not act satisfies most of them, and is named as well.
+/// The name of a law that the solver's outcome violates at one of the points; nothing if every law is an identity. A
+/// solver that never acts satisfies most laws, and is also reported.
 std::optional<std::string> false_identity(Solver solver, Model model) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {
@@ -177,8 +186,8 @@ TEST(PolynomialIdentities, TellTheModelsApart) {
             "the model's tangential law");
 }
 
-/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x: a sum of squares, since uᵀJu ≥ 0 for u = J⁻¹(Qx), so that λI ⪯ K.
-/// Degree below 32: K is 17/16, and x enters twice.
+/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. This is a sum of squares, because uᵀJu ≥ 0 for u = J⁻¹(Qx). So λI
+/// ⪯ K. The degree is below 32: K has 17/16, and x enters twice.
 TEST(PolynomialIdentities, MakeTheMarginOfTheCollisionMatrixASumOfSquares) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

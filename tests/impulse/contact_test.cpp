@@ -36,7 +36,7 @@ TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 2000; ++i) {
     Vector3<double> vector = stream.direction();
-    // Components up to 2^60 apart, so that the smallest stays a normal number on both sides.
+    // Components differ by up to 2^60, so that the smallest stays a normal number before and after scaling.
     vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
     vector *= std::ldexp(1.0, stream.integer(-900, 1000));
     expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
@@ -78,7 +78,8 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }
 
-/// The number as a method of that precision reads it; what claims binary32 may still read it as it is.
+/// Whether the number is unchanged as a method of that precision reads it. A method in binary32 may also keep all
+/// digits.
 bool is_unchanged(long double reported, double given, Precision precision) {
   const auto is = [&](long double number) {
     return reported == number && std::signbit(reported) == std::signbit(number);
@@ -123,8 +124,8 @@ TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("both_immovable"), any_method);
 }
 
-/// They do not spin there, so N·V is n0·(−n1 s) + n1·(n0 s): the products are rounded alike and cancel, but where the
-/// normal was normalised before, as a basis needs it.
+/// Bodies of this family do not spin, so N·V is n0·(−n1 s) + n1·(n0 s). The products round alike and cancel. This
+/// fails only if the normal is normalised first, as a basis requires.
 TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("resting"),
                       [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
@@ -146,7 +147,7 @@ TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
   expect_unchanged_by({c}, any_method);
 }
 
-/// The unchanged tests above can fail: each method does act where the contact collides.
+/// The tests of unchanged contacts could pass vacuously, so here each method must change a colliding contact.
 TEST(Solvers, ChangeACollidingContact) {
   const Collision collision = unit::case_of("elastic", 0).collision;
   for (const subjects::Method& method : subjects::methods()) {
@@ -169,8 +170,8 @@ Contact<double> box_on_plane(double tangential_velocity) {
   return make_contact<double>(c);
 }
 
-/// Head-on the outcome is frictionless, F = (0, 4/5, 0); with any tangential velocity it is F = (−3/4, 5/4, 0): the two
-/// differ by ‖(3/4, −9/20)‖ = 0.87, more than the impulse of the first.
+/// Head-on the outcome is frictionless, F = (0, 4/5, 0). With any tangential velocity it is F = (−3/4, 5/4, 0). The
+/// two differ by ‖(3/4, −9/20)‖ = 0.87, more than the frictionless impulse.
 TEST(ReflectionInBasis, JumpsWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection_in_basis(box_on_plane(0)).a.velocity;
@@ -182,13 +183,13 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection<Ldlt>(box_on_plane(0)).a.velocity;
   const Vector3<double> oblique = reflection<Ldlt>(box_on_plane(slight)).a.velocity;
-  // F depends on N·V alone and is the same; adding v_t to a number below 1 rounds by at most 2^-53.
+  // F depends only on N·V, so it does not change. Adding v_t to a number below 1 rounds by at most 2^-53.
   EXPECT_LE((oblique - head_on).norm(), slight * 2);
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
-/// A contact as a float has it 10¹⁰ m from the origin, where lever arms are multiples of 512 m, beside moments of a
-/// body of a metre: κ(C) is beyond 1/u, and C as rounded may be singular.
+/// A contact in binary32 at 10¹⁰ m from the origin. Its lever arms are multiples of 512 m, but the moments belong to
+/// a body of one metre. κ(C) exceeds 1/u, and the rounded C may be singular.
 Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
   Collision c;
   c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
@@ -214,7 +215,7 @@ int not_finite(const Solver& solver) {
 TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection<Ldlt>(contact); }), 0);
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection_in_stable_basis(contact); }), 0);
-  // Without the bound of its eigenvalues the same matrices do divide by zero.
+  // Without the bound of the least eigenvalue, the same matrices cause division by zero.
   EXPECT_GT(not_finite([](const Contact<float>& contact) {
               const Vector3<float> impulse = Ldlt::solve<float>(
                   printed_collision_matrix(contact, stable_tangent_basis(contact)), Vector3<float>{1, 0, 0});
@@ -223,7 +224,7 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
-/// Where rounding has taken the margin λ of C, a component of the impulse is still no larger than twice ‖b‖∞ / λ.
+/// If rounding destroys the margin λ of C, each component of the impulse is still at most 2 ‖b‖∞ / λ.
 TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};
@@ -250,7 +251,7 @@ TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
     }
     ++checked;
     const Matrix3<double> basis = tangent_basis(contact);
-    // T0 is off by a few roundings of ‖V‖, relative to v_t ≥ ‖V‖/16: below 2^-53 · 8 · 16.
+    // T0 has an error of a few roundings of ‖V‖, relative to v_t ≥ ‖V‖/16: below 2^-53 · 8 · 16.
     const double bound = std::ldexp(1.0, -46);
     EXPECT_LE((basis.transpose() * basis - Matrix3<double>::Identity()).cwiseAbs().maxCoeff(), bound) << i;
   }

@@ -36,7 +36,7 @@ TEST(Coulomb, HasTheBitsOfFrictionlessWithoutFriction) {
   EXPECT_EQ(after.a.angular_velocity, frictionless(contact).a.angular_velocity);
 }
 
-/// λ is finite, the trace of K is not.
+/// λ is finite, but the trace of K is not.
 TEST(Coulomb, EndsWhereTheTraceOverflows) {
   Collision c = ball_on_a_plane(0.125);
   c.a.mass = 1e-308;
@@ -51,7 +51,8 @@ TEST(Coulomb, KeepsWhatSeparates) {
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
-/// Of real bodies, whose K is well conditioned: F is one of the exact answers, to κ(K) ≤ 16 and the steps of a solve.
+/// Real bodies have a well-conditioned K. F equals one of the exact answers, up to κ(K) ≤ 16 and the roundings of a
+/// solve.
 TEST(Coulomb, FindsAnAnswer) {
   int slides = 0;
   for (const char* family : {"physical", "collinear_spheres"}) {
@@ -66,7 +67,8 @@ TEST(Coulomb, FindsAnAnswer) {
       for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(oracles::lift(collision))) {
         const auto exact = map_outcome<double>(answer.truth.outcome,
                                                [](const oracles::Rational& x) { return oracles::nearest_double(x); });
-        // Spins by the lever arms, which are about 1 m: one speed for all four.
+        // Angular velocities are compared as speeds at a lever arm of about 1 m, so one length measures all four
+        // vectors.
         double distance = 0;
         for (const OutcomeVector k : all_outcome_vectors) {
           distance = std::max(distance, (*vectors(found)[k] - *vectors(exact)[k]).norm());

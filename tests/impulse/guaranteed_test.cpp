@@ -35,7 +35,8 @@ Outcome<double> outcome_of(Session& session, const Collision& collision) {
                              [](long double x) { return static_cast<double>(x); });
 }
 
-/// Of the valid collisions of all families with a movable body: how many the subject leaves approaching, exactly.
+/// The number of valid collisions with a movable body, from all families, that the subject leaves approaching.
+/// Decided exactly.
 int approaching_outcomes(const std::string& subject) {
   Session session = subjects::subject_named(subject)->open();
   int approaching = 0;
@@ -74,7 +75,7 @@ TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
   }
 }
 
-/// Where the law's outcome does not penetrate, it stays as it is.
+/// If the law's outcome does not penetrate, it is unchanged.
 TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
   Session plain = subjects::subject_named("reflection-double")->open();
   int changed = 0;
@@ -114,7 +115,7 @@ TEST(NormalVelocitySign, IsThatOfRationals) {
   EXPECT_GT(zeros, 50);
 }
 
-/// N·V is then no number of binary64 that could tell how many ulps are missing.
+/// N·V rounds to zero in binary64, so it does not tell how many ulps are missing.
 TEST(Guaranteed, ComesToAnEndWhereTheNormalVelocityUnderflows) {
   Collision collision;
   collision.b.immovable = true;

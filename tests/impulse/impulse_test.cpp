@@ -12,7 +12,7 @@
 
 #include "support/exact.hpp"
 
-/// The solvers run in rationals: what they promise, without a tolerance.
+/// The solvers in rational arithmetic satisfy their promises exactly, without a tolerance.
 namespace carom::impulse {
 namespace {
 
@@ -42,7 +42,7 @@ TEST(RotationMatrix, IsOrthogonalForAQuaternionOfAnyLength) {
 }
 
 TEST(RotationMatrix, TurnsAboutTheAxisByTheRightHand) {
-  // A quarter turn about z: (1, 0, 0, 1)/√2 takes x to y and y to −x.
+  // A quarter turn about z: (1, 0, 0, 1)/√2 maps x to y and y to −x.
   const ExactMatrix r = rotation_matrix(Quaternion<Rational>{3, 0, 0, 3});
   EXPECT_TRUE(same(r * ExactVector(1, 0, 0), ExactVector(0, 1, 0)));
   EXPECT_TRUE(same(r * ExactVector(0, 1, 0), ExactVector(-1, 0, 0)));
@@ -60,7 +60,7 @@ TEST(WorldInverseInertia, IsSymmetricAndInvertsTheInertiaOfTheOracle) {
   }
 }
 
-/// Without rounding it is of no account how inertia is kept.
+/// Without rounding, the representation of inertia makes no difference.
 TEST(PrincipalInertia, IsTheSameAsInWorldCoordinates) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     const auto body = oracles::lift(unit::case_of("generic", i).collision).a;
@@ -82,7 +82,7 @@ TEST(CollisionMatrix, IsSymmetricAndEqualsTheResponseToUnitImpulses) {
   }
 }
 
-/// Symmetric not only in exact arithmetic: both triangles hold the same computed entries.
+/// The matrix is symmetric in floating point too: both triangles hold the same computed entries.
 TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Matrix3<float> k = collision_matrix(make_contact<float>(unit::case_of("generic", i).collision));
@@ -90,7 +90,8 @@ TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
   }
 }
 
-/// The note's eq. 27 by its entries: in the basis {N, T0, T1}, off the diagonal only the lever arms, on it λ and they.
+/// The entries of the note's eq. 27, in the basis {N, T0, T1}. Off the diagonal only the lever arms contribute, on it
+/// λ does as well.
 TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     properties::Stream stream = stream_of(i);
@@ -101,7 +102,7 @@ TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis
   }
 }
 
-/// As printed, λ stands twice in the entries (2,2) and (3,3): that is λ too much there, and wrong.
+/// The printed equation has λ twice in the entries (2,2) and (3,3). So these entries are wrong by λ.
 TEST(PrintedCollisionMatrix, DiffersFromTheNoteWhichCountsLambdaTwice) {
   properties::Stream stream = stream_of(0);
   const auto contact = exact_contact(unit::small_collision(stream));
@@ -148,7 +149,7 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
-/// Also with its least eigenvalue given: no pivot is below that in a field.
+/// Also with the least eigenvalue given: in exact arithmetic no pivot is smaller.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -186,7 +187,7 @@ TEST(Reflection, CreatesEnergyInTheSmallestExample) {
   EXPECT_TRUE(same(smallest_example(1).a.angular_velocity, ExactVector(0, 0, ratio(3, 2))));
 }
 
-/// For spheres r × N = 0, so C is block diagonal and the models are one: the angular velocities stay.
+/// For spheres r × N = 0, so C is block diagonal. Both laws agree, and the angular velocities do not change.
 TEST(Reflection, EqualsFrictionlessForSpheres) {
   int colliding = 0;
   for (std::uint64_t i = 0; i < 500; ++i) {
@@ -206,7 +207,7 @@ TEST(Reflection, DiffersFromFrictionlessForGeneralBodies) {
   EXPECT_FALSE(same(reflection<Ldlt>(contact), frictionless(contact)));
 }
 
-/// F depends on V⁻ through N·V⁻ alone: a tangential velocity is only added.
+/// F depends on V⁻ only through N·V⁻. A tangential velocity is just added to the outcome.
 TEST(Reflection, AddsATangentialVelocityAndChangesNothingElse) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     properties::Stream stream = stream_of(i);
@@ -253,7 +254,8 @@ TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
   }
 }
 
-/// A ball that slips, of mass 2^`mass` and at speeds 2^`speed` times as large: its velocities are scaled by 2^`speed`.
+/// A slipping ball whose mass is 2^`mass` times and whose speeds are 2^`speed` times as large. Its velocities scale
+/// by 2^`speed`.
 template <class S>
 void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
   Collision c = unit::ball_on_a_plane(0.4, 0.0625);
@@ -268,13 +270,14 @@ void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
             relative_rounding * usual.a.angular_velocity.norm() * scale);
 }
 
-/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and those of 2⁻¹³⁶ keep 13 of binary32; a few are lost to rounding.
+/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and those of 2⁻¹³⁶ N s keep 13 bits of binary32. Rounding costs a
+/// few of them.
 TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
   expect_rough_to_scale<double>(-1000, -40, 0x1p-30);
   expect_rough_to_scale<float>(-110, -26, 0x1p-9F);
 }
 
-/// The solver of `rough` in ℚ(√s) against its truth.
+/// Compares the solver of `rough` in ℚ(√s) with its truth.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;
   const auto contact = make_contact<Radical>(

@@ -21,9 +21,9 @@
 
 #include "support/cases.hpp"
 
-/// What world coordinates cost slender and flat bodies. J⁻¹ = R diag(1/I) Rᵀ is rounded by u ‖J⁻¹‖ in each number, and
-/// J times that is u ρ for moments 1 : ρ. Turned into the body frame, divided by the moments there and turned back, a
-/// torque loses no more than a rotation of the body by u explains.
+/// The cost of world coordinates for slender and flat bodies. J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖ in
+/// each entry. Multiplied by J, the error is u ρ for moments 1 : ρ. A method that rotates the torque into the body
+/// frame, divides by the moments there and rotates back has a small error. A rotation of the body by u explains it.
 namespace carom::impulse {
 namespace {
 
@@ -31,7 +31,7 @@ double ratio_of_moments(const Body& body) {
   return body.principal_inertia.maxCoeff() / body.principal_inertia.minCoeff();
 }
 
-/// The body compressed along one or two of its axes, to 2^−exponent of its width; the contact stays in or on it.
+/// The body compressed along one or two of its axes to 2^−exponent of its width. The contact point stays in or on it.
 Body compressed(const Body& body, const Vector3<double>& point, int axis, bool others, int exponent) {
   const Vector3<double> moments = body.principal_inertia;
   Vector3<double> squares = Vector3<double>::Constant(moments.sum() / 2) - moments;
@@ -48,11 +48,11 @@ Body compressed(const Body& body, const Vector3<double>& point, int axis, bool o
   return result;
 }
 
-/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are none.
+/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are not slender.
 std::vector<Collision> slivers(double least, std::size_t count) {
   std::vector<Collision> result;
   properties::Stream stream = properties::stream_from(95);
-  const int about = std::ilogb(least) / 2;  // moments go with the square of a width
+  const int about = std::ilogb(least) / 2;  // moments scale with the square of a width
   while (result.size() < count) {
     Collision c = properties::convex_bodies(stream).collision;
     c.a = compressed(c.a, c.point, stream.integer(0, 2), stream.chance(2),
@@ -66,7 +66,7 @@ std::vector<Collision> slivers(double least, std::size_t count) {
   return result;
 }
 
-/// By how many ulps of S the outcome misses a law.
+/// The residual of a law, in ulps of S.
 template <class S>
 double missed(const oracles::Equation& equation, const Collision& collision, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
@@ -80,7 +80,7 @@ double missed(const oracles::Equation& equation, const Collision& collision, con
   return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;
 }
 
-/// The laws that tell spins.
+/// The largest residual of the laws that involve angular velocities.
 template <class S>
 double missed(const Collision& collision, const Outcome<S>& outcome) {
   return std::max({missed(oracles::equation::AngularMomentum{true}, collision, outcome),
@@ -103,7 +103,7 @@ class Slivers : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Slivers, Scalars);
 
-/// The laws by how they make an outcome of a contact.
+/// A law by name, with the function that computes its outcome.
 struct NamedLaw {
   std::string_view name;
   Model model;
@@ -140,7 +140,7 @@ TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
   }
 }
 
-/// A rod that flies along its long axis into anything, the normal along that axis but for rounding.
+/// A rod that flies along its long axis into any body. The normal lies along that axis, up to rounding.
 Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
   Collision c;
   c.b.immovable = true;
@@ -165,15 +165,16 @@ double backward_error(const Collision& c, Model model, const Outcome<S>& outcome
       .backward_error(yardstick.unit_roundoff);
 }
 
-/// Whether the rod is no thicker than its position is rounded by: any spin about its long axis is then within rounding.
+/// Whether the rod is thinner than the rounding of its position. Then any spin about its long axis is within
+/// rounding.
 template <class S>
 bool is_blind(const Collision& c) {
   const double allowance = oracles::default_limit_ulps * std::numeric_limits<S>::epsilon() / 2;
   return oracles::ExactCase(c).permitted_inputs(allowance) != nullptr;
 }
 
-/// Lever arm, impulse and long axis lie along each other: what a product of them leaves to rounding would spin the rod
-/// about its long axis, by ρ times as many ulps as it is of the torque.
+/// Lever arm, impulse and long axis are parallel. The rounding error of their product would spin the rod about its
+/// long axis. In ulps this error is ρ times that of the torque.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
@@ -199,7 +200,8 @@ TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   }
 }
 
-/// About one place both bodies are turned by the same torque, to its last bit, although one of them is slender.
+/// Both lever arms start at the same point, so the same torque turns both bodies, to its last bit. One body is
+/// slender.
 TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   Collision c;
   c.a.velocity = {0, 0, -1};
@@ -213,8 +215,8 @@ TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   }
 }
 
-/// The lever arms lie along the normal exactly, and everything else in one plane: no input says that anything should
-/// turn, and a body that is slender across the plane is easily turned by what rounding leaves in K of another.
+/// The lever arms lie exactly along the normal, and all other vectors lie in one plane. So no body should turn. A
+/// body that is slender across the plane is easily turned by the rounding error in the other body's K.
 TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   Collision c;
   c.a.mass = 37961134;
@@ -231,7 +233,8 @@ TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   }
 }
 
-/// The same of a matrix in a basis: what rounding leaves of T0 and T1 in a head-on impact is to turn nothing.
+/// The matrix in a basis must not turn bodies either: the rounding error of T0 and T1 in a head-on impact turns
+/// nothing.
 TEST(SlenderBodies, AreNotTurnedByRoundingInATangentBasis) {
   Collision c;
   c.a.mass = 0.4;
@@ -255,7 +258,7 @@ TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
 }
 
-/// A second impulse against what is left of the approach would move the spin about the long axis by far more than ulps.
+/// A second impulse against the remaining approach would change the spin about the long axis by far more than ulps.
 TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);
@@ -267,7 +270,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   }
 }
 
-/// The family `physical` has them to 1 : 10⁸.
+/// The family `physical` contains slender bodies, up to 1 : 10⁸.
 TEST(PhysicalBodies, AreSlenderToo) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;

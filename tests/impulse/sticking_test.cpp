@@ -7,8 +7,9 @@
 namespace carom::impulse {
 namespace {
 
-/// B spins fast along a lever arm of 10⁷ m, and beside it stands a sphere of 10⁻² m: w × r rounds by 10⁷ times as much
-/// along z as along x and y, so that what it misses along N must not be shared out along N.
+/// B spins fast along a lever arm of 10⁷ m. The other body is a sphere of 10⁻² m. w × r rounds 10⁷ times more along z
+/// than along x and y. So a correction of V along N must follow the rounding errors of the components, not the
+/// direction of N.
 Collision fast_spin_along_lever_arm() {
   Collision c;
   c.a.mass = 512;

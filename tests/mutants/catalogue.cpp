@@ -16,7 +16,7 @@ constexpr Model rough = Model::rough;
 constexpr Model coulomb = Model::coulomb;
 
 const std::array mutants{
-    // What is taken for a valid collision.
+    // Validation of the collision.
     Mutant{"accepts_restitution_above_one",
            Defect::accepts_restitution_above_one,
            frictionless,
@@ -42,7 +42,7 @@ const std::array mutants{
            "a normal that is not of unit length is refused",
            {"finite"}},
 
-    // What is read of the bodies.
+    // Reading the bodies.
     Mutant{"lever_arm_from_origin",
            Defect::lever_arm_from_origin,
            frictionless,
@@ -602,7 +602,7 @@ const std::array mutants{
            "the contact point sticks, whatever friction that takes",
            {"friction_cone"}},
 
-    // What the impulse does.
+    // Applying the impulse.
     Mutant{"normal_flipped_for_a",
            Defect::normal_flipped_for_a,
            frictionless,

@@ -12,17 +12,17 @@
 
 namespace carom::mutants {
 
-/// A subject with one planted defect, and the invariants that have to reject it.
+/// A subject with one planted defect, and the invariants that must reject it.
 struct Mutant {
   std::string_view name;
   Defect defect;
   Model model;
-  std::string_view failure_cases;  // their numbers in the catalogue of failures of real engines; empty where none
-  std::string_view sentence;       // what is wrong
+  std::string_view failure_cases;             // in the catalogue of failures of real engines; empty if there are none
+  std::string_view sentence;                  // describes the defect
   std::vector<std::string_view> rejected_by;  // at least these
 };
 
-/// How GoogleTest prints it.
+/// Prints the mutant in GoogleTest's output.
 inline void PrintTo(const Mutant& mutant, std::ostream* out) { *out << mutant.name << ": " << mutant.sentence; }
 
 [[nodiscard]] std::span<const Mutant> all_mutants();

@@ -13,14 +13,14 @@ namespace {
 using Vector = Vector3<double>;
 using ContactImpulse = impulse::ContactImpulse<double>;
 
-/// Orthogonal to the vector, of its length.
+/// A vector orthogonal to this one and of the same length.
 Vector across(const Vector& vector) {
   int least = 0;
   vector.cwiseAbs().minCoeff(&least);
   return vector.cross(Vector::Unit(least)).normalized() * vector.norm();
 }
 
-/// The outcome of another impulse on A, and its opposite on B.
+/// The outcome of a different impulse on A, with its opposite on B.
 Outcome<double> struck_by(const Solution& sound, const Vector& impulse) {
   return impulse::apply_impulse(sound.contact, ContactImpulse{sound.impulse.colliding, impulse});
 }
@@ -43,7 +43,7 @@ Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>&
   return outcome;
 }
 
-/// What this component of a velocity was before, less what it was changed by.
+/// Reverses the sign of the change of this component of a velocity.
 void change_reversed(Vector& after, const Vector& before, int component) {
   after[component] = before[component] - (after[component] - before[component]);
 }

@@ -11,7 +11,7 @@
 
 namespace carom::mutants {
 
-/// What can be done to a sound outcome: what a conditional mutant answers where its feature is there.
+/// Ways to damage a sound outcome. A conditional mutant returns the damaged outcome if its feature is present.
 enum class Damage {
   torque_of_a_dropped,
   turning_left_out_of_k,
@@ -47,10 +47,10 @@ static_assert(counts_from_zero_to(all_damages, Damage::not_a_number));
 
 [[nodiscard]] std::string_view name_of(Damage damage);
 
-/// What is wrong, in a sentence.
+/// Describes the damage in a sentence.
 [[nodiscard]] std::string_view sentence_of(Damage damage);
 
-/// What the built-in solver of a law in binary64 makes of a collision.
+/// The built-in solver's result for a collision, by a law in binary64.
 struct Solution {
   Model model;
   impulse::Contact<double> contact;
@@ -58,13 +58,13 @@ struct Solution {
   Outcome<double> outcome;
 };
 
-/// Preconditions: the collision is valid, the model one of `models_with_truth`.
+/// Preconditions: the collision is valid, and the model is one of `models_with_truth`.
 [[nodiscard]] Solution solved(Model model, const Collision& collision);
 
-/// The outcome with the damage done. `last` is what was answered before.
+/// The damaged outcome. `last` is the previous answer.
 [[nodiscard]] Outcome<double> damaged(Damage damage, const Solution& sound, const Outcome<double>& last);
 
-/// Whether any number differs. NaN differs from all, −0 and 0 are the same.
+/// Whether any number differs. NaN differs from every number; −0 and 0 are equal.
 [[nodiscard]] bool differ(const Outcome<double>& x, const Outcome<double>& y);
 
 }  // namespace carom::mutants

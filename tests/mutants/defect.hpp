@@ -3,18 +3,18 @@
 
 namespace carom::mutants {
 
-/// What can be wrong with a solver. catalogue.cpp says of each what it is and where it was seen; mutable_solver.cpp has
-/// each at the step where it happens. (Not `carom::Defect`, which is what is wrong with a collision.)
+/// Defects of a solver. catalogue.cpp describes each one and where it occurred; mutable_solver.cpp implements each at
+/// the step that it affects. (`carom::Defect` is something else: a defect of a collision.)
 enum class Defect {
   none,
 
-  // What is taken for a valid collision.
+  // Validation of the collision.
   accepts_restitution_above_one,
   accepts_mass_zero,
   accepts_normal_zero,
   demands_unit_normal,
 
-  // What is read of the bodies.
+  // Reading the bodies.
   lever_arm_from_origin,
   lever_arm_of_other_body,
   lever_arm_in_float,
@@ -107,7 +107,7 @@ enum class Defect {
   cone_not_asked,
   always_slides,
 
-  // What the impulse does.
+  // Applying the impulse.
   normal_flipped_for_a,
   wrong_mass_in_reaction,
   masses_left_out,
@@ -122,7 +122,7 @@ enum class Defect {
   push_out_velocity,
   gravity_of_step,
 
-  // What is answered.
+  // The answer.
   outcome_to_ten_digits,
   outcome_in_float,
   input_returned,

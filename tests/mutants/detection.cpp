@@ -19,8 +19,8 @@ namespace {
 using properties::all_features;
 using properties::JudgedCase;
 
-/// The claims of a sound solver in binary64 that speak of one outcome. What is violated by the truth is asked first:
-/// it rejects most, and a violation of a law costs more to decide.
+/// The claims of a sound solver in binary64 about a single outcome. The claim about the truth comes first: it rejects
+/// most mutants, and a violation of a law takes longer to decide.
 struct Claims {
   properties::Claim truth;
   properties::Claim laws;
@@ -40,7 +40,7 @@ Claims claims_of(Model model) {
   return claims;
 }
 
-/// Whether any invariant is violated, and the backward error where none is.
+/// Whether any invariant is violated, and the backward error if none is.
 struct Judged {
   bool is_rejected;
   double backward_error;
@@ -69,7 +69,7 @@ std::size_t place_of(std::size_t model, Damage damage) {
   return model * all_damages.size() + static_cast<std::size_t>(damage);
 }
 
-/// A pair x ≤ y among all pairs and single features.
+/// The index of a pair x ≤ y among all pairs and single features.
 std::size_t place_of(std::size_t x, std::size_t y) { return y * (y + 1) / 2 + x; }
 
 std::size_t places() { return place_of(0, all_features().size()); }
@@ -120,8 +120,8 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++cases_;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
-  // In a hard case the allowance encloses the law over all permitted inputs: a small damage stays within it, and says
-  // nothing of the judge.
+  // In a hard case the allowance encloses the law over all permitted inputs. A small damage stays within it, and
+  // shows nothing about the judge.
   if (properties::reason_unjudged(one.exact(), yardstick) ||
       one.exact().permitted_inputs(yardstick.allowance()) != nullptr) {
     return;
@@ -190,7 +190,7 @@ Detection detect(const DetectionOptions& options) {
   const auto work = [&](Detection& detection) {
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
       const auto& [family, first, last] = tasks[i];
-      // So that what was answered before does not depend on who draws which cases.
+      // Computed here, so that the previous answer does not depend on how threads share the cases.
       Collision previous = first == 0 ? Collision{} : generated(*family, first - 1).collision;
       for (std::uint64_t index = first; index < last; ++index) {
         const JudgedCase one(generated(*family, index));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Which conditional mutants the cases of the gate kill:
-//   detection [--seed S] [--cases N] [--jobs J] [--law L…] [--format text|markdown]
-// Ends in 1 where a sound outcome is rejected. With --planted: which invariants reject each planted mutant, and what
-// each invariant alone would miss.
+// Prints which conditional mutants the gate's cases kill:
+//
+//  detection [--seed S] [--cases N] [--jobs J] [--law L…] [--format text|markdown]
+//
+// The exit status is 1 if a sound outcome is rejected. With --planted it prints which invariants reject each planted
+// mutant, and which mutants would survive without each invariant.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

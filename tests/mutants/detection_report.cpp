@@ -30,7 +30,7 @@ std::string_view in_words(Sight sight) {
   return "killed";
 }
 
-/// Calls visit(x, y) for every single feature (x = y) and every pair that can be.
+/// Calls visit(x, y) for every single feature (x = y) and every possible pair.
 template <class Visit>
 void for_each_condition(const Visit& visit) {
   for (std::size_t y = 0; y < all_features().size(); ++y) {
@@ -53,14 +53,14 @@ std::string condition_of(const Survivor& survivor) {
   return survivor.x == survivor.y ? x : x + ", " + all_features()[survivor.y].name;
 }
 
-/// Of one kind are features that differ by the body or by the decade alone: "X.speed", "head_on".
+/// The kind of a feature, such as "X.speed" or "head_on". Features of one kind differ only by the body or the decade.
 std::string kind_of(const properties::Feature& feature) {
   const std::string& name = feature.kind == properties::FeatureKind::magnitude ? feature.quantity : feature.name;
   const bool of_a_body = name.starts_with("a.") || name.starts_with("b.");
   return of_a_body ? "X." + name.substr(2) : name;
 }
 
-/// The survivors that some judge could see, by kinds of features, the commonest ones first.
+/// Prints the visible survivors by kinds of features, the most frequent kinds first.
 void print_kinds(std::back_insert_iterator<std::string> out, const Detection& detection) {
   struct Kind {
     std::string names;

@@ -9,7 +9,7 @@
 
 namespace carom::mutants {
 
-/// How many conditional mutants of a kind there are, by what the cases show of them.
+/// The numbers of conditional mutants of one kind, by the result of their cases.
 struct Score {
   std::uint64_t no_case_judged = 0;
   std::uint64_t leaves_truth = 0;
@@ -19,13 +19,13 @@ struct Score {
   void add(Sight sight);
   Score& operator+=(const Score& other);
 
-  /// Those that some judge could see: they change the exact outcome of some case that is judged.
+  /// The mutants that some judge could find: they change the exact outcome of a judged case.
   [[nodiscard]] std::uint64_t visible() const { return within_rounding + killed; }
-  /// The killed ones of these.
+  /// The share of visible mutants that are killed [%].
   [[nodiscard]] double percent() const;
 };
 
-/// Of mutants whose condition is one feature, and of those whose condition is a pair that can be.
+/// Scores of mutants whose condition is one feature, and of those whose condition is a possible pair.
 struct Scores {
   Score singles;
   Score pairs;
@@ -38,13 +38,13 @@ struct Scores {
 struct Survivor {
   Model model;
   Damage damage;
-  std::size_t x;  // the same as y where the condition is one feature
+  std::size_t x;  // equals y if the condition is one feature
   std::size_t y;
   Seen seen;
 };
 
-/// In the order of laws, damages and features. What holds of a single feature holds of any pair with it that is not
-/// seen better: such pairs are left out.
+/// In the order of laws, damages and features. A pair is omitted if one of its features alone survives and the pair
+/// shows no more.
 [[nodiscard]] std::vector<Survivor> survivors_of(const Detection& detection);
 
 [[nodiscard]] std::string to_text(const Detection& detection, bool markdown);

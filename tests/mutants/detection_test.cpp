@@ -9,7 +9,7 @@
 #include "leaves_truth.hpp"
 #include "support/cases.hpp"
 
-/// Which conditional mutants the default cases of the gate kill, and what a damage is.
+/// Which conditional mutants the gate's default cases kill, and the effect of each damage.
 namespace carom::mutants {
 namespace {
 
@@ -39,7 +39,7 @@ TEST_P(Damages, ChangeTheOutcomeOfAGeneralCollision) {
 INSTANTIATE_TEST_SUITE_P(Each, Damages, testing::ValuesIn(all_damages),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-/// Spheres of unit mass, head-on along x; A does not spin, B spins about x.
+/// Spheres of unit mass, head-on along x. A does not spin; B spins about x.
 TEST(LeavesTruth, SaysWhatNoJudgeCanSee) {
   Collision spheres;
   spheres.normal = {-1, 0, 0};
@@ -67,14 +67,15 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
   for (const Model model : detection.models()) {
     for (const Damage damage : all_damages) {
       const auto& [single, pair] = scores_of(detection, model, damage);
-      // An impulse that is off by 10⁻⁹ is within 32 ulps of inputs that are some 10⁵ times as large as its effect. All
-      // cases of a few rare features are such.
+      // An impulse with an error of 10⁻⁹ stays within 32 ulps if the inputs are about 10⁵ times its effect. A few
+      // rare features have only such cases.
       const bool is_slight = damage == Damage::impulse_off;
       EXPECT_GE(single.percent(), is_slight ? 99 : 100) << name_of(model) << ' ' << name_of(damage);
       EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(model) << ' ' << name_of(damage);
     }
   }
-  // Most of what no judge can see is a damage that its feature rules out; a pass that kills little would show here.
+  // Most mutants that no judge can find are damages that their feature rules out. A pass that kills few mutants fails
+  // here.
   EXPECT_GT(pairs.visible(), 100 * pairs.leaves_truth);
 }
 

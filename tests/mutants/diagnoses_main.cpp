@@ -10,7 +10,8 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// What the gate's diagnosis says of each planted mutant, beside what is wrong with it; of those named alone.
+/// Prints the gate's diagnosis of each planted mutant, next to its defect. With arguments, only for the named
+/// mutants.
 int main(int argc, char** argv) {
   using namespace carom;
   properties::GateOptions options;

@@ -15,7 +15,8 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// What the gate says of a wrong solver: the table of docs/guide/plug-in.md, each row of it planted.
+/// The gate's diagnosis of a wrong solver: checks every row of the table in docs/guide/plug-in.md with a planted
+/// defect.
 namespace carom::mutants {
 namespace {
 
@@ -23,7 +24,7 @@ using properties::diagnosis::Diagnosis;
 
 struct Row {
   std::string mutant;
-  std::string says;  // parts that stand in the diagnosis in this order, with … between them
+  std::string says;  // parts of the diagnosis in this order, separated by …
 };
 
 std::string trimmed(const std::string& text) {
@@ -55,7 +56,7 @@ const Mutant& planted(const std::string& name) {
   return *found;
 }
 
-/// Of each mutant of the page, all judged in one run, as a default gate judges programs.
+/// The diagnosis of each mutant of the page. One run judges them all, as a default gate judges programs.
 std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
   options.shrinks = false;

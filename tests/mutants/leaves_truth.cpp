@@ -24,7 +24,7 @@ bool is_binary32(const T& number) {
   return std::isfinite(rounded) && T(static_cast<double>(rounded)) == number;
 }
 
-/// In the field of the truth.
+/// Decides in the field of the truth.
 template <class T>
 bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Model model) {
   const Outcome<T>& truth = exact.outcome;
@@ -40,8 +40,8 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
     case Damage::torque_of_a_dropped:
       return a_keeps_spin;
     case Damage::turning_left_out_of_k:
-      // K − λI is a sum of squares, so K F = λF just where neither body is turned; of the two impulses that `rough` has
-      // in F neither may turn one.
+      // K − λI is a sum of squares, so K F = λF if and only if the impulse turns neither body. F of `rough` combines
+      // two impulses, and neither may turn a body.
       return a_keeps_spin && b_keeps_spin &&
              (model != Model::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
               (is_at_centre(c.a) && is_at_centre(c.b)));
@@ -61,7 +61,7 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
     case Damage::bodies_exchanged:
       return are_equal<T>(truth.a.velocity, truth.b.velocity) &&
              are_equal<T>(truth.a.angular_velocity, truth.b.angular_velocity);
-    case Damage::nothing_happens:  // F ≠ 0, since N·V changes its sign
+    case Damage::nothing_happens:  // F ≠ 0, because N·V changes its sign
     case Damage::impulse_off:
     case Damage::impulse_turned:
     case Damage::last_answer_again:

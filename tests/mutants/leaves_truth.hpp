@@ -7,11 +7,11 @@
 
 namespace carom::mutants {
 
-/// The collision as solvers in binary64 read it: with lever arms that are rounded once, and the contact at the origin.
+/// The collision as solvers in binary64 read it: the lever arms are rounded once, and the contact is at the origin.
 [[nodiscard]] Collision as_read(const Collision& collision);
 
-/// Whether the damage, done to the exact outcome of a law where the contact collides, leaves it as it is: then no judge
-/// can see it that grants a solver the rounding of its lever arms. Of a collision as it is read.
+/// Whether the damage leaves the exact outcome of a colliding contact unchanged. Then no judge can find it that
+/// allows a solver the rounding of its lever arms. `read` is the collision as solvers read it.
 [[nodiscard]] bool leaves_truth(Damage damage, const oracles::ExactCase& read, Model model);
 
 }  // namespace carom::mutants

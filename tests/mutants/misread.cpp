@@ -12,7 +12,7 @@ bool is_at_rest(const Body& body) {
   return (body.velocity.array() == 0).all() && (body.angular_velocity.array() == 0).all();
 }
 
-/// Two equal moments, and the third one as if it were equal too.
+/// If two moments are equal, sets the third equal to them.
 void take_for_sphere(Vector3<double>& moments) {
   for (int i = 0; i < 3; ++i) {
     if (moments[i] == moments[(i + 1) % 3]) {
@@ -27,7 +27,7 @@ Vector3<double> in_fixed_point(const Vector3<double>& velocity) {
   return (velocity / step).array().round() * step;
 }
 
-/// Along the axis that it is near to.
+/// Replaces a normal near an axis by that axis.
 Vector3<double> along_axis_if_near(const Vector3<double>& normal) {
   constexpr double near = 0.999;
   int axis = 0;
@@ -84,7 +84,7 @@ Body misread(Defect defect, Body body, const Body& other) {
     case Defect::resting_body_asleep:
       body.immovable = body.immovable || is_at_rest(body);
       break;
-    default:  // in what the bodies are not read for
+    default:  // defects that do not affect reading the bodies
       break;
   }
   return body;

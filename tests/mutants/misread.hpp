@@ -7,8 +7,8 @@
 
 namespace carom::mutants {
 
-/// The collision that a solver with this defect takes it for, where the defect is in what is read; else the same.
-/// Precondition: the collision is valid.
+/// The collision that a solver with this defect reads. It is unchanged if the defect is elsewhere. Precondition: the
+/// collision is valid.
 [[nodiscard]] Collision misread(Defect defect, const Collision& collision);
 
 }  // namespace carom::mutants

@@ -26,14 +26,14 @@ using Matrix = Matrix3<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Contact = impulse::Contact<double>;
 
-/// Orthogonal to the vector, of about its length.
+/// A vector orthogonal to this one, of similar length.
 Vector beside(const Vector& vector) {
   return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1])
                                                    : Vector(-vector[1], vector[0], 0);
 }
 
 /// The basis {N, T0, T1} of J. R. Frisvad (Building an Orthonormal Basis from a 3D Unit Vector Without Normalization,
-/// 2012), which is one only at the pole itself and away from it.
+/// 2012). It is orthonormal only at the pole itself and away from it.
 Matrix basis_of_2012(const Vector& n) {
   constexpr double near_pole = -0.999;
   Matrix basis;
@@ -47,7 +47,7 @@ Matrix basis_of_2012(const Vector& n) {
   return basis;
 }
 
-/// The tangents from the axis that N is least aligned with; where two are, neither is found.
+/// The tangents from the axis that N is least aligned with. If two axes tie, it finds neither.
 Matrix basis_without_ties(const Vector& n) {
   Vector t0 = Vector::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ Matrix basis_without_ties(const Vector& n) {
   return basis;
 }
 
-/// As where J⁻¹ is left out together with R.
+/// Acts as if J⁻¹ were omitted together with R.
 void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
   if (body.orientation == Quaternion<double>(1, 0, 0, 0)) {
     after.angular_velocity = body.angular_velocity;
@@ -83,7 +83,7 @@ class Solver {
       return Refused{describe(refusal)};
     }
     if (has(Defect::demands_unit_normal)) {
-      constexpr double unit_tolerance = 1e-6;  // part of the defect, as engines have it: nothing is judged by it
+      constexpr double unit_tolerance = 1e-6;  // part of the defect, as in real engines; no judgement uses it
       if (std::abs(collision.normal.squaredNorm() - 1) > unit_tolerance) {
         return Refused{"normal: expected a vector of length 1"};
       }
@@ -100,7 +100,7 @@ class Solver {
  private:
   [[nodiscard]] bool has(Defect defect) const { return defect_ == defect; }
 
-  // What is read of the bodies.
+  // Reading the bodies.
 
   [[nodiscard]] ContactBody read_body(const Body& body, const Body& other, const Vector& point, bool is_a) const {
     ContactBody result = impulse::make_contact_body<double>(body, point);
@@ -168,7 +168,7 @@ class Solver {
 
   // The relative velocity, and whether the contact is colliding.
 
-  /// What of a body's motion enters the relative velocity: all of it.
+  /// The part of a body's motion that enters the relative velocity. A sound solver uses all of it.
   [[nodiscard]] BodyVelocity<double> motion(const ContactBody& body, bool is_a) const {
     const bool is_wall = body.inverse_mass == 0;
     if ((has(Defect::other_body_left_out) && !is_a) || (has(Defect::wall_velocity_as_zero) && is_wall)) {
@@ -181,7 +181,8 @@ class Solver {
     return {body.velocity, is_reversed ? Vector(-body.angular_velocity) : body.angular_velocity};
   }
 
-  /// With what the spins add along N taken from r × N, as in impulse/sticking.hpp: w × r has too many roundings.
+  /// The spins' contribution along N comes from r × N, as in impulse/sticking.hpp, because w × r has too much
+  /// rounding error.
   [[nodiscard]] Vector relative_velocity(const Contact& contact) const {
     Contact moving = contact;
     for (const auto body : {&Contact::a, &Contact::b}) {
@@ -237,7 +238,7 @@ class Solver {
     return inverse_mass_a + inverse_mass_b;
   }
 
-  /// How often the angular term counts: once.
+  /// The factor of the angular term. In a sound solver it is 1.
   [[nodiscard]] double angular_weight(const Contact& contact) const {
     const bool at_a_centre = contact.a.lever_arm.isZero(0) || contact.b.lever_arm.isZero(0);
     const bool equal_masses = contact.a.inverse_mass == contact.b.inverse_mass;
@@ -259,7 +260,7 @@ class Solver {
     return has(Defect::angular_term_of_a_for_both) ? contact.a : contact.b;
   }
 
-  /// N·K N as the frictionless law needs it, without K.
+  /// N·K N for the frictionless law, computed without K.
   [[nodiscard]] double normal_response(const Contact& contact) const {
     const Vector& n = contact.normal;
     const auto angular_term = [&](const ContactBody& body) {
@@ -291,7 +292,7 @@ class Solver {
     return matrix;
   }
 
-  /// What is shown of the matrix that was solved with.
+  /// The reported part of the matrix that the solver used.
   [[nodiscard]] Matrix shown(const Matrix& matrix) const {
     if (has(Defect::one_triangle_shown)) {
       return matrix.triangularView<Eigen::Lower>();
@@ -301,7 +302,7 @@ class Solver {
 
   // The law.
 
-  /// ε, whatever N·V⁻ is.
+  /// ε. In a sound solver it does not depend on N·V⁻.
   [[nodiscard]] double restitution_of(const Contact& contact, double normal_velocity) const {
     const double length = std::sqrt(contact.normal.squaredNorm());
     double restitution = contact.restitution;
@@ -335,8 +336,8 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// What the slip is by too much, that sticking and friction take away. Added to V⁻: the slip by itself has its
-  /// rounding in all components, where V⁻ may lie along an axis.
+  /// The error of the slip that sticking and friction remove. It is added to V⁻, because the slip itself has rounding
+  /// errors in all components even if V⁻ lies along an axis.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
@@ -407,7 +408,7 @@ class Solver {
     return impulse::times(basis, impulse);
   }
 
-  /// κ D of the law `rough`, beside (1 + ε) P_I.
+  /// κ D of the law `rough`, which is added to (1 + ε) P_I.
   [[nodiscard]] Vector friction_impulse(const Contact& contact, const Vector& frictionless_impulse,
                                         double normal_velocity) const {
     const Vector& n = contact.normal;
@@ -513,7 +514,7 @@ class Solver {
     return impulse;
   }
 
-  // What the impulse does.
+  // Applying the impulse.
 
   [[nodiscard]] BodyVelocity<double> pushed(const ContactBody& body, const ContactBody& other, const Vector& impulse,
                                             bool is_a) const {
@@ -598,7 +599,7 @@ class Solver {
     }
     Outcome<double> after;
     if (has(Defect::each_body_alone)) {
-      // As if the other body were a wall.
+      // The impulse as if the other body were a wall.
       const auto alone = [&](const Contact& of_both, ContactBody Contact::*other) -> Vector {
         Contact one = of_both;
         (one.*other).inverse_mass = 0;
@@ -616,7 +617,7 @@ class Solver {
       after = pushed_apart(contact, impulse, -impulse);
     }
     if (has(Defect::spin_in_body_frame)) {
-      // The change is right, only what the approach was taken from is not.
+      // The change of the angular velocity is correct. Only the spin in the approach is wrong.
       after.a.angular_velocity += collision.a.angular_velocity - contact.a.angular_velocity;
       after.b.angular_velocity += collision.b.angular_velocity - contact.b.angular_velocity;
     }
@@ -627,7 +628,7 @@ class Solver {
     return after;
   }
 
-  // What is answered.
+  // The answer.
 
   [[nodiscard]] Outcome<double> answered(const Collision& collision) {
     if (has(Defect::input_returned)) {
@@ -659,7 +660,7 @@ class Solver {
 
   Model model_;
   Defect defect_;
-  Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // of before the session
+  Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // from before the session
   double previous_approach_ = -1;                                             // [m/s], times the length of the normal
   Vector previous_impulse_ = Vector::Zero();
   double tangential_restitution_ = 0;  // of this collision

@@ -9,8 +9,8 @@
 
 namespace carom::mutants {
 
-/// One solver text for the models `frictionless` and `reflection`, in binary64, with one defect planted. With
-/// Defect::none it is sound: what a mutant fails, it fails by its defect.
+/// One solver for the laws, in binary64, with one planted defect. With Defect::none it is sound, so a mutant fails
+/// only because of its defect.
 [[nodiscard]] Subject make_subject(std::string name, Model model, Defect defect);
 
 }  // namespace carom::mutants

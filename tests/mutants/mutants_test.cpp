@@ -16,8 +16,8 @@
 #include "rejection.hpp"
 #include "support/selected.hpp"
 
-/// The gate's own test: a solver with a planted defect is rejected, by the invariants that speak of it, and the same
-/// solver without the defect is not.
+/// Tests the gate: the invariants that a planted defect breaks reject the solver. The same solver without the defect
+/// passes.
 namespace carom::mutants {
 namespace {
 
@@ -32,10 +32,10 @@ std::string joined(const Rejecting& names) {
   return text;
 }
 
-/// One pass over the families judges all subjects that the tests of a suite speak of.
+/// One pass over the families judges all subjects of a test suite.
 class OnePass {
  public:
-  /// `subject_of_parameter` has the name of each test's parameter.
+  /// `subject_of_parameter` maps the name of each test's parameter to its subject.
   explicit OnePass(const std::map<std::string, Subject>& subject_of_parameter) {
     std::vector<Subject> subjects;
     for (const auto& [name, subject] : subject_of_parameter) {
@@ -82,7 +82,7 @@ TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
 INSTANTIATE_TEST_SUITE_P(Each, Mutants, testing::ValuesIn(all_mutants().begin(), all_mutants().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// All mutants are one text, so that a repaired one differs from another by its model alone.
+/// All mutants share one solver, so repaired mutants differ only by their model.
 class Repaired : public testing::TestWithParam<Model> {
  protected:
   static void SetUpTestSuite() {
@@ -124,8 +124,8 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
   }
 }
 
-/// Only a loss of digits has no other symptom than that: what breaks a law is rejected by the law. Of `rough`, how much
-/// of its friction acts is said by the truth alone.
+/// Only a loss of digits is visible in the truth alone. A mutant that breaks a law is also rejected by that law. For
+/// `rough`, only the truth determines the share of friction that acts.
 TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   for (const Mutant& mutant : all_mutants()) {
     const bool loses_digits =
@@ -139,7 +139,7 @@ TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   }
 }
 
-/// With Mutants.AreRejected… this says that no invariant is vacuous.
+/// Together with Mutants.AreRejected… this shows that no invariant is vacuous.
 TEST(MutantCatalogue, HasAMutantForEveryInvariant) {
   std::set<std::string_view> rejecting;
   for (const Mutant& mutant : all_mutants()) {

@@ -35,7 +35,7 @@ Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const 
   return subject;
 }
 
-/// Bodies part by a law of their own: Newton's ε is not claimed.
+/// The subject without the claim of Newton's ε, because its bodies rebound differently.
 Subject without_restitution(Subject subject) {
   subject.deviates.emplace_back("restitution");
   return subject;
@@ -50,7 +50,7 @@ Contact without_rebound(Contact contact) {
   return contact;
 }
 
-/// Of the impulse that stops the approach nine tenths.
+/// Applies nine tenths of the impulse that stops the approach.
 Solved stopped_short(const Contact& contact) {
   constexpr double share = 0.9;
   const auto impulse = impulse::frictionless_impulse(without_rebound(contact));
@@ -60,7 +60,7 @@ Solved stopped_short(const Contact& contact) {
   return impulse::apply_impulse<double>(contact, Vector(impulse.on_a * share));
 }
 
-/// The impulse is the one that would stop the approach if an immovable body did not move.
+/// Applies the impulse that would stop the approach if an immovable body were at rest.
 Solved ground_taken_as_at_rest(const Contact& contact) {
   if (!impulse::is_colliding(contact, impulse::normal_velocity(contact))) {
     return unchanged(contact);
@@ -78,7 +78,7 @@ Solved ground_taken_as_at_rest(const Contact& contact) {
 
 // Momentum.
 
-/// The heavier body gets nine tenths of the lighter one's impulse. The impulse is such that ε holds all the same.
+/// The heavier body gets nine tenths of the lighter one's impulse. The impulse is scaled so that ε still holds.
 Solved heavier_gets_less(const Contact& contact) {
   constexpr double share = 0.9;
   const double approach = impulse::normal_velocity(contact);
@@ -102,7 +102,7 @@ Solved heavier_gets_less(const Contact& contact) {
                          impulse::apply_impulse<double>(contact.b, Vector(-impulse * of_b), slender)};
 }
 
-/// The contact halves each body's spin about the normal, and gives the other body nothing of it.
+/// The contact halves each body's spin about the normal, and the other body does not receive it.
 Solved spin_about_normal_halved(const Contact& contact) {
   if (!impulse::is_colliding(contact, impulse::normal_velocity(contact))) {
     return unchanged(contact);
@@ -141,7 +141,7 @@ Solved solve_reflection(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// What the one impulse tells of C, and no more: (C F)(C F)ᵀ / (F·C F), of rank one.
+/// Reports the part of C that one impulse determines: (C F)(C F)ᵀ / (F·C F), of rank one.
 Solved guessed_from_one_impulse(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {
@@ -153,7 +153,7 @@ Solved guessed_from_one_impulse(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Across the impulse the response has the wrong sign.
+/// Reports a matrix with the wrong sign across the impulse.
 Solved reversed_across_impulse(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {
@@ -166,7 +166,7 @@ Solved reversed_across_impulse(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// λI, as if no body turned.
+/// Reports λI, as if no body turned.
 Solved matrix_of_masses_alone(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {
@@ -175,7 +175,7 @@ Solved matrix_of_masses_alone(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// The impulse does not see what is wrong: [F]× F = 0.
+/// The impulse does not see the error: [F]× F = 0.
 Solved not_symmetric(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {

@@ -11,34 +11,35 @@
 
 namespace carom::mutants {
 
-/// A planted mutant, and the invariants that reject it on the cases of the gate.
+/// A planted mutant, and the invariants that reject it on the gate's cases.
 struct Rejected {
   const Mutant* mutant;
   Rejecting by;
 };
 
-/// Of every planted mutant, in the order of the catalogue. `cases` of each family, times its weight.
+/// Every planted mutant in the order of the catalogue. It runs `cases` cases of each family, times its weight.
 [[nodiscard]] std::vector<Rejected> rejected_mutants(std::uint64_t seed, std::uint64_t cases, unsigned jobs);
 
-/// What an invariant does for the verdicts on the planted mutants.
+/// The contribution of an invariant to the verdicts on planted mutants.
 struct Share {
   std::string_view invariant;
   std::uint64_t rejects = 0;
-  std::vector<std::string_view> misses;               // mutants that claim it and that it does not reject
-  std::vector<std::string_view> alone;                // mutants that no other one rejects
-  std::vector<std::string_view> alone_without_truth;  // mutants that none but `backward_error` rejects besides
+  std::vector<std::string_view> misses;               // mutants that claim the invariant but are not rejected by it
+  std::vector<std::string_view> alone;                // mutants that no other invariant rejects
+  std::vector<std::string_view> alone_without_truth;  // mutants that only this one and perhaps `backward_error` reject
 };
 
 /// In the order of the catalogue of invariants.
 [[nodiscard]] std::vector<Share> shares_of(const std::vector<Rejected>& rejected);
 
-/// Invariants that together reject every mutant that any rejects: each time the one that rejects most of what is left.
+/// Invariants that together reject every mutant that any invariant rejects. Greedy: the next one rejects most of the
+/// remaining mutants.
 [[nodiscard]] std::vector<std::string_view> sufficient_invariants(std::vector<Rejected> rejected);
 
-/// The same as if there were no truth to compare with.
+/// The same mutants without the rejections by comparison with the truth.
 [[nodiscard]] std::vector<Rejected> without_truth(std::vector<Rejected> rejected);
 
-/// The matrix of mutants and invariants, and the share of each invariant, in Markdown.
+/// The matrix of mutants and invariants, and the contribution of each invariant, in Markdown.
 [[nodiscard]] std::string to_markdown(const std::vector<Rejected>& rejected);
 
 }  // namespace carom::mutants

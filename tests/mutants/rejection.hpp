@@ -14,10 +14,10 @@ namespace carom::mutants {
 /// The names of the invariants that reject a subject.
 using Rejecting = std::set<std::string_view>;
 
-/// For each subject the invariants that reject it, on so many cases of each family, times its weight. These are the
-/// cases that the gate draws from `seed`; a tenth of them is asked again in the end. Each case is drawn once and put to
-/// all subjects. An invariant that has rejected a subject is not asked about it again: the judge decides most passes by
-/// enclosures, and no violation.
+/// The invariants that reject each subject, on `cases` cases of each family, times its weight. These are the cases
+/// that the gate draws from `seed`; at the end it asks a tenth of them again. Each case is drawn once and put to all
+/// subjects. After an invariant rejects a subject, it is not evaluated again for that subject. Enclosures decide most
+/// passes, but no violation.
 [[nodiscard]] std::vector<Rejecting> rejecting_invariants(std::span<const Subject> subjects,
                                                           std::span<const properties::Family> families,
                                                           std::uint64_t seed, std::uint64_t cases);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Writes the sections of docs/findings/three-properties.md that are generated:
-//   three_properties PAGE [--engines REPORT.json]
-// Without a report the sections of the engines stay as they are.
+// Writes the generated sections of docs/reference/three-properties.md:
+//
+//  three_properties PAGE [--engines REPORT.json]
+//
+// Without a report, the sections on engines do not change.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -30,7 +32,7 @@ std::string text_of(const std::string& file) {
 int run(int argc, char** argv) {
   std::string file;
   std::string report;
-  CLI::App app("Writes the sections of docs/findings/three-properties.md that are generated");
+  CLI::App app("Writes the sections of docs/reference/three-properties.md that are generated");
   app.add_option("PAGE", file, "The page, which is written in place")->required();
   app.add_option("--engines", report, "report.json of `carom gate --engines`");
   try {

@@ -37,11 +37,11 @@ std::string theorems_in_words(std::string_view invariant) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// "3 of 40"; how many were violated of those that were judged.
+/// "3 of 40": violated cases of judged cases.
 std::string share(std::uint64_t violated, std::uint64_t judged) { return fmt::format("{} of {}", violated, judged); }
 
 struct Marks {
-  std::size_t begin;  // of the text between them
+  std::size_t begin;  // of the text between the markers
   std::size_t end;
 };
 

@@ -13,7 +13,7 @@
 
 #include <carom/subjects/catalogue.hpp>
 
-/// docs/findings/three-properties.md says what the program says.
+/// The text of docs/reference/three-properties.md equals the program's output.
 namespace carom::mutants {
 namespace {
 
@@ -31,11 +31,11 @@ TEST(ThreePropertiesPage, HasEachPropertyAsTheProgramPrintsIt) {
     EXPECT_NE(page().find("## " + std::string(property.title) + '\n'), std::string::npos) << name;
     EXPECT_EQ(section_of(page(), "facts " + name), facts_section(property));
     EXPECT_EQ(section_of(page(), "planted " + name), planted_section(property, {}))
-        << "run build/tests/mutants/three_properties docs/findings/three-properties.md";
+        << "run build/tests/mutants/three_properties docs/reference/three-properties.md";
   }
 }
 
-/// Whether engines are installed here or not.
+/// Does not depend on which engines are installed.
 TEST(ThreePropertiesPage, HasARowForEachEngineAndProperty) {
   for (const Property& property : properties::three_properties()) {
     std::istringstream table(section_of(page(), "engines " + std::string(property.name)));

@@ -12,7 +12,7 @@
 #include "one_property_broken.hpp"
 #include "rejection.hpp"
 
-/// Of the solvers with a planted defect each lacks one of the three properties, and no more.
+/// Each solver with a planted defect lacks exactly one of the three properties.
 namespace carom::mutants {
 namespace {
 
@@ -36,7 +36,7 @@ const Property& property_named(std::string_view name) {
 
 class OnePropertyBroken : public testing::TestWithParam<BrokenProperty> {};
 
-/// Of all invariants that the subject claims, these and no others reject it.
+/// Exactly these invariants reject the subject, out of all that it claims.
 TEST_P(OnePropertyBroken, ViolatesTheseInvariantsAlone) {
   constexpr std::uint64_t fixed_seed = 1;
   constexpr std::uint64_t cases_of_each_family = 60;
@@ -59,8 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Each, OnePropertyBroken,
                          testing::ValuesIn(broken_properties().begin(), broken_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// What `linear_momentum` sees alone: where P is the world's origin, an impulse that is lost there has no moment about
-/// it.
+/// Only `linear_momentum` finds this defect: an impulse that is lost at the world's origin has no moment about it.
 TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
   const auto all = broken_properties();
   const auto defect =
@@ -89,7 +88,7 @@ TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
   EXPECT_GT(violated, 50);
 }
 
-/// The defects are in what is planted, not in what it is planted in.
+/// The solvers are sound without the planted defects.
 TEST(UnbrokenSolvers, AreRejectedByNothing) {
   for (const Rejecting& rejecting : rejecting_invariants(unbroken_subjects(), properties::all_families(), 1, 60)) {
     EXPECT_EQ(joined(rejecting), "");

@@ -12,7 +12,8 @@
 
 #include "catalogue.hpp"
 
-/// What the gate hands out of a mutant: a witness that is simpler than the case it was found in, and still one.
+/// The gate reports a witness of a mutant that is simpler than the case in which it was found, and is still a
+/// violation.
 namespace carom::mutants {
 namespace {
 
@@ -68,15 +69,15 @@ TEST_P(Witnesses, AreSimplerAndStillViolateTheirInvariant) {
 INSTANTIATE_TEST_SUITE_P(Of, Witnesses, testing::Values("separating_pulled", "wrong_mass_in_reaction"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// The smallest witness of a pull is as small as one in a textbook: few bits in every number.
+/// The smallest witness of a pull is as small as a textbook example: every number has few bits.
 TEST(Witness, OfAPullIsSmall) {
   const GateReport report = run_gate({subject_of(mutant_named("separating_pulled"))}, options_with({"separating"}));
   const auto& witnesses = report.results.at(0).witnesses;
   const auto push =
       std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
   ASSERT_NE(push, witnesses.end());
-  // At the origin with r_A = r_B = 0, unit masses and one velocity, the simplest collisions cost less than this; a
-  // general one costs thousands.
+  // The simplest collisions cost less than this: at the origin with r_A = r_B = 0, unit masses and one velocity. A
+  // general collision costs thousands.
   constexpr long textbook = 40;
   EXPECT_LT(properties::complexity(push->shrunk.collision), textbook);
 }

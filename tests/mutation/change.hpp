@@ -7,20 +7,20 @@
 #include <type_traits>
 #include <utility>
 
-/// The script mutate.py writes these into its copy of the sources in place of operators and numbers. Each does as the
-/// old one did, except for the one change that the environment variable CAROM_MUTANT names by its number:
+/// mutate.py replaces operators and numbers in its copy of the sources by these. Each behaves like the original,
+/// except for the one change whose number is in the environment variable CAROM_MUTANT:
 ///
-///     a * b     a % Between<7, "*", "/">{} % b
-///     a += b    a += Between<7, "+=", "-=">{} += b
-///     -a        Before<7, "-">{}->*a
-///     a && b    joined<7, "&&">([&] { return bool(a); }, [&] { return bool(b); })
-///     3         number<7, "+ 1">(3)
+///    a * b     a % Between<7, "*", "/">{} % b
+///    a += b    a += Between<7, "+=", "-=">{} += b
+///    -a        Before<7, "-">{}->*a
+///    a && b    joined<7, "&&">([&] { return bool(a); }, [&] { return bool(b); })
+///    3         number<7, "+ 1">(3)
 ///
-/// The new operators have the precedence of the old ones, so the script finds no operands. The parameter Constexpr says
-/// that the compiler may evaluate the function around it: a change is off there.
+/// The new operators have the precedence of the old ones, so the script need not find the operands. The parameter
+/// Constexpr says that the compiler may evaluate the enclosing function. Changes are disabled during that evaluation.
 namespace carom::mutation {
 
-/// An operator as it is written; "left" and "right" stand for that operand alone.
+/// An operator as written in the source. "left" and "right" stand for that operand alone.
 struct Sign {
   char text[8]{};
 
@@ -31,7 +31,7 @@ struct Sign {
   friend constexpr bool operator==(const Sign&, const Sign&) = default;
 };
 
-/// 0 if none is on.
+/// The number of the active change; 0 if there is none.
 [[nodiscard]] inline int number_of_change() {
   static const int number = [] {
     const char* text = std::getenv("CAROM_MUTANT");
@@ -50,7 +50,7 @@ template <int Id, bool Constexpr>
   return number_of_change() == Id;
 }
 
-/// The type of a result: of Eigen's expressions that of the matrix, so that both results have one type.
+/// The type of a result. Eigen expressions become matrices, so that both results have the same type.
 template <class T>
 struct ValueOf {
   using Type = T;
@@ -104,7 +104,7 @@ struct Between {
         return Result(applied<Instead>(std::forward<L>(left), std::forward<R>(right)));
       } else if constexpr (requires {
                              -applied<Written>(left, right);
-                           }) {  // there is no such quotient of matrices, say
+                           }) {  // for example, such a quotient of matrices does not exist
         return Result(-applied<Written>(std::forward<L>(left), std::forward<R>(right)));
       } else {
         return Result(std::forward<L>(left));
@@ -114,7 +114,7 @@ struct Between {
   }
 };
 
-/// A left operand, and what stands behind it.
+/// A left operand together with its operator.
 template <class L, class B>
 struct Half {
   L&& left;
@@ -134,7 +134,7 @@ CAROM_BETWEEN(<)
 CAROM_BETWEEN(!=)
 #undef CAROM_BETWEEN
 
-/// The right side of an assignment, and what stands before it.
+/// The right side of an assignment together with its operator.
 template <class B, class R>
 struct Rest {
   R&& right;
@@ -171,7 +171,8 @@ constexpr bool joined(const L& left, const R& right) {
   return is_conjunction ? left() && right() : left() || right();
 }
 
-/// Another number: twice or half a fraction, one for the fraction zero, one more than an integer, the other truth.
+/// The changed number: twice or half a fraction, one instead of the fraction zero, one more than an integer, the
+/// opposite truth value.
 template <int Id, Sign Instead, bool Constexpr = false, class T>
 constexpr T number(T written) {
   if (!is_on<Id, Constexpr>()) {

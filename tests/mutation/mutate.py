@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Changes one operator, sign, number, comparison or term of the judge at a time, and asks whether the tests notice.
+"""Changes one operator, sign, number, comparison or term of the judge at a time, and checks that a test fails.
 
-In a copy of the sources, build-mutation, each change that is drawn stands behind a switch (change.hpp). The tests
-of tests.txt run once for each change, with CAROM_MUTANT=NUMBER set. A test that fails, crashes or takes too long notices
-the change. What is decided while compiling (static_assert, if constexpr, template arguments, enumerators) is no
-place for a change. A change that does not compile is dropped, with its reason. Exit status 1: less than 92 of 100
-are noticed, more than 5 are dropped, or one survives that docs/internals/mutation.md does not name.
+The copy of the sources is build-mutation. In it, each drawn change is behind a switch (change.hpp). The tests of
+tests.txt run once for each change, with CAROM_MUTANT=NUMBER set. A test detects the change if it fails, crashes or
+takes too long. Code that is evaluated at compile time (static_assert, if constexpr, template arguments,
+enumerators) is not changed. A change that does not compile is dropped, and the reason is printed. The exit status
+is 1 in three cases: fewer than 92 of 100 changes are detected, more than 5 of 100 are dropped, or a survivor is
+missing in docs/internals/mutation.md.
 """
 import argparse
 import collections
@@ -26,8 +27,8 @@ PAGE = "docs/internals/mutation.md"
 MUTATED = [*(f"oracles/{one}" for one in ("laws", "exact", "judge", "filters", "models")), "properties/invariants"]
 TESTS = [line.split() for line in (ROOT / "tests/mutation/tests.txt").read_text().splitlines() if line[0] != "#"]
 LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
-LIMITS = ["timeout", "1800", "prlimit", "--cpu=120", "--as=8589934592"]  # seconds, of the processor, bytes
-# The operators that may stand in place of each, and the one of the same precedence that carries the change.
+LIMITS = ["timeout", "1800", "prlimit", "--cpu=120", "--as=8589934592"]  # seconds, seconds of processor time, bytes
+# The operators that may replace each one, and the operator of the same precedence that implements the change.
 INSTEAD = {"+": ["-", "left", "right"], "-": ["+", "left"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">="],
            "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"],
            "||": ["&&"], "+=": ["-=", "left"], "-=": ["+=", "left"], "*=": ["/="], "/=": ["*="]}
@@ -37,12 +38,12 @@ TOKEN = re.compile(r"""(?P<skip>//[^\n]*|/\*.*?\*/|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]
     |(?P<text>R"\(.*?\)"|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])')
     |(?P<number>(?:0[xX][\da-fA-F.']+(?:[pP][+-]?\d+)?|\d[\d.']*(?:[eE][+-]?\d+)?)[uUlLfF]*)
     |(?P<word>[A-Za-z_]\w*)|(?P<sign><=>|->\*?|&&|\|\||\+\+|--|::|<<|[-+*/%<>=!&|^]=|\S)""", re.S | re.M | re.X)
-Token = collections.namedtuple("Token", "kind text start end before after angle")  # angle: of or in template arguments
+Token = collections.namedtuple("Token", "kind text start end before after angle")  # angle: in or around template arguments
 Place = collections.namedtuple("Place", "path i token instead lines name")  # one change of the token with index i
 
 
 def tokens_of(text):
-    """clang-format puts spaces about operators of two operands, and about no other."""
+    """Whether the operator is binary. clang-format puts spaces around binary operators only."""
     tokens, angles = [], 0
     for match in TOKEN.finditer(text):
         word, start, end, last = match.group(), match.start(), match.end(), tokens[-1].text if tokens else ""
@@ -55,7 +56,7 @@ def tokens_of(text):
 
 
 def regions(tokens):
-    """Tokens for the compiler alone, those in functions that it may evaluate, and those in its constants."""
+    """Tokens evaluated at compile time only, tokens in functions that may be, and tokens in constants."""
     def closing(i):  # the bracket that closes the one at i; i if there is none
         depth = int(tokens[i].text in "([{")
         while depth > 0:
@@ -93,7 +94,7 @@ def extent(tokens, i, step):
 
 
 def edits(place, number, tokens, function, variable):
-    """What a change makes of the text: (position, rank at this position, length to replace, new text)."""
+    """The edits of a change: (position, rank at this position, length to replace, new text)."""
     t, of, end = place.token, "::carom::mutation::", ", true>" if place.i in function else ">"
     if place.i in variable:
         before, keyword = tokens[variable[place.i] - 1:variable[place.i] + 1]
@@ -131,7 +132,9 @@ def places_in(path, text):
 
 
 def drawn(seed, count):
-    """How many places there are, and a sample, one change of each, numbered. An edit redraws its own lines alone."""
+    """The number of places, and a numbered sample with one change per place. Editing a line redraws only its own
+    changes.
+    """
     found, named, rank = [], collections.Counter(), lambda one: hashlib.sha256(f"{seed} {one.name}".encode()).digest()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).glob("*.[ch]pp")):
         for changes in places_in(str(path.relative_to(ROOT)), path.read_text()):
@@ -143,7 +146,7 @@ def drawn(seed, count):
 
 
 def changed(text, places):
-    """The text of a file with its changes behind switches, each on the line where it was."""
+    """The text of a file with its changes behind switches, each on its original line."""
     tokens = tokens_of(text)
     _, function, variable = regions(tokens)
     done = {edit for number, place in places.items() for edit in edits(place, number, tokens, function, variable)}
@@ -153,7 +156,7 @@ def changed(text, places):
 
 
 def write_copy(places):
-    """Of the whole project; a file whose text stays the same keeps its time."""
+    """Copies the whole project. A file whose text does not change keeps its time."""
     for folder, folders, files in os.walk(ROOT):
         folders[:] = [one for one in folders if not re.match(r"\.git$|node_modules$|__pycache__$|build", one)]
         for path in (str((pathlib.Path(folder) / name).relative_to(ROOT)) for name in files):
@@ -166,7 +169,7 @@ def write_copy(places):
 
 
 def broken(log, places):
-    """The changes that the first error of each file speaks of, by number, with the error. Others may follow from it."""
+    """The changes named by the first error of each file, by number, with the error. Later errors may be consequences."""
     found = {}
     for file in log.split("FAILED: ")[1:]:
         lines = [line for line in file.splitlines() if not re.match(r" *\d* \|", line)]
@@ -181,7 +184,7 @@ def broken(log, places):
 
 
 def build(places, jobs):
-    """Builds the tests with all changes in them. Returns those that were dropped, by number, with the reason."""
+    """Builds the tests with all changes. Returns the dropped changes by number, with the reason."""
     known_file = WORK / "dropped.json"
     known = json.loads(known_file.read_text()) if known_file.exists() else {}
     while True:
@@ -202,7 +205,7 @@ def build(places, jobs):
 
 
 def noticed_by(number):
-    """The first test that notices the change; empty if none does."""
+    """The first test that detects the change; empty if none does."""
     for program, tests in TESTS:
         run = subprocess.run([*LIMITS, WORK / "build/tests" / program, f"--gtest_filter={tests}", "--gtest_fail_fast",
                               "--gtest_brief=1"], env={**os.environ, "CAROM_MUTANT": str(number)}, text=True,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""A bare Debian 12, of what debootstrap calls minbase, in which commands run as on a machine that has nothing else."""
+"""A bare Debian 12 (debootstrap's minbase). Commands run in it as on a machine with nothing else installed."""
 
 import os
 import pathlib
@@ -9,9 +9,9 @@ import subprocess
 
 SUITE = "bookworm"
 PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
-# Certificates of this machine, for a network that has its own.
+# The certificates of this machine, for a network with its own certificate authority.
 CERTIFICATES = pathlib.Path("/etc/ssl/certs/ca-certificates.crt")
-SKIPPED = 77  # the exit status of a test that cannot be run here
+SKIPPED = 77  # the exit status of a test that cannot run here
 
 
 class Unavailable(Exception):
@@ -19,7 +19,7 @@ class Unavailable(Exception):
 
 
 def mirror():
-    """Where this machine has the packages of Debian 12 from."""
+    """The source of this machine's packages of Debian 12."""
     found = subprocess.run(
         ["apt-get", "indextargets", "--format", "$(REPO_URI)", "Created-By: Packages", f"Codename: {SUITE}",
          "Component: main"], capture_output=True, text=True, check=False)
@@ -50,7 +50,7 @@ def make_base(folder):
 
 
 class BareDebian:
-    """A copy of the bare system. Folders of this machine are seen in it where `binds` says."""
+    """A copy of the bare system. `binds` maps its folders to folders of this machine."""
 
     def __init__(self, base, root):
         make_base(base)
@@ -70,7 +70,7 @@ class BareDebian:
         self.binds = {}
 
     def run(self, command, environment=None, folder="/", log=None):
-        """The exit status of a command, a list of words; nothing that it started is left running."""
+        """Runs a command, a list of words, and ends its remaining processes. Returns its exit status."""
         words = ["env", "-i", *(f"{name}={value}" for name, value in (self.environment | (environment or {})).items())]
         root = shlex.quote(str(self.root))
         mounts = [f"mount --rbind /dev {root}/dev", f"mount -t proc proc {root}/proc", f"mount -t sysfs sysfs {root}/sys"]

@@ -96,7 +96,7 @@ class ActionScripts(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def judge(self, status=0, **inputs):
-        """What gate.sh calls carom with, one argument on each line, and how it ends."""
+        """The arguments with which gate.sh calls carom, one per line, and its exit status."""
         program = self.folder / "carom"
         program.write_text(f'#!/bin/sh\nprintf "%s\\n" "$@"\nexit {status}\n', encoding="utf-8")
         program.chmod(0o755)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSL-1.0
-"""ci_test.py SOURCE WORK [NAME…]: runs the scripts that docs/guide/ci.md shows, as they stand there, in a bare Debian. Each
-job runs twice. The first run is on a solver with a defect: the job has to fail, and to leave a report. The second run is
-on a sound solver: nothing is built any more. NAME is one of action, github, gitlab, script, container; without it all
-run. The last commit of Carom is taken. Ends in 77 if this machine cannot make a bare Debian."""
+"""ci_test.py SOURCE WORK [NAME…]: runs the scripts of docs/guide/ci.md unchanged in a bare Debian. Each job runs
+twice. The first run tests a solver with a defect: the job must fail and leave a report. The second run tests a
+sound solver, and must build nothing. NAME is one of action, github, gitlab, script, container; without it all run.
+It uses the last commit of Carom. The exit status is 77 if this machine cannot make a bare Debian.
+"""
 
 import os
 import pathlib
@@ -24,7 +25,7 @@ PAGE = "docs/guide/ci.md"
 
 
 class Failure(Exception):
-    """What was expected did not come about."""
+    """An expectation of the test is not met."""
 
 
 def blocks_of(page, language):
@@ -32,7 +33,9 @@ def blocks_of(page, language):
 
 
 class Playground:
-    """The folders that the runs share: Carom as git has it, the user's project, sound and not."""
+    """The folders that the runs share: Carom's git repository, and the user's project with a sound and a defective
+    solver.
+    """
 
     def __init__(self, source, work):
         self.source = source
@@ -69,7 +72,7 @@ class Playground:
     def debian(self, name):
         debian = BareDebian(self.base, self.work / "roots" / name)
         debian.binds["/origin"] = self.work / "origin"
-        # Packages are fetched once; each system installs its own.
+        # Packages are downloaded once; each system installs its own.
         debian.binds["/var/cache/apt/archives"] = self.work / "archives"
         return debian
 
@@ -79,7 +82,7 @@ class Playground:
 
 
 class Run:
-    """One run of something: what it printed, how it ended, how long it took."""
+    """One run of a job: its output, its result and its duration."""
 
     def __init__(self, playground, name, play):
         self.log = playground.work / f"{name}.log"
@@ -97,7 +100,9 @@ class Run:
 
 
 def judge_twice(playground, name, play, keeps):
-    """`play` runs it on a project, into a log; `keeps` says what a run has to leave behind."""
+    """Judges a defective and then a sound solver. `play` runs the job on a project and writes a log. `keeps` checks
+    the artefacts of a run.
+    """
     first = Run(playground, f"{name}-1", lambda log: play(playground.work / "defective", log))
     first.expect(not first.ended_well, "a solver with a defect passed")
     first.expect(first.compiled > 0, "the first run built nothing")
@@ -116,7 +121,9 @@ def expect_report(run, folder, verdict):
 
 
 def play_steps(playground, name, steps, report, environment):
-    """The scripts of a job for GitHub. The folder that its cache would keep is copied from the first run to the second."""
+    """The scripts of a job for GitHub. The folder that its cache would keep is copied from the first run to the
+    second.
+    """
     package = github_steps.cached_folder(steps)
     kept = playground.work / name / "package"
     debian = None
@@ -187,7 +194,7 @@ def play_gitlab(playground):
 
 
 def play_script(playground):
-    """On a machine that stays: what the first run built is there in the second."""
+    """Runs on a persistent machine: the second run finds what the first run built."""
     (script,) = blocks_of(playground.page, "sh")
     debian = playground.debian("script")
     debian.binds["/carom"] = playground.tree("carom-of-the-script")
@@ -207,7 +214,7 @@ def play_script(playground):
 
 
 def play_container(playground):
-    """An image is what is kept: it is built once and run twice."""
+    """Keeps an image: it is built once and run twice."""
     text = (playground.source / "docs/examples/Containerfile").read_text(encoding="utf-8")
     image = None
     entry_point = None
@@ -217,7 +224,7 @@ def play_container(playground):
         if image is None:
             stage = containerfile.build(text, playground.work / "carom", lambda name: playground.debian(f"container-{name}"), log)
             image, entry_point = stage.debian, stage.entry_point
-            # What the example needs, as an image FROM this one would.
+            # The example's own dependency, which an image FROM this one would install.
             image.run(["sh", "-c", "apt-get update -qq && apt-get install -y -qq --no-install-recommends python3"], log=log)
         image.binds["/work"] = project
         shutil.rmtree(project / "report", ignore_errors=True)

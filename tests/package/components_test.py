@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""components_test.py WORK SOURCE [COMPONENT…]: builds and installs each component in a bare Debian of its own, in which
-the packages of src/package/needs.txt are and no others, and uses it from a project outside. All components, if none is
-named. Ends in 77 if this machine cannot make a bare Debian."""
+"""components_test.py WORK SOURCE [COMPONENT…]: builds and installs each component in a separate bare Debian that has
+only the packages of src/package/needs.txt. Then it uses the component from an outside project. It tests all
+components if none is named. The exit status is 77 if this machine cannot make a bare Debian.
+"""
 
 import pathlib
 import re
@@ -11,7 +12,7 @@ import time
 
 from bare_debian import SKIPPED, BareDebian, Unavailable
 
-# What each component is used for, from /consumer: the arguments of cmake, and the programs that have to end with 0.
+# The use of each component, from /consumer: the arguments of cmake, and the programs that must exit with 0.
 USES = {
     "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
@@ -25,7 +26,7 @@ USES = {
 
 
 def needs(source, component):
-    """The Debian packages of the component and of those below it, which src/cmake/components.cmake names."""
+    """The Debian packages of the component and of its dependencies, which src/cmake/components.cmake names."""
     packages = set()
     rows = (source / "src/cmake/components.cmake").read_text(encoding="utf-8")
     below = re.search(rf"set\(carom_{component}_needs (.*)\)", rows)
@@ -38,7 +39,7 @@ def needs(source, component):
 
 
 def try_component(work, source, component):
-    """What went wrong; nothing if all went well."""
+    """The error; nothing if there is none."""
     debian = BareDebian(work / "base", work / component)
     debian.binds |= {"/source": source, "/consumer": source / "tests/consumer"}
     consumer = "/consumer/conformance" if component == "kit" else "/consumer"

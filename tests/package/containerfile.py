@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Builds a Containerfile where there is no container daemon: each stage in a bare Debian of its own."""
+"""Builds a Containerfile without a container daemon: each stage in a separate bare Debian."""
 
 import glob
 import json
@@ -11,7 +11,7 @@ IMAGES = ("debian:12", "debian:12-slim")
 
 
 class Stage:
-    """What has been built of one stage."""
+    """The result of building one stage."""
 
     def __init__(self, debian):
         self.debian = debian
@@ -22,7 +22,7 @@ class Stage:
         return self.debian.root / str(pathlib.PurePosixPath(self.folder, path)).lstrip("/")
 
     def copy(self, sources, target):
-        """COPY: of a folder what is in it."""
+        """Implements COPY. For a folder it copies the content."""
         into = self.outside(target)
         for source in sources:
             if source.is_dir():
@@ -40,7 +40,7 @@ def instructions_of(text):
 
 
 def build(text, context, new_debian, log):
-    """The last stage. `new_debian` makes a bare Debian of a name."""
+    """The last stage. `new_debian` makes a bare Debian with a given name."""
     stages = {}
     stage = None
     for word, rest in instructions_of(text):

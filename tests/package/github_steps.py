@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The shell scripts of a job for GitHub, and the annotations in what they print. Nothing here evaluates an expression:
-ci_parts_test.py demands that no script has one, and that each condition is one of the two below."""
+"""The shell scripts of a job for GitHub, and the annotations in their output. Nothing here evaluates an expression.
+ci_parts_test.py requires that no script contains one, and that each condition is one of the two below.
+"""
 
 import re
 
@@ -12,7 +13,7 @@ ALWAYS = "always()"
 
 
 def read_yaml(text):
-    """YAML 1.1 reads `on` as true. Workflows have it as a name."""
+    """Restores the key `on` of workflows, which YAML 1.1 reads as true."""
     document = yaml.safe_load(text)
     if True in document:
         document["on"] = document.pop(True)
@@ -31,14 +32,14 @@ def cached_folder(steps):
 
 
 def commands_of(steps, has_package):
-    """The command of each script, in order. A step for a cache miss is left out if the package is there."""
+    """The command of each script, in order. A step for a cache miss is omitted if the package exists."""
     shells = {None: ["sh", "-e"], "bash": ["bash", "--noprofile", "--norc", "-eo", "pipefail"]}
     return [[*shells[step.get("shell")], "-c", step["run"]] for step in steps
             if "run" in step and not (has_package and step.get("if") == CACHE_MISS)]
 
 
 def annotations_in(text):
-    """The errors and notices that GitHub would show of what was printed."""
+    """The errors and notices that GitHub would show for this output."""
     found, token = [], None
     for line in text.splitlines():
         command = re.match(r"\s*::([\w-]+)(?: ([^:]*))?::(.*)$", line)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Plays a job of GitLab in a bare Debian: its lines as they stand, its cache and its artefacts."""
+"""Runs a job of GitLab in a bare Debian: its lines unchanged, its cache and its artefacts."""
 
 import re
 import shutil
@@ -9,7 +9,7 @@ KNOWN = {"image", "cache", "script", "artifacts"}
 
 
 class Job:
-    """One run. `store` outlives it: what was cached, and what was kept as artefact."""
+    """One run. `store` survives it, with the cache and the artefacts."""
 
     def __init__(self, job, debian, project, store, variables):
         if set(job) - KNOWN or job["image"] != "debian:12":
@@ -24,7 +24,7 @@ class Job:
         self.cache = store / "cache" / key
 
     def play(self, log):
-        """Whether all lines ended well."""
+        """Whether every line succeeded."""
         (cached,) = self.job["cache"]["paths"]
         if self.cache.exists():
             shutil.copytree(self.cache, self.folder / cached)

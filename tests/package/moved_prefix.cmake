@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P moved_prefix.cmake: the program, installed into WORK and moved, finds what it reads.
+# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P moved_prefix.cmake: the program is installed into WORK and moved. It must
+# find the files that it reads.
 
 include(${CMAKE_CURRENT_LIST_DIR}/../consumer/commands.cmake)
 
@@ -10,17 +11,17 @@ file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")
 set(carom "${prefix}/bin/carom")
 
-# No path of the tree or of the build is in it.
+# The program contains no path of the tree or of the build.
 file(STRINGS "${carom}" paths REGEX "${SOURCE}/|${BUILD}/")
 if(paths)
   message(FATAL_ERROR "${carom} names the tree that it was built from: ${paths}")
 endif()
 
-# The adapters of its own prefix; what is to be typed can be typed as it stands.
+# Uses the adapters of its own prefix. The printed command works as it is.
 run(${CMAKE_COMMAND} -E env --unset=CAROM_ENGINES "${carom}" subjects)
 expect_output("cannon-es is not installed: npm ci --prefix '${prefix}/share/carom/npm'")
 
-# Those of another folder, in which an engine is installed; here in its place the example.
+# Uses the adapters of another folder with an installed engine. Here the example replaces the engine.
 set(engines "${WORK}/my engines")
 file(COPY "${prefix}/share/carom/npm/" DESTINATION "${engines}")
 file(MAKE_DIRECTORY "${engines}/node_modules/cannon-es")
@@ -36,7 +37,7 @@ file(REMOVE "${engines}/cannon.mjs")
 run(${CMAKE_COMMAND} -E env "CAROM_ENGINES=${engines}" "${carom}" subjects)
 expect_output("${engines}/cannon.mjs is not there, in the folder that CAROM_ENGINES names")
 
-# A folder that cannot be written has to be copied. The superuser can write everything.
+# If the folder is not writable, the user must copy it. The superuser can write to any folder.
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT user STREQUAL "0")
   file(CHMOD "${prefix}/share/carom/npm" PERMISSIONS OWNER_READ OWNER_EXECUTE)
@@ -45,6 +46,6 @@ if(NOT user STREQUAL "0")
   expect_output("cp -r '${prefix}/share/carom/npm' ~/carom-engines && npm ci --prefix ~/carom-engines && ")
 endif()
 
-# The page of replays is within the program, and scenes and pages are where the documentation says.
+# The page of replays is part of the program. Scenes and pages are installed at the documented places.
 set(scene "${prefix}/share/doc/carom/docs/examples/scenes/cradle.json")
 run("${carom}" scene "${scene}" --out "${WORK}/scene")

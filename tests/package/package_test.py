@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
-"""package_test.py FOLDER-OF-PACKAGES WORK SOURCE: installs the packages into a bare Debian by apt, and uses what they
-have. Ends in 77 where this machine cannot make one."""
+"""package_test.py FOLDER-OF-PACKAGES WORK SOURCE: installs the packages into a bare Debian by apt, and uses their
+content. The exit status is 77 if this machine cannot make a bare Debian.
+"""
 
 import pathlib
 import sys
@@ -13,11 +14,11 @@ PAGES = "/usr/share/doc/carom"
 
 
 class Failure(Exception):
-    """What was expected did not come about."""
+    """An expectation of the test is not met."""
 
 
 class System:
-    """A bare Debian in which each command has to end and to print as it should."""
+    """A bare Debian that checks the exit status and the output of each command."""
 
     def __init__(self, work, packages):
         self.log_file = work / "log"
@@ -25,7 +26,7 @@ class System:
         self.debian.binds["/packages"] = packages
 
     def expect(self, command, *texts, status=0):
-        """Runs a line of shell; all of the texts have to be in what it prints."""
+        """Runs a line of shell. Its output must contain every one of the texts."""
         began = time.monotonic()
         with open(self.log_file, "w", encoding="utf-8") as log:
             ended = self.debian.run(["/bin/sh", "-ec", command], log=log)
@@ -41,7 +42,7 @@ def check_program(system):
     system.expect("carom --version", "0.1.0")
     system.expect("ldd /usr/bin/carom | grep -c 'not found'", status=1)
     system.expect("carom gate frictionless-double --cases 50", "sound")
-    # What an engine needs and the system does not have is said; what is typed then is tried below.
+    # The output names what an engine lacks on this system. The test runs the printed command below.
     system.expect("carom gate --engines --cases 2 --families generic || test $? -lt 3", "bullet-double", "bullet-float ",
                   "jolt-physics is not installed: npm ci --prefix /usr/share/carom/npm")
     system.expect("su nobody -s /bin/sh -c 'carom subjects'",
@@ -53,7 +54,7 @@ def check_program(system):
     system.expect("carom scene /usr/share/carom/examples/scenes/cradle.json --out /tmp/scene && ls /tmp/scene", "report.html")
     system.expect("carom gate frictionless-double --cases 5 --out /tmp/report && carom badge /tmp/report/report.json", '"1 sound"')
     system.expect(f"carom gate 'exec:python3 {EXAMPLE}' --cases 50", "sound")
-    # Links of the pages lead somewhere, those to the sources aside.
+    # The links of the pages work, except for those to the sources.
     system.expect(f"test -e {PAGES}/docs/examples/solver.py && test -e {PAGES}/docs/reference/schemas/report.schema.json")
     for page in ("README.md", "copyright", "licences/BSL-1.0.txt", "licences/README.md", "docs/guide/ci.md"):
         system.expect(f"test -s {PAGES}/{page}")

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""The exact truth of `carom replay` is, in every component, what the proved laws answer over the rational numbers.
+"""The exact truth of `carom replay` equals, in every component, the answer of the proved laws over the rational
+numbers.
 
 usage: bridge_test.py CAROM PROVED COLLISIONS [FILE…]
 
-PROVED is the program of properties/proofs/bridge, COLLISIONS how many are drawn, of all families in turn; besides are
-those of the files: JSON Lines of collisions, or a witness.
+PROVED is the program of properties/proofs/bridge. COLLISIONS is the number of collisions to draw, from all
+families in turn. Each FILE adds collisions: JSON Lines of collisions, or a witness.
 """
 
 import concurrent.futures
@@ -29,7 +30,7 @@ RADICAL = re.compile(r"(\S+) \+ (\S+) √\((\S+)\)")
 
 
 def drawn(carom):
-    """Of each family that draws valid collisions the first case of each seed."""
+    """The first case of each seed, for each family that draws valid collisions."""
     for seed in itertools.count(1):
         said = subprocess.run([carom, "families", "--format", "json", "--seed", str(seed)], capture_output=True, check=True)
         for family in json.loads(said.stdout):
@@ -48,13 +49,13 @@ def collisions_of(name):
 
 
 def root(number):
-    """The rational root; None where there is none."""
+    """The rational root; None if there is none."""
     over, under = math.isqrt(number.numerator), math.isqrt(number.denominator)
     return Fraction(over, under) if over * over == number.numerator and under * under == number.denominator else None
 
 
 def parts(text):
-    """(p, signed square of q √s) of "p + q √(s)": two such numbers are equal where both are."""
+    """(p, signed square of q √s) of "p + q √(s)". Two such numbers are equal if both parts are equal."""
     if match := RADICAL.fullmatch(text):
         rational, coefficient, under_root = (Fraction(part) for part in match.groups())
         whole = root(under_root)
@@ -76,7 +77,7 @@ def lines_of(command, collisions):
 
 
 def differences(carom, proved, collisions):
-    """How many components were compared, how many of them no rational numbers, and where they differ."""
+    """The number of compared components, the number of those that are irrational, and the differences."""
     truths = lines_of(lambda name: [carom, "replay", name, "--format", "json"], collisions)
     answers = lines_of(lambda name: [proved], collisions)
     if not len(truths) == len(answers) == len(collisions):

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Checks all proofs, and prints the theorems and the axioms that they rest on.
+"""Checks all proofs, and prints the theorems and the axioms that they depend on.
 
 usage: check_proofs.py PROOFS BUILD [--each]
 
-With --each of each theorem, and all that is compiled once more by Coq's separate checker, which takes two minutes more;
-else of all theorems together.
-Fails where a proof does, where one is left out (Admitted), where properties/proofs/theorems.txt does not list a theorem
-of the sources, or lists what is none, and where one rests on an axiom that is not listed there.
+With --each it prints the axioms of each theorem, and Coq's separate checker checks all compiled files again, which
+takes two minutes more. Otherwise it prints the axioms of all theorems together.
+
+It fails if a proof fails or is omitted (Admitted). It also fails if properties/proofs/theorems.txt lacks a theorem
+of the sources, lists something that is no theorem, or lacks an axiom that a theorem depends on.
 """
 
 import pathlib
@@ -17,7 +18,7 @@ import sys
 import coq
 
 LEFT_OUT = re.compile(r"\b(Admitted|Admit|admit|Axioms?|Parameters?|Conjectures?|bypass_check|Unset\s+\w+\s+Checking)\b"
-                      r"|^(?:Variables?|Hypothes[ie]s|Context)\b", re.MULTILINE)  # the last ones stand in sections, indented
+                      r"|^(?:Variables?|Hypothes[ie]s|Context)\b", re.MULTILINE)  # these three occur in sections, indented
 STATED = re.compile(r"\b(?:Theorem|Corollary)\s+([\w']+)")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Checking of the proofs in a directory of their own, beside the sources."""
+"""Checks the proofs in a separate directory, beside the sources."""
 
 import os
 import pathlib
@@ -9,7 +9,7 @@ import subprocess
 
 
 def copied(proofs, build):
-    """The sources in `build`: those of before are replaced, and what was compiled of the same text is kept."""
+    """Copies the sources to `build`. They replace the previous ones; files compiled from the same text are kept."""
     build.mkdir(parents=True, exist_ok=True)
     for source in sorted(proofs.glob("*.v")):
         target = build / source.name
@@ -19,7 +19,7 @@ def copied(proofs, build):
 
 
 def compiled(build, targets=(), jobs=None):
-    """What `make` says of these .vo files, of all where there are none: exit status and text."""
+    """The exit status and the output of `make` for these .vo files, or for all files if there are none."""
     files = sorted(path.name for path in build.glob("*.v"))
     subprocess.run(["coq_makefile", "-Q", ".", "Carom", *files, "-o", "Makefile"], cwd=build, check=True,
                    stdout=subprocess.DEVNULL)
@@ -30,7 +30,9 @@ def compiled(build, targets=(), jobs=None):
 
 
 def assumptions(build, groups):
-    """Of each group of theorems, each as (file, name), the axioms that they rest on, sorted. A group takes half a second."""
+    """The axioms that each group of theorems depends on, sorted. A theorem is given as (file, name). A group takes
+    half a second.
+    """
     lines = [f"Require Carom.{file}." for file in dict.fromkeys(file for group in groups for file, _ in group)]
     for number, group in enumerate(groups):
         all_of_them = ", ".join(f"@Carom.{file}.{name}" for file, name in group)
@@ -56,8 +58,9 @@ def assumptions(build, groups):
 
 
 def rechecked(build):
-    """Of all that is compiled there, lemmas too: the axioms that Coq's separate checker finds, sorted, and what else it
-    takes for granted. A minute."""
+    """The axioms that Coq's separate checker finds in everything compiled there, including lemmas, sorted. Also
+    returns its other assumptions. Takes a minute.
+    """
     files = sorted(path.stem for path in build.glob("*.vo"))
     said = subprocess.run(["coqchk", "-silent", "-o", "-Q", ".", "Carom", *(f"Carom.{file}" for file in files)], cwd=build,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=1200)

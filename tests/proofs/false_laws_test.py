@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""A false law makes a proof fail, and the one that speaks of it.
+"""A false law makes a proof fail: the proof of the theorem about it.
 
 usage: false_laws_test.py PROOFS BUILD
 """
@@ -12,7 +12,7 @@ import unittest
 
 import coq
 
-# (what is false, in which file, what stands there, what is put in its place, the file that fails, the theorem or lemma at which)
+# (the error, its file, the original text, the replacement, the file that fails, the theorem or lemma that fails)
 FALSE_LAWS = [
     ("ε for 1 + ε", "laws", "scaled (- ((1 + restitution c) * approach c) / normal_compliance c) (normal c)",
      "scaled (- (restitution c * approach c) / normal_compliance c) (normal c)", "laws_of_impulse",
@@ -47,18 +47,20 @@ FALSE_LAWS = [
     ("an orientation that shears", "described_bodies", "two * (x * y - w * z)", "two * (x * y + w * z)",
      "described_bodies", "rotation_applied"),
 ]
-# The same law, otherwise written.
+# The same law, written differently.
 TRUE_LAW = ("laws", "inverse_mass (body_a c) + inverse_mass (body_b c)", "inverse_mass (body_b c) + inverse_mass (body_a c)")
 
 
 class FalseLaws(unittest.TestCase):
     def compiled_with(self, file, right, wrong, *targets):
-        """What is said of the proofs of the targets, where in a file one text is put in the place of one that stands there."""
+        """Checks the proofs of the targets after replacing one text in a file. Returns the exit status and the
+        output.
+        """
         changed = coq.copied(proofs, build)
         text = (changed / f"{file}.v").read_text()
         self.assertEqual(text.count(right), 1, "it is not written so any more")
         (changed / f"{file}.v").write_text(text.replace(right, wrong))
-        return coq.compiled(changed, [f"{target}.vok" for target in targets], jobs=1)  # with no more than the statements of others
+        return coq.compiled(changed, [f"{target}.vok" for target in targets], jobs=1)  # checks only the statements of other files, not their proofs
 
     def test_make_the_proof_fail_that_speaks_of_them(self):
         for what, place, right, wrong, file, theorem in FALSE_LAWS:

@@ -6,7 +6,7 @@
 
 #include <carom/report/document/document.hpp>
 
-/// What others wrote is safe in every form, and each form has what it is to have.
+/// Foreign text is safe in every format, and each format has its required parts.
 namespace carom::report {
 namespace {
 

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// It leaves all velocities as they are.
+/// A subject that never changes a velocity.
 Subject idle_subject() {
   Subject subject;
   subject.name = "idle";
@@ -54,7 +54,7 @@ report::Run run_with(const properties::GateReport& report, bool is_shard) {
   return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
 }
 
-/// The shard as it is read from the files that it writes.
+/// The shard, read from the files that the report writes.
 ReadShard read_back(const properties::GateReport& report) {
   const report::Run run = run_with(report, true);
   ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
@@ -97,7 +97,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(read.exit_status(), run.exit_status());
 }
 
-/// With a baseline that knows every violation, only the error is left to fail the run.
+/// With a baseline that contains every violation, only the error makes the run fail.
 TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);

@@ -20,7 +20,7 @@ struct ExactQuadratic {
 
   [[nodiscard]] Rational at(const Rational& s) const { return (c2 * s + c1) * s + c0; }
 
-  /// The vertex, where it is a least value.
+  /// The vertex, if it is a minimum.
   [[nodiscard]] std::optional<Rational> bottom() const {
     if (!(c2 > 0)) {
       return std::nullopt;
@@ -44,7 +44,7 @@ struct ExactQuadratic {
   }
 };
 
-/// What is wrong with a crossing of a quadratic that is 0 or more at 0; nothing where it is right, or undecided.
+/// The error of a crossing of a quadratic that is not negative at 0. Empty if the crossing is right or undecided.
 std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
   switch (found.decision) {
     case Decision::none:
@@ -54,7 +54,7 @@ std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
       if (before > 0 && truth.falls_before(before)) {
         return "it falls before";
       }
-      // To touch 0 at the end of the bounds is to begin to fall there: any later, it has fallen.
+      // A root at the end of the bounds is allowed: right after it, the quadratic must be negative.
       const Rational after = Rational(found.s) + Rational(found.error);
       const Rational instant = Rational(1).times_power_of_two(-1060);
       return truth.falls_before(after + instant) ? "" : "it falls after, or never";
@@ -67,7 +67,7 @@ std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
 
 ExactQuadratic exactly(const UncertainQuadratic& q) { return {Rational(q.c0), Rational(q.c1), Rational(q.c2)}; }
 
-/// One of the quadratics within the radii, at 0 not negative.
+/// A random quadratic within the radii that is not negative at 0.
 ExactQuadratic within(properties::Stream& stream, const UncertainQuadratic& q) {
   const auto moved = [&](double c, double e) { return Rational(c) + Rational(stream.integer(-8, 8), 8) * Rational(e); };
   ExactQuadratic truth{moved(q.c0, q.e0), moved(q.c1, q.e1), moved(q.c2, q.e2)};
@@ -104,7 +104,7 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
       }
     }
   }
-  // It does not leave it undecided: a third of the cases is close to a double root, and radii go up to a hundredth.
+  // Most are decided: a third of the cases is close to a double root, and radii go up to a hundredth.
   EXPECT_GT(decided, 1200);
   EXPECT_GT(crossed, 400);
 }
@@ -112,7 +112,7 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
 TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 1000; ++i) {
-    // D ≥ c₁²/2: the residual is a few u of its terms, so the error a few u of s, times c₁/√D.
+    // D ≥ c₁²/2, so the residual is a few u of its terms. The error is a few u of s, times c₁/√D.
     const double c1 = -stream.between(0.5, 2);
     const double c0 = stream.between(0.1, 1);
     const double c2 = stream.signed_unit() * c1 * c1 / (8 * c0);
@@ -143,7 +143,7 @@ TEST(Crossing, OfSpheresThatTouchIsWhetherTheyRecede) {
 TEST(Crossing, OfWhatRecedesIsNone) {
   EXPECT_EQ(first_crossing({1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}).decision, Decision::none);
   EXPECT_EQ(first_crossing({1, 1, 0, 0x1p-50, 0x1p-50, 0}).decision, Decision::none);
-  // Whether it recedes is not known, nor what it then does.
+  // It is unknown whether it recedes, and how it continues.
   EXPECT_EQ(first_crossing({0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}).decision, Decision::undecided);
 }
 
@@ -156,12 +156,12 @@ TEST(Crossing, OfALineIsItsRoot) {
 }
 
 TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
-  // From the plane itself: 3 s − s², whose other root is the present.
+  // Starts on the plane: 3 s − s² has one root at present. The function finds the other one.
   const Crossing found = first_crossing({0, 3, -1, 0, 0, 0});
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
-  // Placed with an error it is the same root, not the one at 0.
+  // With an error of the position, it finds the same root, not the one at 0.
   const Crossing placed = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
   ASSERT_EQ(placed.decision, Decision::bounded);
   EXPECT_NEAR(placed.s, 3, placed.error);
@@ -180,7 +180,7 @@ TEST(Crossing, AsBoundsOfTimeContainsTheSum) {
     EXPECT_TRUE(Rational(bounds.earliest) <= earliest || bounds.earliest == now);
     EXPECT_TRUE(Rational(bounds.latest) >= latest);
     EXPECT_GE(bounds.earliest, now);
-    // No wider than the error and what three sums of such size round.
+    // The width is at most the error and the rounding of three sums of this size.
     EXPECT_LE(bounds.latest - bounds.earliest, 2 * crossing.error + 16 * roundoff * (now + crossing.s));
   }
 }

@@ -21,7 +21,7 @@ using unit::Vector;
 const Vector at_rest = Vector::Zero();
 
 TEST(ExactTime, OfMirroredPairsIsEqual) {
-  // By a mirror, by exchange and by halves: irrational times, none with the digits of a double.
+  // Contacts related by a mirror, by exchange and by halving. Their times are irrational, so no double equals them.
   const Path middle = path_of({0, 0, 0}, {0, 0, 1}, at_rest, 0.3);
   const Path right = path_of({2, 0.25, 0.1}, {-1, 0, 1.125}, {0, 0, -0.5}, 0.7);
   const Path left = path_of({-2, 0.25, 0.1}, {1, 0, 1.125}, {0, 0, -0.5}, 0.7);
@@ -43,14 +43,14 @@ TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   const auto one = at(1, 1);
   ASSERT_TRUE(one);
   EXPECT_EQ(*one, ExactTime::at(1));
-  // An ulp of the way further.
+  // The contact if the way is longer by one ulp.
   const auto later_by = [&](double delay) {
     return exact_contact(wall, path_of({2 + delay, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   };
   const auto later = later_by(0x1p-51);
   ASSERT_TRUE(later);
   EXPECT_LT(*one, *later);
-  // 1/3 by two constructions, and by doubles beside it.
+  // 1/3 in two constructions, and doubles beside it.
   const auto third = at(3, 1);
   const auto also_third = at(1.5, 0.5);
   ASSERT_TRUE(third && also_third);
@@ -67,7 +67,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   for (int i = 0; i < 200; ++i) {
     const Path a = path_of(stream.vector(), stream.vector(), stream.vector(), 0.1, stream.unit());
     const Vector aside = 3 * stream.vector();
-    // Towards where the other is at 1.
+    // Aimed at the other body's position at time 1.
     const Path b = path_of(aside, position_at(a, 1) - aside, 0.25 * stream.vector(), 0.6);
     if (sign_of_gap(a, b, 0) <= 0) {
       continue;
@@ -86,13 +86,13 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   EXPECT_GT(found, 100);
 }
 
-/// What keep_apart leaves: the least of all speeds. The contact is later than any double.
+/// The slowest speed that keep_apart can leave is the smallest double. The contact is later than any double.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};
   const auto contact = exact_contact(creeping, wall, 0);
   ASSERT_TRUE(contact);
-  // By a signal, where it is not.
+  // Ends by a signal if it has no bounds.
   EXPECT_EXIT(
       {
         const TimeBounds bounds = contact->bounds();
@@ -104,13 +104,13 @@ TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
 TEST(ExactTime, OfAGrazingPassIsNone) {
   const Path sphere = resting({0, 0, 0}, 0.5);
   EXPECT_FALSE(exact_contact(sphere, path_of({-3, 1, 0}, {1, 0, 0}, at_rest, 0.5), 0));
-  // A parabola whose top touches the plane, an ulp off whichever way.
+  // A parabola whose top touches the plane has no contact. With one ulp more speed it has one.
   const Reach ceiling{{0, 0, -1}, -2};
   EXPECT_FALSE(exact_contact(path_of({0, 0, 0}, {1, 0, 4}, {0, 0, -4}, 0.5), ceiling, 0));
   const auto hit = exact_contact(path_of({0, 0, 0}, {1, 0, std::nextafter(4.0, 5)}, {0, 0, -4}, 0.5), ceiling, 0);
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
-  // An ulp nearer, and they touch.
+  // One ulp nearer, they touch.
   EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, at_rest, 0.5), 0));
 }
 
@@ -134,11 +134,11 @@ TEST(ExactTime, OfContactAtPresentIsThePresent) {
   const auto pressed = exact_contact(sphere, path_of({1, 0, 0}, {0, 0, 0}, {-1, 0, 0}, 0.5), 0);
   ASSERT_TRUE(pressed);
   EXPECT_EQ(*pressed, ExactTime::at(0));
-  // Later than the path's own start.
+  // Starts later than the path.
   const auto later = exact_contact(sphere, path_of({2, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 1);
   ASSERT_TRUE(later);
   EXPECT_EQ(*later, ExactTime::at(1));
-  // What has touched and recedes, comes back by acceleration.
+  // A sphere that has touched and recedes returns because of its acceleration.
   const auto back = exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, {-2, 0, 0}, 0.5), 0);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, ExactTime::at(1));
@@ -157,7 +157,7 @@ TEST(SignOfGap, IsThatOfRationalArithmetic) {
       return unit::sign_of(square - radii * radii);
     };
     EXPECT_EQ(sign_of_gap(a, b, time), expected());
-    // Where they all but touch: within an ulp of the radius.
+    // The radius is chosen so that they nearly touch, within an ulp.
     b.radius = std::sqrt((position_at(a, time) - position_at(b, time)).squaredNorm()) - a.radius;
     if (b.radius > 0) {
       EXPECT_EQ(sign_of_gap(a, b, time), expected());

@@ -31,7 +31,7 @@ StruckSphere random_sphere(properties::Stream& stream, const Vector& position, d
   return sphere;
 }
 
-/// Two that touch and approach.
+/// Two spheres that touch and approach.
 Collision random_collision(properties::Stream& stream) {
   const Vector normal = stream.direction().normalized();
   StruckSphere a = random_sphere(stream, 2 * stream.vector(), stream.between(0.2, 1));
@@ -73,8 +73,8 @@ TEST(Impact, AgreesWithTheGenericSolversWithinUlps) {
       const auto expected = generic(law, collision);
       for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
         const Outcome<double> found = struck(law, precision, collision);
-        // Two sums of at most some 40 roundings each; angular velocities are up to 1/R = 5 times a velocity's share,
-        // (5/2) of it, so 128 u of the greatest speed is for what a rounding of the impulse becomes in them.
+        // Two sums of at most about 40 roundings each. Angular velocities are up to 1/R = 5 times a velocity's share,
+        // times 5/2. So 128 u of the greatest speed covers the effect of a rounding of the impulse on them.
         const double u = std::max(roundoff, unit_roundoff(precision));
         const double size = 16;
         const auto ours = vectors(found);
@@ -134,7 +134,8 @@ TEST(KeepApart, IsExact) {
     const Vector b = 2 * stream.vector();
     Vector va = stream.vector();
     Vector vb = stream.vector();
-    // As ε = 0 leaves them: no speed along the normal, but for rounding; every other exactly as drawn.
+    // The velocities after an impact with ε = 0: no speed along the normal, up to rounding, and the other components
+    // as drawn.
     const Vector n = (a - b).normalized();
     va += n.dot(vb - va) * n;
     const Vector before = va;
@@ -146,7 +147,8 @@ TEST(KeepApart, IsExact) {
     }
     EXPECT_TRUE(apart >= 0);
     changed += va == before ? 0 : 1;
-    // By ulps only: the approach was some 8 u of speeds up to 4, over a component of n that is at least 1/√3.
+    // A change of a few ulps: the approach was about 8 u of speeds up to 4. It is divided by a component of n, at
+    // least 1/√3.
     EXPECT_LE((va - before).norm() + (vb - other).norm(), 64 * roundoff * 4);
   }
   EXPECT_GT(changed, 200);

@@ -31,12 +31,12 @@ Arc next(const Arc& arc, const MaterialPair& pair) {
 /// v − R w × n
 Vector slip(const Vector& v, const Vector& w) { return v - ball_radius * w.cross(Vector(0, 0, 1)); }
 
-/// ½ v² + ½ (2/5) R² w², of a unit mass.
+/// ½ v² + ½ (2/5) R² w² of a unit mass.
 double energy(const Vector& v, const Vector& w) {
   return 0.5 * v.squaredNorm() + 0.2 * ball_radius * ball_radius * w.squaredNorm();
 }
 
-/// Numbers of size 1 to 10 that a few products and sums have rounded.
+/// The rounding error of a few products and sums of numbers of size 1 to 10.
 constexpr double few_roundings = 1e-14;
 
 TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
@@ -53,13 +53,13 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
     EXPECT_EQ(sliding.turning.plane, 3U);
     EXPECT_EQ(sliding.path.acceleration.z(), 0);
     EXPECT_NEAR(sliding.path.acceleration.norm(), without_resistance.friction * gravity, few_roundings);
-    // Against the slip.
+    // The acceleration opposes the slip.
     EXPECT_NEAR(sliding.path.acceleration.dot(u), -without_resistance.friction * gravity * u.norm(), 8 * few_roundings);
     EXPECT_NEAR(sliding.path.end - sliding.path.start, 2 * u.norm() / (7 * without_resistance.friction * gravity),
                 8 * few_roundings);
     EXPECT_EQ(sliding.turning.ending, Ending::slip);
     const Arc rolling = next(sliding, without_resistance);
-    // Rolling from where friction has no arm about: (5/7) v + (2/7) R w × n.
+    // The ball rolls with (5/7) v + (2/7) R w × n. Friction has no moment about the contact point.
     const Vector rolls = (5.0 / 7) * v + (2.0 / 7) * ball_radius * w.cross(Vector(0, 0, 1));
     EXPECT_LE((rolling.path.velocity - rolls).norm(), 8 * few_roundings);
     ASSERT_EQ(rolling.turning.phase, Phase::rolling);
@@ -67,19 +67,19 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
     EXPECT_EQ(rolling.turning.angular_velocity.z(), w.z());
     EXPECT_EQ(rolling.path.acceleration, Vector(0, 0, 0));
     EXPECT_EQ(rolling.path.end, never);
-    // What friction took: (1/7) u² of a unit mass.
+    // The energy lost to friction: (1/7) u² of a unit mass.
     EXPECT_NEAR(energy(v, w) - energy(rolling.path.velocity, rolling.turning.angular_velocity), u.squaredNorm() / 7,
                 32 * few_roundings);
   }
 }
 
 TEST(LevelMotion, TopspinAccelerates) {
-  // It rolls faster than it goes.
+  // It rotates faster than it moves.
   const Arc arc = arc_of({1, 0, 0}, {0, 10, 0}, cloth);
   ASSERT_EQ(arc.turning.phase, Phase::sliding);
   EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * gravity);
   EXPECT_LT(arc.turning.angular_acceleration.y(), 0);
-  // Backspin turns a slow ball round.
+  // Backspin reverses a slow ball.
   const Arc drawn = arc_of({1, 0, 0}, {0, -20, 0}, cloth);
   EXPECT_LT(next(drawn, cloth).path.velocity.x(), 0);
 }
@@ -119,7 +119,7 @@ TEST(LevelMotion, SpinDecays) {
 }
 
 TEST(LevelMotion, PhasesEndOneAfterTheOther) {
-  // Slip, roll and spin, each ended by itself, in whatever order.
+  // Slip, roll and spin each end separately, in any order.
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 100; ++i) {
     Arc arc = arc_of({stream.signed_unit(), stream.signed_unit(), 0}, 5 * stream.vector(), cloth);
@@ -161,7 +161,7 @@ TEST(LevelMotion, WithoutFrictionSlidesForEver) {
   EXPECT_EQ(also.path.end, never);
 }
 
-/// A ceiling that gravity presses on, and walls: the same motion, turned.
+/// A ceiling that gravity presses against, and walls: the same motion, rotated.
 TEST(LevelMotion, IsTheSameOnEveryAxis) {
   const Arc arc = arc_of({1, 0.5, 0}, {2, -3, 4}, cloth);
   // x → y → z → x
@@ -171,7 +171,7 @@ TEST(LevelMotion, IsTheSameOnEveryAxis) {
   EXPECT_LE((other.path.acceleration - turned(arc.path.acceleration)).norm(), few_roundings);
   EXPECT_LE((other.turning.angular_acceleration - turned(arc.turning.angular_acceleration)).norm(), 8 * few_roundings);
   EXPECT_NEAR(other.path.end, arc.path.end, few_roundings);
-  // Turned by half a turn about x, up is down.
+  // Half a turn about x exchanges up and down.
   const auto over = [](const Vector& x) { return Vector(x.x(), -x.y(), -x.z()); };
   const Arc below = level_arc({2, -1, gravity}, 3, cloth, true, ball_radius, 0, over({1, 2, ball_radius}),
                               over({1, 0.5, 0}), over({2, -3, 4}));

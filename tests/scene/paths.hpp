@@ -8,7 +8,7 @@
 
 #include "support/exact.hpp"
 
-/// Paths of spheres as the tests draw them.
+/// Paths of spheres, drawn for the tests.
 namespace carom::unit {
 
 using Vector = Vector3<double>;
@@ -29,7 +29,7 @@ using Vector = Vector3<double>;
   return path_of(position, Vector::Zero(), Vector::Zero(), radius);
 }
 
-/// Where a path is, exactly.
+/// The exact position on a path.
 [[nodiscard]] inline ExactVector exact_position(const scene::Path& path, double time) {
   const Rational s = Rational(time) - Rational(path.start);
   ExactVector result;

@@ -34,7 +34,7 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
       } else if (away[axis] < 0) {
         EXPECT_TRUE(over <= 0);
       }
-      // By two ulps at most.
+      // By at most two ulps.
       const double ulp = std::nextafter(std::abs(rounded[axis]), never) - std::abs(rounded[axis]);
       EXPECT_TRUE((over >= 0 ? over : -over) <= Rational(2) * Rational(ulp) || std::abs(rounded[axis]) < 1e-3);
       moved += away[axis] != 0 && over != 0 ? 1 : 0;
@@ -43,7 +43,7 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
   EXPECT_GT(moved, 1000);
 }
 
-/// Back where it began, but for less than the widest format can tell of v + s a/2.
+/// The body returns to its start. The difference is smaller than the rounding of v + s a/2 in the widest format.
 TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
   properties::Stream stream = properties::stream_from(4);
   int returned = 0;
@@ -71,14 +71,14 @@ TEST(RoundedAway, LeavesWhatDoesNotMove) {
   EXPECT_EQ(rounded_away(starting, 7, {1, -1, 1}), starting.position);
 }
 
-/// Two that are rounded away from each other overlap no more than their paths.
+/// Two bodies rounded away from each other overlap no more than their paths.
 TEST(RoundedAway, KeepsApartWhatTouches) {
   properties::Stream stream = properties::stream_from(2);
   int contacts = 0;
   for (int i = 0; i < 1000; ++i) {
     const Path a = path_of(stream.vector(), stream.vector(), {0, 0, -9.81}, 0.25);
     const Vector aside = 3 * stream.vector();
-    // Towards the other, which falls as it does.
+    // Aimed at the other body, with the same gravity.
     const Path b = path_of(aside, a.position - aside + stream.vector(), {0, 0, -9.81}, 0.5);
     if (sign_of_gap(a, b, 0) < 0) {
       continue;
@@ -93,7 +93,7 @@ TEST(RoundedAway, KeepsApartWhatTouches) {
     const Path placed_a = path_of(rounded_away(a, time, away), {0, 0, 0}, {0, 0, 0}, a.radius, time);
     const Path placed_b = path_of(rounded_away(b, time, -away), {0, 0, 0}, {0, 0, 0}, b.radius, time);
     EXPECT_GE(sign_of_gap(placed_a, placed_b, time), 0);
-    // Neither do they part: a few ulps of coordinates up to 10.
+    // They do not separate either: the tolerance is a few ulps of coordinates up to 10.
     EXPECT_LE((placed_a.position - placed_b.position).norm() - a.radius - b.radius, 1e-13);
   }
   EXPECT_GT(contacts, 100);
@@ -118,7 +118,7 @@ TEST(Overlap, IsTheExactSign) {
     const Reach plane{normal, normal.dot(position_at(a, time)) + stream.integer(-2, 2) * 0x1p-53};
     EXPECT_EQ(overlap(a, plane, time, undecided), sign_of_gap(a, plane, time) < 0);
   }
-  EXPECT_GT(undecided, 100U);  // these are the cases that bounds leave open
+  EXPECT_GT(undecided, 100U);  // bounds do not decide these cases
   EXPECT_GT(overlapping, 50);
 }
 

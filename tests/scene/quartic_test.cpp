@@ -15,7 +15,7 @@ namespace {
 using unit::path_of;
 using unit::Vector;
 
-/// What is wrong with bounds of when two paths touch, up to a horizon; nothing where they are right.
+/// The error of the bounds on the time of contact of two paths, up to a horizon. Empty if they are right.
 std::string wrong_with(const TimeBounds& found, const std::optional<ExactTime>& truth, double horizon) {
   const bool in_time = truth && *truth <= ExactTime::at(horizon);
   if (found.earliest == never) {
@@ -35,8 +35,8 @@ struct Pair {
   Path a, b;
 };
 
-/// Two spheres that do not overlap at 0, with accelerations of their own. Often the second is so thrown that it meets
-/// the first, or nearly.
+/// Two spheres that do not overlap at 0, each with its own acceleration. Often the second one is thrown so that it
+/// hits the first, or nearly does.
 Pair random_pair(properties::Stream& stream) {
   const double size = stream.power_of_ten(-1, 1);
   const Path a = path_of(stream.vector() * size, stream.vector(), stream.vector(), stream.between(0.05, 0.5),
@@ -72,18 +72,18 @@ TEST(Quartic, BoundsContainTheExactTime) {
       FAIL() << wrong << ", seed " << seed;
     }
     wide += found.earliest < never && found.latest - found.earliest > 1e-6 ? 1 : 0;
-    // Nor does the quick answer lose one.
+    // The quick answer does not miss a contact either.
     const bool is_apart = stay_apart(pair.a, pair.b, beside, 0, horizon);
     ASSERT_TRUE(!is_apart || found.earliest == never) << seed;
   }
   EXPECT_GT(contacts, 100);
   EXPECT_GT(misses, 50);
-  // Speeds near 1, distances near 3: contacts are known far better than to a millionth.
+  // Speeds near 1 and distances near 3, so contacts are much more accurate than a millionth.
   EXPECT_EQ(wide, 0);
   EXPECT_LT(counts.predictions, 40U);  // bounds decide nearly all
 }
 
-/// Of the same acceleration the gap is a quadratic: the same promise.
+/// With equal accelerations the gap is a quadratic, with the same guarantee.
 TEST(Quadratic, BoundsContainTheExactTime) {
   int contacts = 0;
   ExactCounts counts;
@@ -145,7 +145,7 @@ TEST(Quartic, ThatTouchesZeroIsUndecided) {
   EXPECT_EQ(first_crossing(above).decision, Decision::none);
 }
 
-/// (x² − 1/64)(x² − 9/64) of x = t − 1/2, with the roots 1/8, 3/8, 5/8 and 7/8 on [0, 1], as seen from `begin` on.
+/// (x² − 1/64)(x² − 9/64) with x = t − 1/2, and the roots 1/8, 3/8, 5/8 and 7/8 on [0, 1], relative to `begin`.
 UncertainQuartic with_four_roots(double begin) {
   const double x = begin - 0.5;
   // Its Taylor coefficients at x.
@@ -161,11 +161,12 @@ TEST(Quartic, FindsTheFirstOfFourRoots) {
   const Crossing found = first_crossing(with_four_roots(0.03));
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 0.125 - 0.03, found.error);
-  // Its slope there is −3/32: 2⁻⁴⁸ of height is 11 · 2⁻⁴⁸ of time, which halving meets within a factor 8.
+  // Its slope there is −3/32, so 2⁻⁴⁸ of height is 11 · 2⁻⁴⁸ of time. Bisection reaches this within a factor of 8.
   EXPECT_LE(found.error, 128 * 0x1p-48);
 }
 
-/// Where a point of subdivision is the root itself, the bounds are as narrow: an event takes place at the earlier one.
+/// If a point of subdivision is the root itself, the bounds are equally narrow. An event takes place at the earlier
+/// bound.
 TEST(Quartic, FindsARootInTheMiddle) {
   const Crossing found = first_crossing(with_four_roots(0));
   ASSERT_EQ(found.decision, Decision::bounded);
@@ -174,7 +175,7 @@ TEST(Quartic, FindsARootInTheMiddle) {
 }
 
 TEST(Quartic, BoundsAContactInTheMiddleOfTheSpanNarrowly) {
-  // x = −15/8 + 2 t − t²/2 is −1 at 1/2, of a span of 1.
+  // x = −15/8 + 2 t − t²/2 is −1 at 1/2, in a span of 1.
   const Path rolling = path_of({-1.875, 0, 0}, {2, 0, 0}, {-1, 0, 0}, 0.5);
   const Path waiting = unit::resting({0, 0, 0}, 0.5);
   ExactCounts counts;

@@ -15,8 +15,8 @@ namespace {
 
 using unit::Vector;
 
-/// Two spheres that fly, each from a time of its own, and pass each other after `now` at about the sum of their radii,
-/// where `closeness` is small.
+/// Two spheres in flight, each from its own start time, that pass each other after `now`. If `closeness` is small,
+/// their distance is about the sum of their radii.
 struct Flight {
   SphereStore store;
   Vector gravity{0, 0, 0};
@@ -44,7 +44,7 @@ struct Flight {
     set(1, now - stream.unit(), place + distance * normal, velocity, ahead);
   }
 
-  /// At `target` some time after `now`, with that velocity then.
+  /// Puts the sphere at `target` with this velocity, `ahead` after `now`.
   void set(std::size_t sphere, double start, const Vector& target, const Vector& velocity, double ahead) {
     const double s = now + ahead - start;
     Arc arc;
@@ -76,8 +76,8 @@ TEST(QuickLook, RejectsNothingThatTouches) {
       ASSERT_TRUE(!look_until(horizon, never)) << seed;
       ASSERT_TRUE(!look_until(never, horizon)) << seed;
     }
-    // Up to some time before, as near as it may be: what is rejected the closer look rejects too, whose bounds are of
-    // these two spheres.
+    // Looks until a time before the horizon, possibly very close to it. The closer look rejects everything that the
+    // quick look rejects, because its bounds are for these two spheres.
     const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
     if (look_until(before, never)) {
       ++rejected;

@@ -10,10 +10,10 @@
 #include <carom/scene/simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
 
-/// Scenes as the tests draw them.
+/// Scenes for the tests.
 namespace carom::unit {
 
-/// Spheres and planes of one material.
+/// A scene without bodies, with one material.
 [[nodiscard]] inline scene::Scene empty_scene(Model law, const scene::MaterialPair& pair, double duration) {
   scene::Scene scene;
   scene.law = law;
@@ -38,7 +38,7 @@ inline void add_plane(scene::Scene& scene, const Vector3<double>& normal, const 
   scene.planes.push_back({"plane " + std::to_string(scene.planes.size()), 0, normal, point});
 }
 
-/// By its corners, its own frame's origin at the position.
+/// Adds a polyhedron by its corners, with the origin of its own frame at the position.
 inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double>>& vertices,
                            const Vector3<double>& position, const Vector3<double>& velocity = {0, 0, 0},
                            const Vector3<double>& angular_velocity = {0, 0, 0}) {
@@ -51,7 +51,7 @@ inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double
   scene.polyhedra.push_back(polyhedron);
 }
 
-/// A box about 0, by its edges.
+/// The corners of a box about 0 with these edges.
 [[nodiscard]] inline std::vector<Vector3<double>> centred_box(const Vector3<double>& edges) {
   std::vector<Vector3<double>> corners;
   for (const double x : {-0.5, 0.5}) {
@@ -64,7 +64,7 @@ inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double
   return corners;
 }
 
-/// Corners of the cube from −size to size, four of the eight.
+/// Four of the eight corners of the cube from −size to size.
 [[nodiscard]] inline std::vector<Vector3<double>> centred_tetrahedron(double size) {
   return {{size, size, size}, {size, -size, -size}, {-size, size, -size}, {-size, -size, size}};
 }
@@ -78,7 +78,7 @@ inline void add_box(scene::Scene& scene, double size) {
   }
 }
 
-/// side³ spheres of mixed radii in a cube of that many cells of edge 1, each with a place of its own.
+/// side³ spheres of mixed radii in a cube of as many cells with edge 1, each in its own cell.
 [[nodiscard]] inline scene::Scene box_of_spheres(Model law, const scene::MaterialPair& pair, int side, double duration,
                                                  std::uint64_t gas_seed) {
   properties::Stream stream = properties::stream_from(gas_seed);
@@ -100,15 +100,15 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// side³ boxes, tetrahedra and, where they are asked for, balls, in a cube of that many cells of edge 1: each turned
-/// any way within its own cell.
+/// side³ boxes and tetrahedra, and optionally balls, in a cube of as many cells with edge 1. Each has a random
+/// orientation within its own cell.
 [[nodiscard]] inline scene::Scene box_of_bodies(Model law, const scene::MaterialPair& pair, int side, double duration,
                                                 std::uint64_t gas_seed, bool has_balls) {
   properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
   add_box(scene, side);
   for (int cell = 0; cell < side * side * side; ++cell) {
-    // Bodies reach at most 0.4 from their centres, which are within 0.09 of the cells'.
+    // Bodies reach at most 0.4 from their centres, which are within 0.09 of the cells' centres.
     const Vector3<double> aside = 0.09 * stream.vector();
     const Vector3<double> centre =
         Vector3<double>(cell % side + 0.5, cell / side % side + 0.5, cell / (side * side) + 0.5) + aside;
@@ -130,7 +130,7 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// Up to so many events of a scene, as they are.
+/// Up to `most` events of a scene, unchanged.
 template <class Loop = scene::Simulation>
 [[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
   Loop simulation(std::move(scene));

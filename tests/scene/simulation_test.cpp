@@ -21,7 +21,7 @@ const MaterialPair elastic{1, 0, 0, 0, 0};
 
 MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0, 0}; }
 
-/// Kind and whose, without regard to order.
+/// The kind of the event and the names of its bodies, in sorted order.
 std::tuple<EventKind, std::string, std::string> who(const Scene& scene, const Event& event) {
   std::string first = scene.spheres[event.a.body].name;
   std::string second = event.b ? scene.spheres[event.b->body].name : "plane " + std::to_string(event.plane);
@@ -41,8 +41,8 @@ TEST(Simulation, OfNothingHasNoEvents) {
   EXPECT_TRUE(unit::events_of(unit::empty_scene(Model::frictionless, elastic, 5), 10).empty());
 }
 
-/// Planes that are out of a cell's reach are not asked, and those from the eighth on together: a box behind ten planes
-/// that nothing touches has the events of the box alone.
+/// Planes outside the reach of a cell are skipped, and planes from the eighth on are tested together. So a box behind
+/// ten planes that nothing touches has the same events as the box alone.
 TEST(Simulation, PlanesFarAwayChangeNothing) {
   const Scene box = unit::box_of_spheres(Model::frictionless, elastic, 4, 5, 11);
   Scene more = box;
@@ -79,15 +79,15 @@ TEST(Simulation, BouncesAtTheTimesOfTheClosedForm) {
   double speed = g * time;
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
-    // What bounds a time is some 28 u of the height's terms, twice, beside the speed: less than 128 u of a time
-    // below 1. An event is early by so much, and its speed less by g of it.
+    // The bounds of a time are about 28 u of the height's terms, twice, divided by the speed. This is less than 128 u
+    // of a time below 1. An event is early by this amount, and its speed is smaller by g times it.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
     EXPECT_EQ(events[bounce].a.after.path.velocity.x(), 0);
     time += 2 * speed / g;
   }
-  // Until it rises no higher than 10⁻⁶ of the radius: ε²ⁿ h ≤ 10⁻⁶ R, n = 25.2…: the 26th is no bounce.
+  // Until it rises no higher than 10⁻⁶ of the radius: ε²ⁿ h ≤ 10⁻⁶ R, n = 25.2…, so the 26th is no bounce.
   const Event& last = events.back();
   EXPECT_EQ(events.size(), 26U);
   EXPECT_EQ(last.kind, EventKind::capture);
@@ -112,7 +112,7 @@ TEST(Simulation, ThrowsABallFromWallToWall) {
       time += 8 / speed;
       speed *= restitution;
       EXPECT_EQ(events[k].plane, k % 2 == 0 ? 1U : 0U);
-      // 128 u of each flight: see above.
+      // 128 u of each flight, by the bound in the test of bounces.
       EXPECT_NEAR(events[k].time, time, 128 * roundoff * time);
       EXPECT_EQ(events[k].a.after.path.velocity, Vector(k % 2 == 0 ? -speed : speed, 1, 0));
     }
@@ -177,7 +177,7 @@ TEST(Simulation, PassesTheBlowOnThroughACradle) {
 }
 
 TEST(Simulation, TakesOfEqualTimesTheLowerSpheresFirst) {
-  // One ball hits two at once; listed in all orders it is always the pair of lower numbers that comes first.
+  // One ball hits two at once. In any order of the list, the pair with the lower numbers comes first.
   std::vector<std::size_t> order{0, 1, 2};
   do {
     Scene scene = unit::empty_scene(Model::frictionless, elastic, 4);
@@ -197,15 +197,15 @@ TEST(Simulation, TakesOfEqualTimesTheLowerSpheresFirst) {
     const std::size_t high = std::max(order[1], order[2]);
     EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
     EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
-    // √(1 − 0.75²) from the centre. Terms of the squared gap up to 14, each known to some 28 u, beside √D = 1.3: twice
-    // 3 · 14 · 28 u/1.3.
+    // √(1 − 0.75²) from the centre. The terms of the squared gap are up to 14, each accurate to about 28 u. Divided
+    // by √D = 1.3, this is twice 3 · 14 · 28 u/1.3.
     EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
     EXPECT_NEAR(events[1].time, events[0].time, 2048 * roundoff);
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST(Simulation, CountsExactTies) {
-  // Pairs that are each other's mirror images, and two balls that reach one plane at once.
+  // Pairs that are mirror images, and two balls that reach one plane at the same time.
   Scene scene = unit::empty_scene(Model::frictionless, elastic, 3);
   for (const double side : {1.0, -1.0}) {
     unit::add_sphere(scene, 0.3, {3 * side, 0.1, 0}, {0, 0, 0});
@@ -239,9 +239,9 @@ TEST(Simulation, IsDeterministic) {
   }
 }
 
-/// Of two runs that round differently: an impact enlarges a difference by 1 + 2 l/(R cos θ), less than 32 where paths
-/// are shorter than 2 and radii greater than 0.2, but for grazing ones. 24 events of 8 spheres are about 3 to a sphere
-/// one after the other, up to 6: 32⁶ · 2⁻⁵² is 2⁻²².
+/// The tolerance for two runs that round differently. An impact enlarges a difference by 1 + 2 l/(R cos θ). This is
+/// less than 32 for paths shorter than 2 and radii above 0.2, except for grazing impacts. In 24 events of 8 spheres,
+/// a sphere has about 3 in a row, up to 6: 32⁶ · 2⁻⁵² is 2⁻²².
 constexpr std::size_t early_events = 24;
 constexpr double early_tolerance = 0x1p-22;
 
@@ -290,7 +290,7 @@ TEST(Simulation, TurnsWithTheScene) {
 
 using Wide = long double;
 
-/// The first time from `now` on at which a quadratic of it falls below 0; never where it does not.
+/// The first time from `now` on at which the quadratic falls below 0; never if it does not.
 Wide first_fall(Wide c0, Wide c1, Wide c2) {
   const Wide discriminant = c1 * c1 - 4 * c0 * c2;
   if (c1 >= 0 && c2 >= 0) {
@@ -302,7 +302,8 @@ Wide first_fall(Wide c0, Wide c1, Wide c2) {
   return (c1 + std::sqrt(discriminant)) / (-2 * c2);
 }
 
-/// By the state that a run has, and by all pairs and planes: who is next, and when. No grid, queue or bounds.
+/// The next event and its time, computed from the current state over all pairs and planes. It uses no grid, queue or
+/// bounds.
 struct Next {
   Wide time = never;
   std::uint32_t sphere = 0;
@@ -362,14 +363,14 @@ TEST(Simulation, LosesNoEvent) {
       } else {
         ASSERT_EQ(event->plane, expected.plane);
       }
-      // Not after it, and before it by no more than rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds from 10⁻³ on.
+      // Not later, and earlier only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
       EXPECT_LE(static_cast<Wide>(event->time), expected.time + 1e-15L * (1 + expected.time));
       EXPECT_NEAR(event->time, static_cast<double>(expected.time), 1e-11);
     }
   }
 }
 
-/// As `keep_apart` may leave a sphere: it does not come anywhere in the scene's time.
+/// A possible result of `keep_apart`: the sphere does not get anywhere within the scene's time.
 TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   Scene scene = unit::empty_scene(Model::frictionless, elastic, 10);
   unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
@@ -377,7 +378,7 @@ TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
-/// A ball rolls to another; whatever the span that is looked at, they meet where they touch.
+/// A ball rolls to another. They meet in contact, for any span that the search covers.
 TEST(Simulation, LetsRollingBallsMeetWhereTheyTouch) {
   for (const double duration : {1.0, 1.1, 2.0, 3.0}) {
     Scene scene = unit::empty_scene(Model::coulomb, {1, 0.25, 0, 0.125, 0}, duration);
@@ -386,7 +387,7 @@ TEST(Simulation, LetsRollingBallsMeetWhereTheyTouch) {
     unit::add_sphere(scene, 0.5, {-1.875, 0, 0}, {2, 0, 0});
     scene.spheres[0].angular_velocity = {0, 4, 0};
     unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
-    // Far off, so that cells are wide and it is the duration that ends the span.
+    // Far away, so that cells are wide and the duration ends the span.
     unit::add_sphere(scene, 0.5, {100, 100, 0}, {0, 0, 0});
     int impacts = 0;
     for (const Event& event : unit::events_of(scene, 1000)) {

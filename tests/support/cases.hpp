@@ -10,18 +10,18 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The collisions that the tests draw. Fixed seeds: a failure comes again.
+/// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
 namespace carom::unit {
 
 inline constexpr std::uint64_t seed = 20240607;
 
-/// The case of a family. Precondition: there is such a family.
+/// A case of a family. Precondition: the family exists.
 [[nodiscard]] inline properties::Case case_of(std::string_view family, std::uint64_t index) {
   return properties::drawn_case(*properties::family_named(family), seed, index);
 }
 
-/// Cases of each family of valid collisions, with the family's name. Throws std::logic_error if there are none: a loop
-/// over nothing tests nothing.
+/// Cases of each family of valid collisions, with the family's name. Throws std::logic_error if there are none,
+/// because a loop over nothing tests nothing.
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> valid_cases(std::uint64_t of_each) {
   std::vector<std::pair<std::string_view, properties::Case>> cases;
   for (const properties::Family& family : properties::all_families()) {
@@ -35,8 +35,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
-/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments of
-/// 1/2 its K is diag(3, 1, 3).
+/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments
+/// of 1/2 its K is diag(3, 1, 3).
 [[nodiscard]] inline Collision ball_on_a_plane(double moment, double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(moment);
@@ -48,7 +48,7 @@ inline constexpr std::uint64_t seed = 20240607;
   return c;
 }
 
-/// A general K and great friction: by the law `coulomb` one answer sticks and two slip (docs/findings/friction.md).
+/// A general K and large friction: by the law `coulomb` one answer sticks and two slip (docs/findings/friction.md).
 [[nodiscard]] inline Collision case_with_three_answers() {
   properties::Stream stream = properties::case_stream(1, "structured", 181);
   Collision c = properties::family_named("structured")->generate(stream).collision;
@@ -66,8 +66,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return {x, y, z};
 }
 
-/// A valid collision of small dyadic numbers k/8, where zeros and equal numbers are common; A is movable, B mostly. The
-/// normal points so that the contact does not separate: colliding, or resting once in a while.
+/// A valid collision of small dyadic numbers k/8, with frequent zeros and equal numbers. A is movable, and B usually
+/// is. The normal is chosen so that the contact collides or, rarely, rests.
 [[nodiscard]] inline Collision small_collision(properties::Stream& stream) {
   Collision c;
   for (Body* body : {&c.a, &c.b}) {
@@ -92,7 +92,7 @@ inline constexpr std::uint64_t seed = 20240607;
     c.normal[1] = 1;
   }
   c.restitution = stream.integer(0, 8) / 8.0;
-  // Exact, since all of these have few bits.
+  // Exact, because all of these numbers have few bits.
   const Vector3<double> arm_a = c.point - c.a.position;
   const Vector3<double> arm_b = c.point - c.b.position;
   const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {

@@ -6,8 +6,8 @@
 
 namespace carom::unit {
 
-/// How many of `full` cases a heavy test takes: the share that the environment variable CAROM_EFFORT says, rounded up.
-/// All of them if it is not set. CTest sets it where the test is only sampled (tests/CMakeLists.txt).
+/// The number of cases of a heavy test: the share of `full` in the environment variable CAROM_EFFORT, rounded up. It
+/// is `full` if the variable is not set. CTest sets it if the test is only sampled (tests/CMakeLists.txt).
 [[nodiscard]] inline int effort(int full) {
   const char* const share = std::getenv("CAROM_EFFORT");
   return share == nullptr ? full : static_cast<int>(std::ceil(full * std::strtod(share, nullptr)));

@@ -11,7 +11,7 @@
 
 #include "support/cases.hpp"
 
-/// Rational arithmetic as the tests write it.
+/// Rational arithmetic for the tests.
 namespace carom::unit {
 
 using oracles::Rational;

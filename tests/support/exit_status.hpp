@@ -6,7 +6,7 @@
 
 namespace carom::unit {
 
-/// What run() returns; where it throws, 2, and a line on standard error.
+/// Returns the result of run(). If run() throws, prints a line on standard error and returns 2.
 template <class Run>
 [[nodiscard]] int exit_status(const char* program, const Run& run) {
   try {

@@ -6,7 +6,7 @@
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
-/// A law differentiated as a whole, in enclosures: what implicit differentiation is held against.
+/// Differentiates a law as a whole, in enclosures. Implicit differentiation is compared with it.
 namespace carom::unit {
 
 using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs>;
@@ -17,7 +17,7 @@ using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs
       collision, [](double x) { return oracles::Enclosure(x); });
 }
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y, from above.
+/// An upper bound of Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y.
 [[nodiscard]] inline double sensitivity_above(std::initializer_list<const EnclosedDual*> components,
                                               const std::vector<oracles::Quantity>& quantities) {
   return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {

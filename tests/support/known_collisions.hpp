@@ -8,7 +8,7 @@
 
 #include <carom/collision/collision.hpp>
 
-/// Collisions of which known values are kept. They are written out here, so that no change of a family changes them.
+/// Collisions with recorded values. They are written out here, so that they do not depend on the families.
 namespace carom::unit {
 
 struct KnownCollision {
@@ -16,7 +16,7 @@ struct KnownCollision {
   Collision collision;
 };
 
-/// Nothing in it is special: two turned bodies that spin and collide, with some friction.
+/// A collision without special features: two rotated bodies that spin and collide, with some friction.
 [[nodiscard]] inline Collision plain_collision() {
   Collision c;
   c.a = {false, 2, {0.5, 0.75, 1}, {1, 0.5, -0.25, 0.125}, {0.25, 1.5, -0.5}, {1.5, -3, 0.75}, {0.5, -1.25, 2}};
@@ -39,7 +39,7 @@ struct KnownCollision {
   return c;
 }
 
-/// N·V⁻ is ±2⁻⁵¹, by velocities of order 1.
+/// N·V⁻ is ±2⁻⁵¹, with velocities of order 1.
 [[nodiscard]] inline Collision grazing_collision(double sign) {
   Collision c = plain_collision();
   c.a.velocity = {2, -0.25 + sign * 0x1p-52, 0};

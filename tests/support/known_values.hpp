@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Numbers that are kept in a file beside a test.
+/// Numbers recorded in a file beside a test.
 namespace carom::unit {
 
 /// A name without a line break, and numbers.
@@ -13,8 +13,8 @@ struct KnownLine {
   std::vector<double> numbers;
 };
 
-/// Expects the lines of the file: the same names, and numbers that agree to five digits. If one does not, the
-/// present lines are written to the directory of temporary files, and the failure names the file.
+/// Expects the lines of the file: the same names, and numbers that agree to five digits. If one differs, writes the
+/// actual lines to the directory of temporary files, and the failure names the file.
 void expect_known_lines(const std::string& file, const std::vector<KnownLine>& lines);
 
 }  // namespace carom::unit

@@ -10,11 +10,14 @@
 
 namespace carom::bounds {
 
-/// How large a number can become, and how small without being zero, by running the code that computes it: binary
-/// logarithms, so that no range ends. `above`: |x| ≤ 2^above. `below`: x is positive, a sum of squares or a product of
-/// such, and x ≥ 2^below; not a number where that is not known. `unit`: x is a multiple of 2^unit, and so at least that
-/// where it is not zero, as rounded sums and products of doubles are; −∞ where it is not known. Whatever was computed
-/// since `forget()` is at most 2^highest().
+/// Bounds the size of a number by running the code that computes it on binary logarithms, whose range does not end.
+///
+/// - `above`: |x| ≤ 2^above.
+/// - `below`: x ≥ 2^below > 0, if x is a sum of squares or a product of such sums. NaN if it is not known.
+/// - `unit`: x is a multiple of 2^unit, as rounded sums and products of doubles are. So |x| ≥ 2^unit unless x is zero.
+///  −∞ if it is not known.
+///
+/// Everything computed since `forget()` is at most 2^highest().
 class Magnitude {
  public:
   Magnitude() = default;
@@ -22,7 +25,7 @@ class Magnitude {
   Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {  // NOLINT(google-explicit-constructor)
     unit_ = exact == 0 ? infinity : 0;
   }
-  /// Any number of this size: of either sign, with all its bits.
+  /// Any number of this size, of either sign, with all its bits.
   explicit Magnitude(double size) {
     if (size != 0) {
       above_ = std::log2(std::abs(size));
@@ -32,7 +35,7 @@ class Magnitude {
     }
   }
 
-  /// Any number of at most that size; its unit as if it were the number itself.
+  /// Any number of at most this size. Its unit is that of the number itself.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
@@ -51,8 +54,8 @@ class Magnitude {
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
 
-  /// What a theorem says of divisors that the code alone gives no lower bound of: each is at least 2^below, as long as
-  /// this object lives.
+  /// A lower bound of divisors from a theorem, if the code alone gives none. During the lifetime of this object, each
+  /// divisor is at least 2^below.
   class DivisorsAtLeast {
    public:
     explicit DivisorsAtLeast(double below) : outer_(divisors_below()) { divisors_below() = below; }
@@ -126,7 +129,8 @@ class Magnitude {
   }
   friend Magnitude hypot(const Magnitude& x, const Magnitude& y) { return sqrt(x * x + y * y); }
 
-  // By the upper bounds, for code that asks whether a number is of ordinary size: what is too large is not.
+  // Compares upper bounds, for code that checks whether a number has an ordinary size. A number that is too large
+  // fails.
   friend bool operator==(const Magnitude& x, int zero) { return zero == 0 && x.is_zero(); }
   friend bool operator<=(const Magnitude& x, const Magnitude& y) { return x.above_ <= y.above_; }
   friend bool operator>=(const Magnitude& x, const Magnitude& y) { return y <= x; }
@@ -161,7 +165,7 @@ class Magnitude {
   double below_ = unknown;
   double unit_ = infinity;
   bool is_positive_ = false;
-  int identity_ = 0;  // two of the same make a square
+  int identity_ = 0;  // a product of equal ones is a square
 };
 
 }  // namespace carom::bounds

@@ -8,26 +8,30 @@
 
 #include "support/cases.hpp"
 
-/// The laws of a field, written once for every type of number. What a type has to say of itself is a specialisation of
-/// NumberType, in a small file of its own that instantiates the suite.
+/// The laws of a field, written once for every type of number. Each type provides a specialisation of NumberType, in
+/// a small file that instantiates the suite.
 namespace carom::unit {
 
-/// For a type T:
-///   static T draw(properties::Stream&)   any number, zero at times;
-///   static bool is_zero(x)               whether x is, or may be, zero: nothing is divided by it;
-///   static bool same(x, y)               whether both are the same number in the same bits, and their bounds too;
-///   static bool same_value(x, y)         the same but for their bounds, where they have any;
-///   static bool agrees(x, y, terms)      whether both can be the same real number. A type that is exact asks whether
-///                                        they are; one with a bound, whether the bounds meet; one that rounds without
-///                                        a bound, whether they differ by a few of its roundings of `terms`;
-///   static double size(x)                |x|, roughly; for `terms`.
+/// The members for a type T:
+///
+///  static T draw(properties::Stream&)   a random number, sometimes zero
+///  static bool is_zero(x)               whether x is or may be zero, so that it must not be a divisor
+///
+///  static bool same(x, y)               whether both have the same bits, including their bounds
+///  static bool same_value(x, y)         whether both have the same bits, except for their bounds
+///
+///  static bool agrees(x, y, terms)      whether both can be the same real number
+///  static double size(x)                |x|, approximately; for `terms`
+///
+/// For an exact type, `agrees` tests equality. For a type with bounds, it tests whether the bounds overlap. For a
+/// type that rounds without a bound, it tests whether x and y differ by a few of its roundings of `terms`.
 template <class T>
 struct NumberType;
 
 template <class T>
 class NumberLaws : public testing::Test {
  protected:
-  /// visit(x, y, z), often enough.
+  /// Calls visit(x, y, z) sufficiently often.
   template <class Visit>
   static void for_each_triple(const Visit& visit) {
     for (std::uint64_t i = 0; i < 400; ++i) {
@@ -45,7 +49,7 @@ class NumberLaws : public testing::Test {
 
 TYPED_TEST_SUITE_P(NumberLaws);
 
-/// Also of numbers that are rounded: x + y and y + x are the same bits. A bound of them may be rounded otherwise.
+/// Holds for rounded numbers too: x + y and y + x have the same bits. Their bounds may round differently.
 TYPED_TEST_P(NumberLaws, CommuteBitForBit) {
   this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
     EXPECT_TRUE(NumberType<TypeParam>::same_value(x + y, y + x));
@@ -96,7 +100,7 @@ TYPED_TEST_P(NumberLaws, HaveInverses) {
   });
 }
 
-/// Sums and products of small integers are those of int, without rounding in any type.
+/// Sums and products of small integers equal those of int, without rounding, in any type.
 TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
   for (int i = -9; i <= 9; ++i) {
     for (int j = -9; j <= 9; ++j) {
@@ -105,7 +109,7 @@ TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j), 0)) << i << ' ' << j;
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x - y, TypeParam(i - j), 0)) << i << ' ' << j;
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x * y, TypeParam(i * j), 0)) << i << ' ' << j;
-      // And told apart, so that `agrees` is no empty word.
+      // Different numbers do not agree, so `agrees` is not vacuous.
       EXPECT_FALSE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j + 1), 1)) << i << ' ' << j;
     }
   }
@@ -128,7 +132,7 @@ TYPED_TEST_P(NumberLaws, AssignAsTheyCompute) {
 
 /// An operand may be the number that is assigned to.
 TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
-  // In a way that compilers do not warn of.
+  // Avoids a compiler warning.
   const auto itself = [](const TypeParam& x) -> const TypeParam& { return x; };
   this->for_each_triple([&](const TypeParam& x, const TypeParam&, const TypeParam&) {
     TypeParam sum = x;
@@ -148,7 +152,7 @@ TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
   });
 }
 
-/// As the laws use them: (x × y)·z = x·(y × z), and x × x = 0.
+/// As the laws use Eigen: (x × y)·z = x·(y × z), and x × x = 0.
 TYPED_TEST_P(NumberLaws, GoThroughEigen) {
   using Type = NumberType<TypeParam>;
   for (std::uint64_t i = 0; i < 100; ++i) {

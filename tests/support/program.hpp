@@ -16,22 +16,22 @@ struct RunResult {
   std::string errors;
 };
 
-/// `carom ARG…`, without a shell.
+/// Runs `carom ARG…` without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
-/// Where it is.
+/// The path of `carom`.
 [[nodiscard]] std::string carom_program();
 
-/// Any other program, by its path.
+/// Runs any other program, given by its path.
 [[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
 
-/// Starts `carom ARG…` and goes on, its output dropped.
+/// Starts `carom ARG…` and returns at once. The output is discarded.
 [[nodiscard]] pid_t start_carom(const std::vector<std::string>& arguments);
 
-/// Waits for a started one: its exit status, or -1 where a signal ended it.
+/// Waits for a started process. Returns its exit status, or -1 if a signal ended it.
 [[nodiscard]] int wait_for(pid_t process);
 
-/// A directory of its own, removed at the end.
+/// A new directory that is removed at the end.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();

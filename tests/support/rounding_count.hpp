@@ -9,11 +9,12 @@
 
 namespace carom::bounds {
 
-/// What rounding does to a number, by running the code that computes it. The computed number is Σ t Π (1 + δ), |δ| ≤ u,
-/// over the terms t of the exact one: carried along are the most roundings n that a term went through, and Σ|t|. It is
-/// then off by at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §3.1). Operations with 0 and products with powers of two are exact. Quotients by numbers other than
-/// these: the divisor is a sum of positive terms, so that it is good to its roundings relatively, and at least 1.
+/// Bounds the rounding error of a number by running the code that computes it. The computed number is Σ t Π (1 + δ)
+/// over the terms t of the exact one, with |δ| ≤ u. The type tracks the largest number n of roundings of a term, and
+/// Σ|t|. So the error is at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham, Accuracy and Stability of
+/// Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of two, are exact. Any
+/// other divisor must be at least 1, and a sum of positive terms, so that its relative error is that of its
+/// roundings.
 class RoundingCount {
  public:
   RoundingCount() = default;
@@ -23,13 +24,13 @@ class RoundingCount {
   explicit RoundingCount(long double exact)
       : terms_(static_cast<double>(std::abs(exact))), is_power_of_two_(is_power_of_two(exact)) {}
 
-  /// An input: any number of at most this size, which has come with so many roundings.
+  /// An input: any number of at most this size, with this many earlier roundings.
   [[nodiscard]] static RoundingCount input(double size = 1, int roundings = 0) { return {roundings, size}; }
 
   [[nodiscard]] int roundings() const { return roundings_; }
   [[nodiscard]] double terms() const { return terms_; }
 
-  /// n Σ|t|: by how many u the computed number is off, to first order.
+  /// n Σ|t|: the error of the computed number in u, to first order.
   [[nodiscard]] double error() const { return roundings_ * terms_; }
 
   friend RoundingCount operator-(const RoundingCount& x) { return x; }
@@ -63,10 +64,10 @@ class RoundingCount {
   RoundingCount& operator/=(const RoundingCount& y) { return *this = *this / y; }
 
   friend RoundingCount abs(const RoundingCount& x) { return x; }
-  /// Of a sum of positive terms: half of its roundings, and one.
+  /// For a sum of positive terms: half of its roundings, plus one.
   friend RoundingCount sqrt(const RoundingCount& x) { return {(x.roundings_ + 1) / 2 + 1, std::sqrt(x.terms_)}; }
 
-  // By Σ|t|, for code that asks whether a number is of ordinary size.
+  // Compares Σ|t|, for code that checks whether a number has an ordinary size.
   friend bool operator==(const RoundingCount& x, const RoundingCount& y) { return x.terms_ == y.terms_; }
   friend bool operator<=(const RoundingCount& x, const RoundingCount& y) { return x.terms_ <= y.terms_; }
   friend bool operator>=(const RoundingCount& x, const RoundingCount& y) { return y <= x; }

@@ -7,8 +7,8 @@
 
 namespace carom::unit {
 
-/// Whether this process runs a test of the present suite with a parameter of this name: the filter and the shard leave
-/// some out. A pass over many cases that the tests of a suite share does only what these need. To be called in
+/// Whether this process runs a test of the current suite with a parameter of this name. The filter and the shard may
+/// exclude it. A pass over many cases that the tests of a suite share computes only what these need. Call it in
 /// SetUpTestSuite.
 [[nodiscard]] inline bool is_selected(std::string_view parameter) {
   const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();

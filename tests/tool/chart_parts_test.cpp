@@ -14,7 +14,7 @@
 namespace carom::tool::chart {
 namespace {
 
-using namespace report;  // what is tested
+using namespace report;  // the code under test
 
 TEST(ChartParts, QuantilesAreOfTheNearestRank) {
   const std::vector<double> values{1, 2, 3, 4};
@@ -106,7 +106,7 @@ TEST(ChartParts, LabelsDoNotCoverEachOther) {
   const Panel panel{{0, 1, false, 0, 1000}, {0, 1, false, 0, 1000}};
   std::vector<Label> labels;
   std::vector<Pixel> places;
-  for (int i = 0; i < 12; ++i) {  // marks that stand almost on each other
+  for (int i = 0; i < 12; ++i) {  // marks that nearly coincide
     places.push_back({500 + 3.0 * i, 500});
     labels.push_back({std::to_string(i + 1), places.back(), "#000000"});
   }

@@ -68,7 +68,7 @@ TEST(Documents, FindStatementsByTheirWholeName) {
 }
 
 TEST(Documents, TheoremsThatInvariantsNameAreProved) {
-  // Of these the axioms are held against what is permitted, as well.
+  // The axioms of these theorems are also compared with the permitted ones.
   const std::string listed = content_of(proofs + "theorems.txt");
   std::size_t count = 0;
   for (const properties::Invariant& invariant : properties::all_invariants()) {
@@ -82,13 +82,13 @@ TEST(Documents, TheoremsThatInvariantsNameAreProved) {
   EXPECT_GT(count, properties::all_invariants().size());
 }
 
-/// What stands between the first `begin` and the next `end`.
+/// The text between the first `begin` and the next `end`.
 std::string section(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t at = text.find(begin);
   return at == std::string::npos ? "" : text.substr(at, text.find(end, at + begin.size()) - at);
 }
 
-/// Of which models an invariant is proved, where it is claimed for more.
+/// The models for which an invariant is proved, if it is claimed for more.
 std::string proved_of(std::string_view invariant) {
   static const std::map<std::string_view, std::string> some{
       {"restitution", " of frictionless, reflection, sticking, rough"},
@@ -100,7 +100,7 @@ std::string proved_of(std::string_view invariant) {
   return found == some.end() ? "" : found->second;
 }
 
-/// The page and both lists of the program.
+/// Compares the page with both lists of the program.
 TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
   const std::string page = content_of(pages + "reference/invariants.md");
   std::istringstream text(run_carom({"invariants"}).output);

@@ -17,7 +17,7 @@
 #include "io/this_environment.hpp"
 #include "support/program.hpp"
 
-/// What the report says of compiler flags, held against the compile lines of this build.
+/// Compares the compiler flags in the report with the compile lines of this build.
 namespace carom::tool {
 namespace {
 
@@ -39,7 +39,7 @@ std::ostream& operator<<(std::ostream& stream, const Flags& flags) {
   return stream;
 }
 
-/// Without headers and files: what a compiler is told of how to compile.
+/// The compile options, without headers and files.
 Flags flags_of(const std::vector<std::string>& words) {
   static const std::set<std::string> followed_by_a_name{"-o", "-c", "-isystem", "-include"};
   Flags flags;
@@ -68,7 +68,7 @@ std::string target_of(const std::vector<std::string>& words) {
   return object.substr(begin, object.find(".dir/", begin) - begin);
 }
 
-/// What stands in both, in the order of the first.
+/// The flags in both, in the order of the first.
 Flags common(const Flags& left, const Flags& right) {
   Flags both;
   std::set_intersection(left.definitions.begin(), left.definitions.end(), right.definitions.begin(),
@@ -79,13 +79,13 @@ Flags common(const Flags& left, const Flags& right) {
   return both;
 }
 
-/// By target, the flags that all of its compile lines have.
+/// The flags that all compile lines of a target have, by target.
 std::map<std::string, Flags> compiled_flags() {
   std::map<std::string, Flags> all;
   for (const nlohmann::json& entry : nlohmann::json::parse(tests::content_of(CAROM_COMPILE_COMMANDS))) {
     std::vector<std::string> words = subjects::protocol::split_words(entry.at("command").get<std::string>());
     const std::string target = target_of(words);
-    // The precompiled header itself is compiled as one.
+    // The compile line of the precompiled header itself differs.
     if (words.back().ends_with("cmake_pch.hxx.cxx")) {
       continue;
     }

@@ -39,7 +39,7 @@ TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplays) {
   const json witness = json::parse(content_of(file));
   EXPECT_EQ(witness.at("family"), "near_head_on");
 
-  // For pencil and paper: every number of the collision has at most five bits.
+  // Every number of the collision has at most five bits, so that a reader can compute it by hand.
   for (const char* body : {"a", "b"}) {
     for (const char* field : {"position", "velocity", "angular_velocity"}) {
       for (const json& number : witness.at("collision").at(body).at(field)) {
@@ -83,7 +83,7 @@ std::string report_listing(const std::vector<std::string>& witnesses) {
   return json{{"carom", "0.1.0"}, {"subjects", {judged, absent}}}.dump();
 }
 
-/// A quick run that finds nothing.
+/// A quick run without violations.
 RunResult quick_gate(const std::filesystem::path& out) {
   return run_carom({"gate", "frictionless-double", "--families", "generic", "--cases", "5", "--out", out.string()});
 }
@@ -185,7 +185,7 @@ TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
 }
 
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
-  // A hundredth of an ulp is less than any rounding; three digits are half of what binary32 has.
+  // A hundredth of an ulp is less than any rounding. Three digits are half of binary32's digits.
   const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases",
                                         "40",   "--limit-ulps",       "0.01"};
   EXPECT_EQ(run_carom(strict).exit_status, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Files that try a reader: their size, their text, their having no end.
+// Files that stress a reader: by their size, by their text, or because they never end.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// ESC, C1 and what turns the writing, each of which may hide what stands beside it.
+/// ESC, C1 and characters that reverse the writing direction. Each may hide neighbouring text.
 constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
 
 void expect_harmless(const RunResult& run) {
@@ -104,9 +104,9 @@ TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
   expect_harmless(run_carom({"scene", directory.write("scene.json", scene.dump())}));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those take all the addresses that there are
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those sanitizers reserve the whole address space
 
-/// As much memory as a gate takes, and far less than such a file has.
+/// As much memory as a gate needs, which is far less than such a file has.
 RunResult in_bounded_memory(const std::string& script) {
   return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
 }
@@ -130,7 +130,7 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "report").string();
   int reports = 0;
-  // From what is too little to begin with to what is plenty: between the two memory ends in the middle.
+  // From too little memory to start to more than enough. In between, memory runs out in the middle.
   for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
     fs::remove_all(out);
     const RunResult run =
@@ -160,7 +160,7 @@ TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   const TemporaryDirectory directory;
   const std::string line = directory.write("line.json", ball().dump() + '\n');
   const std::string invalid = directory.write("invalid.json", "{}\n");
-  // What is bad is told at once, though the file does not end; what came before it is shown.
+  // An error is reported at once, even if the file does not end. Results before it are printed.
   const RunResult bad = run_program(
       "/bin/sh",
       {"-c",
@@ -184,7 +184,7 @@ TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
 
 class WaitingForInput : public testing::TestWithParam<const char*> {};
 
-/// A pipe that nobody has opened for writing yet, and one that nothing is written to.
+/// A pipe that nobody has opened for writing yet, and one that nobody writes to.
 TEST_P(WaitingForInput, EndsOnOneSignal) {
   const TemporaryDirectory directory;
   const std::string pipe = (directory.path() / "pipe").string();

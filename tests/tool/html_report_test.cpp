@@ -12,7 +12,7 @@
 namespace carom::tests {
 namespace {
 
-/// Everything that a page of ours is made of: no element here loads or runs anything.
+/// All elements that a generated page may contain. None of them loads or runs anything.
 const std::set<std::string> elements{
     "html",    "head",    "meta",       "title",   "style",   "body",   "header", "main",  "footer",  "nav",
     "section", "article", "h1",         "h2",      "h3",      "h4",     "p",      "a",     "ul",      "li",
@@ -32,7 +32,7 @@ struct Page {
   [[nodiscard]] std::string text_of(const char* path) const { return document.select_node(path).node().text().get(); }
 };
 
-/// The page of a run. It is XML as well, so that a parser that forgives nothing can read it.
+/// The page of a run. It is also XML, so a strict parser can read it.
 std::unique_ptr<Page> page_of(std::vector<std::string> arguments) {
   auto page = std::make_unique<Page>();
   arguments.insert(arguments.end(), {"--out", page->directory.path().string()});
@@ -43,7 +43,7 @@ std::unique_ptr<Page> page_of(std::vector<std::string> arguments) {
   return page;
 }
 
-/// What may not be in a page, whatever a subject says.
+/// Checks that the page contains nothing harmful, for any text of a subject.
 void expect_harmless(const Page& page) {
   std::set<std::string> names;
   for (const pugi::xpath_node& found : page.document.select_nodes("//*")) {
@@ -64,7 +64,8 @@ void expect_harmless(const Page& page) {
   }
 }
 
-/// No attribute of a drawing is anything but a moderate number, or what the style sheet knows.
+/// Checks that geometric attributes of drawings contain only numbers and path commands. Each picture has a title, a
+/// description and a moderate size.
 void expect_sane_drawings(const Page& page) {
   std::size_t drawings = 0;
   for (const pugi::xpath_node& found : page.document.select_nodes("//svg//*")) {
@@ -118,7 +119,7 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
 }
 
-/// Where friction is on its cone the exact velocities have square roots.
+/// If friction is on its cone, the exact velocities contain square roots.
 TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
   const auto page =
       page_of({"gate", "rough-double", "--families", "sliding,generic", "--cases", "60", "--limit-ulps", "0.001"});
@@ -182,7 +183,7 @@ TEST_F(Markup, AddsNothingToThePageInABrowser) {
                             "--user-data-dir=" + profile.path().string(), "--dump-dom", "file://" + page->file()});
   const std::string& seen = result.output;
   ASSERT_NE(seen.find("What was generated"), std::string::npos) << result.errors;
-  // In what the browser writes down, "<" in a text is escaped: these would be elements.
+  // The browser's output escapes "<" in texts, so these would be elements.
   for (const char* injected : {"<script", "<img", "<b ", "<b>", "<parsererror"}) {
     EXPECT_EQ(seen.find(injected), std::string::npos) << injected;
   }

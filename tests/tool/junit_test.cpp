@@ -21,7 +21,7 @@ struct Junit {
   }
 };
 
-/// By a parser that forgives nothing.
+/// Uses a strict parser.
 void expect_well_formed(const std::filesystem::path& file) {
   constexpr const char* python = "/usr/bin/python3";
   if (!std::filesystem::exists(python)) {
@@ -40,7 +40,7 @@ int sum_of(pugi::xml_node root, const char* attribute) {
   return sum;
 }
 
-// What GitLab and Jenkins read.
+// The parts that GitLab and Jenkins read.
 TEST(Junit, HasWhatReadersOfItLookFor) {
   const Junit junit({"gate", "frictionless-double", "reflection-in-basis-double", "exec:/no/such", "--families",
                      "head_on", "--cases", "30"});

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Holds what the pages say in figures and lists against what the program prints: pages_test.py CAROM"""
+"""Compares numbers and lists of the pages with the program's output: pages_test.py CAROM"""
 
 import json
 import pathlib
@@ -13,7 +13,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 CAROM = sys.argv[1]
 PAGES = {str(file.relative_to(TOP)): file.read_text(encoding="utf-8")
          for file in [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]}
-# What they show is of today. The others may tell of a run that was made before.
+# These pages describe the current version. Others may describe an earlier run.
 OF_TODAY = [page for page in PAGES if re.match("README|docs/(guide|reference)/|docs/[A-Za-z]*.md", page)
             and page != "docs/CHANGELOG.md"]
 WORDS = ["none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
@@ -34,7 +34,7 @@ OPTIONS = {command: set(OPTION.findall(printed(command, "--help"))) for command 
 
 
 def paragraph(page, begin):
-    """From there to the end of its item or paragraph."""
+    """The text from there to the end of its item or paragraph."""
     text = PAGES[page]
     return re.split(r"\n\n|\n[-\d|]", text[text.index(begin):])[0]
 
@@ -43,7 +43,7 @@ class Pages(unittest.TestCase):
     maxDiff = None
 
     def said(self, pattern, pages, least=1):
-        """What stands in the brackets of a pattern, each with its page and place."""
+        """The groups of a pattern, each with its page and position."""
         found = [(match, f"{page}: {match[0]}") for page in pages for match in re.finditer(pattern, PAGES[page], re.M)]
         self.assertGreaterEqual(len(found), least, f"nothing says {pattern}")
         return found

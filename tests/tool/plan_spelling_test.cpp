@@ -23,7 +23,7 @@
 #include "plan/spelling.hpp"
 #include "support/cases.hpp"
 
-/// What a plan prints to be typed is compiled here, by the same text, and answers as the subject does.
+/// The calls that a plan prints are compiled here, with the same text. They answer as the subject does.
 namespace carom::tests {
 namespace {
 
@@ -42,7 +42,7 @@ struct Call {
   std::function<ReportedOutcome(const Collision&)> solve;
 };
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): the text is what is tested
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): the test compares the text
 #define CALL(subject, ...)                                                                  \
   Call {                                                                                    \
     subject, #__VA_ARGS__, [](const Collision& collision) { return reported(__VA_ARGS__); } \
@@ -95,7 +95,7 @@ const std::vector<Call>& calls() {
   return all;
 }
 
-/// The text with every scalar type written as double.
+/// The text with every scalar type replaced by double.
 std::string in_double(std::string text) {
   for (const char* scalar : {"long double", "carom::impulse::DoubleDouble", "float"}) {
     const std::string as_argument = std::string("<") + scalar;

@@ -132,7 +132,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOriginAndNamesItsLine) {
 
 TEST(Plan, FailsWhereNothingServes) {
   const TemporaryDirectory directory;
-  // A common velocity of which the change is a small part: the outcome itself cannot hold so many digits of it.
+  // The change is a small part of a common velocity. The outcome itself cannot hold that many digits of it.
   json fast = crate(0);
   fast["a"]["velocity"] = {1e9 + 0.5, -1.25, 0};
   fast["b"]["velocity"] = {1e9, 0, 0};
@@ -198,7 +198,7 @@ TEST(Plan, SaysWhichPlaceAndWhichField) {
   EXPECT_EQ(plan(file, {"--limit-ulps", "nan"}).exit_status, 2);
 }
 
-/// What docs/guide/plan.md shows, but for its times.
+/// The output in docs/guide/plan.md, except for its times.
 TEST(Plan, IsOfTheExampleWhatItsPageSays) {
   const std::string file = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
   const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});
@@ -238,7 +238,7 @@ TEST(PlanSchema, DescribesEveryPlan) {
     const RunResult valid = validate(directory.write("plan.json", plan(file, all).output));
     EXPECT_EQ(valid.exit_status, 0) << valid.output << valid.errors;
   }
-  // And what was timed.
+  // The schema also accepts a plan with times.
   const RunResult timed = run_carom({"plan", file, "--law", "frictionless", "--repetitions", "1", "--format", "json"});
   const RunResult valid = validate(directory.write("plan.json", timed.output));
   EXPECT_EQ(valid.exit_status, 0) << valid.output << valid.errors;

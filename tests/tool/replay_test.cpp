@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The smallest collision in which reflection creates energy: a cube's corner meets the floor.
+/// The smallest collision in which reflection creates energy: a cube's corner hits the floor.
 json cube_on_floor() {
   return json::parse(R"({
     "a": {"mass": 1, "principal_inertia": [0.5, 0.5, 0.5], "orientation": [2, 0, 0, 0],
@@ -138,7 +138,7 @@ TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
 }
 
 TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
-  // The frictionless answer to a ball that meets a floor is exact in binary64 at every power of two.
+  // The frictionless answer to a ball that hits a floor is exact in binary64 at every power of two.
   const TemporaryDirectory directory;
   for (const char* pointer : {"/a/mass", "/a/velocity/1", "/normal/1", "/a/orientation/0"}) {
     for (const double factor : {0x1p-500, 0x1p-1000, 0x1p+500, 0x1p+1000}) {
@@ -153,7 +153,7 @@ TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
 }
 
 TEST(Replay, SaysWhereTheBackwardErrorWasNotDecided) {
-  // Several terms of such velocities are beyond binary64; the answer itself is not.
+  // Several terms of such velocities overflow binary64, but the answer does not.
   json ball = cube_on_floor();
   ball["a"]["velocity"] = {0, -6e307, 0};
   const TemporaryDirectory directory;
@@ -178,7 +178,7 @@ TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
 }
 
-/// What a file names is started by nobody but the user, wherever in the file it stands.
+/// Only the user starts a program that a file names, wherever it occurs in the file.
 TEST(Replay, StartsNoProgramThatAFileNames) {
   const TemporaryDirectory directory;
   const std::string touched = (directory.path() / "touched").string();
@@ -229,10 +229,10 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   EXPECT_NE(replay(parting, {}).find("answer 1 of 1, untouched"), std::string::npos);
 }
 
-/// The engines that this program knows by name, and has to start, are programs too.
+/// Engines that this program knows by name and must start count as programs too.
 TEST(Replay, StartsNoEngineThatAFileNames) {
   const TemporaryDirectory directory;
-  // A `node` of our own stands for every program that an adapter could need.
+  // A fake `node` replaces every program that an adapter could need.
   const std::string started = (directory.path() / "started").string();
   const std::string node = directory.write("node", "#!/bin/sh\necho started >> " + started + '\n');
   std::filesystem::permissions(node, std::filesystem::perms::owner_all);
@@ -249,7 +249,7 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
-/// What a witness was shrunk from: in its file, and by its number.
+/// The case from which a witness was shrunk, in its file and by its number.
 TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
   const TemporaryDirectory out;
   const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",

@@ -32,7 +32,7 @@ std::vector<std::string> absent_subject() {
   return {};
 }
 
-/// A report of a subject of each kind.
+/// A report with a subject of each kind.
 json varied_report() {
   std::vector<std::string> arguments{"gate",
                                      "frictionless-double",

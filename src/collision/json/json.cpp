@@ -29,15 +29,16 @@ json numbers_to_json(const Vector& vector) {
   return array;
 }
 
-/// The text of a number as binary64, rounded once; `wide` is the same number in the range of long double.
+/// The text of a number as binary64, rounded once. `wide` is the same number as a long double.
 double rounded_once(const std::string& text, long double wide) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  // It says nothing of what is beyond its range: there the first rounding decides nothing.
+  // from_chars gives no number beyond the range of binary64. There the first rounding, to long double, cannot change
+  // the result.
   return error == std::errc() ? number : static_cast<double>(wide);
 }
 
-/// Of nlohmann::json, whose numbers are binary64: what leaves their range is an error.
+/// Reads numbers for nlohmann::json, whose numbers are binary64. A number beyond their range is an error.
 struct AsBinary64 {
   double operator()(const std::string& text, long double wide) const {
     const double number = rounded_once(text, wide);
@@ -48,7 +49,7 @@ struct AsBinary64 {
   }
 };
 
-/// Of WideJson: the bits of a subject's precision.
+/// Reads numbers for WideJson, with the bits of the subject's precision.
 struct AsReported {
   Precision precision;
   long double operator()(const std::string& text, long double wide) const {
@@ -56,8 +57,8 @@ struct AsReported {
   }
 };
 
-/// Builds a value of one type of JSON from the events of the parser of the wider. Throws FormatError where the text is
-/// no JSON, or has what JSON leaves open. `number` reads a number that is no integer.
+/// Builds a value of type Json from the events of the WideJson parser. Throws FormatError if the text is not JSON or if
+/// it uses something that JSON leaves open. `number` reads a number that is not an integer.
 template <class Json, class Number>
 class Builder : public nlohmann::json_sax<WideJson> {
  public:
@@ -71,7 +72,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
   bool number_unsigned(number_unsigned_t value) override { return put(value); }
   bool number_float(number_float_t value, const string_t& text) override { return put(number_(text, value)); }
   bool string(string_t& value) override { return put(std::move(value)); }
-  bool binary(binary_t& /*value*/) override { return false; }  // of other formats than text
+  bool binary(binary_t& /*value*/) override { return false; }  // only in binary formats
   bool start_object(std::size_t /*size*/) override { return enter(Json::object()); }
   bool end_object() override { return leave(); }
   bool start_array(std::size_t /*size*/) override { return enter(Json::array()); }
@@ -88,14 +89,14 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
-    // The library's text ends in what was expected; its own prefix says nothing to a reader.
+    // The library's message ends with the expected token. Its prefix tells a reader nothing.
     const std::string what = error.what();
     const std::size_t prefix = what.find("] ");
     throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
   }
 
  private:
-  /// Where the next value belongs.
+  /// The place of the next value.
   Json& place() {
     if (open_.empty()) {
       return root_;
@@ -113,7 +114,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
   }
 
   bool enter(Json&& empty) {
-    // A collision needs four levels; what is deeper would exhaust the stack of those who walk through it.
+    // A collision needs four levels. Deeper values could exhaust the stack of recursive readers.
     constexpr std::size_t deepest = 64;
     if (open_.size() == deepest) {
       throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
@@ -131,8 +132,8 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   Number number_;
   Json root_;
-  std::vector<Json*> open_;  // each in the one before; none of them grows while one in it is open
-  Json* next_ = nullptr;     // the value of the key that was read last
+  std::vector<Json*> open_;  // each is inside the one before; no container grows while a value inside it is open
+  Json* next_ = nullptr;     // the value of the last key
 };
 
 template <class Json, class Number>
@@ -210,7 +211,7 @@ json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vect
 
 namespace {
 
-/// The number that a field has which is left out; −0 is another.
+/// Whether the coefficient equals that of an omitted field. −0 does not.
 bool is_default(double coefficient) { return coefficient == 0 && !std::signbit(coefficient); }
 
 }  // namespace

@@ -15,50 +15,49 @@
 
 namespace carom {
 
-/// What was found where something else was expected; the text names the place, "/a/mass: expected a number, found
-/// true".
+/// An unexpected value in JSON text. The message names its place: "/a/mass: expected a number, found true".
 class FormatError : public std::runtime_error {
  public:
   FormatError(const std::string& place, const std::string& expected)
       : std::runtime_error((place.empty() ? std::string("/") : place) + ": " + expected) {}
-  /// Of the text as a whole.
+  /// An error of the text as a whole.
   explicit FormatError(const std::string& what) : std::runtime_error(what) {}
 };
 
-/// JSON whose numbers have the bits of long double: a subject's that computes in extended.
+/// JSON with numbers of type long double, for the replies of a subject that computes in extended precision.
 using WideJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
-/// Parses JSON, and refuses what it leaves open: a field that stands twice in one object, and nesting deeper than 64
-/// levels. Throws FormatError, also where a number leaves the range of binary64.
+/// Parses JSON. Throws FormatError if the text is not JSON or if a number leaves the range of binary64. Also refuses
+/// what JSON leaves open: a field that occurs twice in one object, and nesting deeper than 64 levels.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
-/// The same of what a subject of that precision wrote. Of one that computes in extended a number has the bits of long
-/// double; of all others those of binary64, its decimals rounded once, and what leaves the range of binary64 is
-/// infinite. An integer within 64 bits is kept as one.
+/// Parses a reply of a subject that computes in `precision`. A number of an extended subject has the bits of long
+/// double. Any other number is rounded once to binary64, and is infinite beyond the range of binary64. An integer
+/// within 64 bits stays an integer. Throws FormatError as parse_json does, except for a number out of range.
 [[nodiscard]] WideJson parse_reply(std::string_view text, Precision precision);
 
-/// A finite number as itself; what JSON has no number for as "nan", "inf" or "-inf".
+/// A finite number as itself; other values as "nan", "inf" or "-inf", because JSON has no numbers for them.
 [[nodiscard]] nlohmann::json number_to_json(double number);
 
-/// The other way round. `place` is a JSON pointer, for the error. Throws FormatError.
+/// Reads a number as number_to_json writes it. `place` is a JSON pointer for the error message. Throws FormatError.
 [[nodiscard]] double number_from_json(const nlohmann::json& json, const std::string& place);
 
-/// Three numbers. Throws FormatError.
+/// An array of three numbers, each as number_to_json writes it.
 [[nodiscard]] nlohmann::json vector_to_json(const Vector3<double>& vector);
 
-/// The collision record of the line protocol; what an immovable body does not have, and friction fields at their
-/// defaults, are left out.
+/// The collision record of the line protocol. Omits the mass, inertia and orientation of an immovable body, and
+/// friction fields at their defaults.
 [[nodiscard]] nlohmann::json collision_to_json(const Collision& collision);
 
-/// Throws FormatError where a field is missing, unknown, or of another type. Does not validate the numbers.
+/// Throws FormatError if a field is missing, unknown, or of another type. Does not validate the numbers.
 [[nodiscard]] Collision collision_from_json(const nlohmann::json& json, const std::string& place = {});
 
-/// An outcome of the line protocol: the objects `a` and `b` of a reply, which may have further fields. Numbers as
-/// number_from_json reads them. Throws FormatError.
+/// The outcome in a reply of the line protocol: its objects `a` and `b`. The reply may have further fields. Reads
+/// numbers as number_from_json does. Throws FormatError.
 [[nodiscard]] Outcome<long double> outcome_from_json(const WideJson& json);
 
-/// The field C of such a reply: three rows of three numbers. Throws FormatError where it is missing, or something else.
+/// The field C of a reply: three rows of three numbers. Throws FormatError if it is missing or has another form.
 [[nodiscard]] Matrix3<long double> collision_matrix_from_json(const WideJson& json);
 
 }  // namespace carom

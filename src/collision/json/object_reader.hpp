@@ -13,25 +13,25 @@
 
 #include <carom/collision/json/json.hpp>
 
-/// What readers of JSON share: fields are read by name, and every error names its place. Not installed.
+/// Shared code of the JSON readers. They read fields by name, and every error names its place. Not installed.
 namespace carom::detail {
 
-/// The value as text, of no more than a line.
+/// The value as text, cut to at most one line.
 template <class Json>
 [[nodiscard]] std::string shortened(const Json& value) {
   constexpr std::size_t most = 60;
-  // The library prints no long double.
+  // The library cannot print long double.
   const std::string text = nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return text.size() > most ? text.substr(0, most) + "…" : text;
 }
 
-/// The end of an error, ", found true".
+/// The end of an error message, such as ", found true".
 template <class Json>
 [[nodiscard]] std::string found(const Json& value) {
   return ", found " + shortened(value);
 }
 
-/// `place` is called where the number is none.
+/// Calls `place` only if the value is not a number.
 template <class Number, class Json, class Place>
 [[nodiscard]] Number read_number(const Json& value, const Place& place) {
   using Limits = std::numeric_limits<Number>;
@@ -50,7 +50,7 @@ template <class Number, class Json, class Place>
   throw FormatError(place(), "expected a number" + found(value));
 }
 
-/// As many numbers as the vector has. `place` is called where they are something else.
+/// Reads as many numbers as the vector has. Calls `place` only if the array has another form.
 template <class Json, class Vector, class Place>
 void read_numbers(const Json& array, Vector& into, const Place& place) {
   if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
@@ -62,7 +62,7 @@ void read_numbers(const Json& array, Vector& into, const Place& place) {
   }
 }
 
-/// Reads the fields of one JSON object, and knows which were asked for.
+/// Reads the fields of one JSON object, and remembers the names of the fields that were requested.
 template <class Json>
 class ObjectReader {
  public:

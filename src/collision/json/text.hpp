@@ -6,15 +6,15 @@
 
 namespace carom {
 
-/// What a foreign program wrote, safe to print: valid UTF-8 with no control characters but line ends and tabs, none
-/// that change the direction of writing. Of a text that is longer, so many bytes and an ellipsis. A byte that is no
-/// UTF-8 becomes a replacement character, which has three.
+/// The output of a foreign program, safe to print: valid UTF-8. It has no control characters except line ends and tabs,
+/// and none that change the direction of writing. Longer text is cut to `longest` bytes and ends with an ellipsis. A
+/// replacement character, which has three bytes, replaces each byte that is not UTF-8.
 [[nodiscard]] std::string printable(std::string text, std::size_t longest);
 
-/// The same with blanks for line ends and tabs.
+/// The text of `printable`, with spaces in place of line ends and tabs.
 [[nodiscard]] std::string printable_line(std::string text, std::size_t longest);
 
-/// The word as a POSIX shell reads it: split_words gives it back.
+/// The word quoted for a POSIX shell. split_words gives the word back.
 [[nodiscard]] std::string quoted(const std::string& word);
 
 }  // namespace carom

@@ -6,26 +6,26 @@
 #include <span>
 #include <type_traits>
 
-/// Contacts and outcomes as structures of arrays, one array for each scalar component, in memory of the caller's. The
-/// arrays may start anywhere, aligned or not; all of one structure have the same length, one number a contact. T is S
+/// Contacts and outcomes as structures of arrays, one array for each scalar component. The caller owns the memory. The
+/// arrays need no alignment. All arrays of one structure have the same length, with one number for each contact. T is S
 /// or const S.
 namespace carom::impulse {
 
 template <class T>
 using VectorArrays = std::array<std::span<T>, 3>;
 
-/// ContactBody<S> (contact.hpp), many of them.
+/// Arrays of the members of ContactBody<S> (contact.hpp).
 template <class T>
 struct ContactBodyArrays {
   std::span<T> inverse_mass;
-  std::array<VectorArrays<T>, 3> axes;  // PrincipalInertia<S>: the first body axis, the second, the third
+  std::array<VectorArrays<T>, 3> axes;  // the first, second and third body axis, as in PrincipalInertia<S>
   VectorArrays<T> inverse_moments;
   VectorArrays<T> lever_arm;
   VectorArrays<T> velocity;
   VectorArrays<T> angular_velocity;
 };
 
-/// Contact<S> (contact.hpp), many of them.
+/// Arrays of the members of Contact<S> (contact.hpp).
 template <class T>
 struct ContactArrays {
   ContactBodyArrays<T> a;
@@ -44,7 +44,7 @@ struct BodyVelocityArrays {
   VectorArrays<T> angular_velocity;
 };
 
-/// Outcome<S>, many of them.
+/// Arrays of the members of Outcome<S>.
 template <class T>
 struct OutcomeArrays {
   BodyVelocityArrays<T> a;
@@ -53,7 +53,7 @@ struct OutcomeArrays {
   [[nodiscard]] std::size_t size() const { return a.velocity[0].size(); }
 };
 
-/// How many numbers, and so arrays, a contact and an outcome have.
+/// The number of scalar components, and so of arrays, of a contact and of an outcome.
 inline constexpr std::size_t contact_number_count = 50;
 inline constexpr std::size_t outcome_number_count = 12;
 
@@ -80,7 +80,7 @@ void for_each_of_body(Arrays& body, F& f) {
 
 }  // namespace detail
 
-/// Calls f(span) for every array of the structure, in the order in which it declares them.
+/// Calls f(span) for every array of the structure, in declaration order.
 template <class T, class F>
 void for_each_array(ContactArrays<T>& contacts, F&& f) {
   detail::for_each_of_body(contacts.a, f);
@@ -99,7 +99,7 @@ void for_each_array(OutcomeArrays<T>& outcomes, F&& f) {
   }
 }
 
-/// The same arrays, to be read alone.
+/// The same arrays, read-only.
 template <class S>
 [[nodiscard]] ContactArrays<const S> read_only(ContactArrays<S> contacts) {
   std::array<std::span<const S>, contact_number_count> spans;

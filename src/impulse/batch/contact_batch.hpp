@@ -32,9 +32,9 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
-/// Arrays of one length in one piece of memory, each at the beginning of a cache line. They lie within pages as if
-/// `before` more of them stood before: a load whose address is that of a late store but for the page waits for it, and
-/// so the arrays of contacts and of outcomes are kept apart.
+/// Arrays of one length in one piece of memory. Each array begins at a cache line. The arrays begin at the same offset
+/// in a page as if `before` further arrays preceded them. This offset keeps contacts and outcomes apart: a load waits
+/// for a recent store whose address differs only in the page.
 template <class S>
 class ArraysInOnePiece {
  public:
@@ -51,7 +51,7 @@ class ArraysInOnePiece {
   [[nodiscard]] std::span<const S> operator[](std::size_t k) const { return {begin_of(k), length_}; }
 
  private:
-  /// An odd number of cache lines, so that the same index of the arrays falls into different sets of a cache.
+  /// An odd number of cache lines, so that equal indices of different arrays map to different sets of a cache.
   static std::size_t stride(std::size_t length) {
     constexpr std::size_t line = cache_line / sizeof(S);
     return ((length + line - 1) / line | 1) * line;
@@ -63,7 +63,7 @@ class ArraysInOnePiece {
   std::vector<S, PageAllocator<S>> memory_;
 };
 
-/// `Arrays` over what `memory` holds.
+/// `Arrays` that refer to the arrays in `memory`.
 template <class Arrays, class Memory>
 [[nodiscard]] Arrays arrays_over(Memory& memory) {
   Arrays arrays;
@@ -74,8 +74,8 @@ template <class Arrays, class Memory>
 
 }  // namespace detail
 
-/// Contacts as a structure of arrays, in memory of its own. All numbers are zero at first: contacts of immovable
-/// bodies.
+/// Contacts as a structure of arrays that owns its memory. Initially all numbers are zero, so every contact is between
+/// immovable bodies.
 template <class S>
 class ContactBatch {
  public:
@@ -84,7 +84,8 @@ class ContactBatch {
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] ContactArrays<S> arrays() { return detail::arrays_over<ContactArrays<S>>(memory_); }
   [[nodiscard]] ContactArrays<const S> arrays() const { return detail::arrays_over<ContactArrays<const S>>(memory_); }
-  /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < contact_number_count.
+  /// The beginning of the array of the k-th number, in the order of for_each_array. Precondition: k <
+  /// contact_number_count.
   [[nodiscard]] const S* begin_of(std::size_t k) const {
     CAROM_EXPECTS(k < contact_number_count, k);
     return memory_.begin_of(k);
@@ -105,7 +106,7 @@ class ContactBatch {
   detail::ArraysInOnePiece<S> memory_;
 };
 
-/// Outcomes as a structure of arrays, in memory of its own.
+/// Outcomes as a structure of arrays that owns its memory.
 template <class S>
 class OutcomeBatch {
  public:
@@ -113,7 +114,8 @@ class OutcomeBatch {
 
   [[nodiscard]] std::size_t size() const { return memory_.length(); }
   [[nodiscard]] OutcomeArrays<S> arrays() { return detail::arrays_over<OutcomeArrays<S>>(memory_); }
-  /// Where the array of the k-th number begins, in the order of for_each_array. Precondition: k < outcome_number_count.
+  /// The beginning of the array of the k-th number, in the order of for_each_array. Precondition: k <
+  /// outcome_number_count.
   [[nodiscard]] S* begin_of(std::size_t k) {
     CAROM_EXPECTS(k < outcome_number_count, k);
     return memory_.begin_of(k);

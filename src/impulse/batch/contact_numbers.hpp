@@ -11,7 +11,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The first numbers of the bodies of a contact, and of their velocities in an outcome.
+/// The index of the first number of each body in a contact, and of its first velocity in an outcome.
 inline constexpr std::size_t first_number_of_a = 0;
 inline constexpr std::size_t first_number_of_b = 22;
 inline constexpr std::size_t first_outcome_of_a = 0;
@@ -73,7 +73,7 @@ template <class S, class Inertia = PrincipalInertia<S>, class Read>
           read(49)};
 }
 
-/// Calls write(k, number) for the numbers of a contact.
+/// Calls write(k, number) for each number of a contact.
 template <class S, class Write>
 void write_contact(const Contact<S>& contact, const Write& write) {
   detail::write_contact_body(write, detail::first_number_of_a, contact.a);
@@ -91,7 +91,7 @@ template <class S, class Read>
   return {{vector(0), vector(3)}, {vector(6), vector(9)}};
 }
 
-/// Calls write(k, number) for the numbers of an outcome.
+/// Calls write(k, number) for each number of an outcome.
 template <class S, class Write>
 void write_outcome(const Outcome<S>& outcome, const Write& write) {
   detail::write_body_velocity(outcome.a, detail::first_outcome_of_a, write);

@@ -6,11 +6,11 @@
 
 namespace carom::impulse {
 
-/// What the batch solvers are compiled for. Packs of double have 2, 4, 8 lanes.
+/// The instruction sets that the batch solvers are compiled for. Packs of double have 2, 4, 8 lanes.
 enum class InstructionSet {
-  baseline,  // what every machine of the architecture has: SSE2 on x86-64, NEON on AArch64
-  avx2,      // x86-64 alone
-  avx512,    // F, DQ and VL; x86-64 alone
+  baseline,  // available on every machine of the architecture: SSE2 on x86-64, NEON on AArch64
+  avx2,      // only on x86-64
+  avx512,    // F, DQ and VL; only on x86-64
 };
 
 inline constexpr std::array<InstructionSet, 3> all_instruction_sets{InstructionSet::baseline, InstructionSet::avx2,
@@ -28,10 +28,10 @@ inline constexpr std::array<InstructionSet, 3> all_instruction_sets{InstructionS
   return "baseline";
 }
 
-/// Whether this machine has it, and the library was compiled for it.
+/// Whether this machine has the instruction set and the library is compiled for it.
 [[nodiscard]] bool is_available(InstructionSet set);
 
-/// The widest that is available.
+/// The widest available instruction set.
 [[nodiscard]] InstructionSet best_instruction_set();
 
 }  // namespace carom::impulse

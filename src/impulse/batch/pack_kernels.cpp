@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Compiled once for each instruction set, named CAROM_INSTRUCTION_SET.
+// Compiled once for each instruction set, which CAROM_INSTRUCTION_SET names.
 
-// A check is a function left standing (below); solve.cpp checks for all.
+// A check would leave a function that is not inlined (see below). solve.cpp checks the preconditions instead.
 #undef CAROM_CHECK_PRECONDITIONS
 #define CAROM_CHECK_PRECONDITIONS 0
 
@@ -19,7 +19,8 @@ void solve_by_law(const PackTask<S>& task, Model model) {
 
 }  // namespace
 
-// Everything is inlined: a function left standing could be the one that another unit is linked with.
+// Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower instruction
+// set.
 [[gnu::flatten]] void solve_packs(const PackTask<float>& task, Model model) { solve_by_law(task, model); }
 [[gnu::flatten]] void solve_packs(const PackTask<double>& task, Model model) { solve_by_law(task, model); }
 

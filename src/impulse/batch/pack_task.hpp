@@ -7,8 +7,8 @@
 
 namespace carom::impulse {
 
-/// Where the arrays begin, in the order of for_each_array. Plain enough to be handed between units that are compiled
-/// for different instruction sets.
+/// The beginnings of the arrays, in the order of for_each_array. Units that are compiled for different instruction sets
+/// can exchange this plain structure.
 template <class S>
 struct PackTask {
   const S* contacts[contact_number_count];

@@ -17,21 +17,21 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// Asks for a block of all arrays while the block before it is solved, one array after the other, into the second
-/// cache. So many arrays read side by side are more than a machine foresees: without this a third of the bandwidth is
-/// lost.
+/// Prefetches the next block of every array into the second-level cache while the current block is solved, one array
+/// after the other. The prefetcher of the processor cannot follow so many arrays side by side. Without this class a
+/// third of the bandwidth is lost.
 template <class S>
 class BlockPrefetch {
  public:
   explicit BlockPrefetch(const PackTask<S>& task) : task_(task) {}
 
-  /// Whether the task is large enough that its arrays come from beyond a second cache of usual size, 1 MiB.
+  /// Whether the arrays are too large for a second-level cache of usual size, 1 MiB.
   [[nodiscard]] bool pays() const {
     return task_.count * (contact_number_count + outcome_number_count) * sizeof(S) > std::size_t{1} << 20;
   }
 
-  /// The share of the next block that falls to the contacts from i to i + width. Inlined by order: gcc takes a function
-  /// that only prefetches for one without effect, and drops the call.
+  /// Prefetches the share of the next block that belongs to the contacts from i to i + width. Inlining is forced
+  /// because gcc considers a function that only prefetches to have no effect, and drops the call.
   [[gnu::always_inline]] void ask(std::size_t i, std::size_t width) const {
     const std::size_t next = (i / block + 1) * block;
     if (next >= task_.count) {
@@ -44,7 +44,7 @@ class BlockPrefetch {
       const void* begin = array < contact_number_count
                               ? static_cast<const void*>(task_.contacts[array])
                               : static_cast<const void*>(task_.outcomes[array - contact_number_count]);
-      // As a number: the last block may end beyond the array, which does no harm in a prefetch.
+      // An integer, because the last block may end beyond the array. Prefetching there does no harm.
       const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(begin) + next * sizeof(S) + k % lines * line;
       __builtin_prefetch(reinterpret_cast<const void*>(address), 0, 2);
     }
@@ -52,7 +52,7 @@ class BlockPrefetch {
 
  private:
   static constexpr std::size_t line = 64;   // bytes
-  static constexpr std::size_t lines = 32;  // of each array in a block: half a page
+  static constexpr std::size_t lines = 32;  // cache lines of each array in a block: half a page
   static constexpr std::size_t arrays = contact_number_count + outcome_number_count;
   static constexpr std::size_t block = lines * line / sizeof(S);
 
@@ -76,13 +76,13 @@ template <class P, class Inertia = PrincipalInertia<P>>
   return contact_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); });
 }
 
-/// What writes the pack of the k-th numbers of the outcomes from i on.
+/// A function that writes the pack of the k-th numbers of the outcomes from i on.
 template <class P>
 [[nodiscard]] auto writer(const PackTask<typename P::value_type>& task, std::size_t i) {
   return [&task, i](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); };
 }
 
-/// What is read of a body is read again where the impulse acts on it, which takes less than to keep it.
+/// Reads each body again to apply the impulse, because reading it again is faster than keeping it.
 template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const ContactImpulse<P>& impulse) {
   const auto is_any_slender = has_slender(read_contact<P, Inertia>(task, i));
@@ -110,8 +110,8 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
   write_outcome(outcome, writer<P>(task, i));
 }
 
-/// Solves `Packs` packs of contacts from i on, all impulses first: to find one is a long chain of operations that wait
-/// for each other, and a machine that runs into the next one meanwhile has something else to do.
+/// Solves `Packs` packs of contacts from i on, and finds all impulses first. Each impulse is a long chain of dependent
+/// operations. A processor that runs ahead into the next chain uses the waiting time.
 template <class P, class Inertia, std::size_t Packs, class Law>
 void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
   std::array<std::invoke_result_t<const Law&, const Contact<P, Inertia>&>, Packs> answers;
@@ -125,15 +125,15 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
   }
 }
 
-/// Out of the way of the usual case, whose registers it would take. A function left standing, as other units must not
-/// leave any: P names the instruction set that it is compiled for.
+/// Not inlined, so that it takes no registers from the usual case. Other functions of this unit must be inlined. This
+/// one is safe because P names the instruction set that it is compiled for.
 template <class P, class Law>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
                                                    const Law& law) {
   solve_as<P, PrincipalInertia<P>, 1>(task, i, law);
 }
 
-/// Where no body is slender the contacts are of a type that says so, if the law takes it.
+/// If no body is slender, reads the contacts as a type that says so, provided that the law accepts this type.
 template <class P, std::size_t Packs, class Law>
 void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
   using NotSlender = PrincipalInertia<P, false>;
@@ -158,7 +158,7 @@ template <class P>
 struct OnePack {
   using S = typename P::value_type;
 
-  /// What is left of the task from i on, filled up with copies of the last contact.
+  /// Copies the remaining contacts from i on, and fills the pack with copies of the last contact.
   OnePack(const PackTask<S>& task, std::size_t i) {
     for (std::size_t k = 0; k < contact_number_count; ++k) {
       for (std::size_t lane = 0; lane < P::size(); ++lane) {
@@ -191,17 +191,17 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Takes `law` over all contacts, two packs P of them at a time, or one where they come from memory. It makes a
-/// ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> of a Contact<P>; or an Outcome<P>, which takes longer. What
-/// is written of a body has been read before, so that an array of outcomes may be the array of the velocities that it
-/// replaces; otherwise no two arrays overlap.
+/// Applies `law` to all contacts: two packs P at a time, or one if the arrays come from memory. The law returns a
+/// ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> for a Contact<P>; or an Outcome<P>, which takes longer. The
+/// numbers of a body are read before its outcome is written. So an array of outcomes may be the array of the velocities
+/// that it replaces; otherwise no two arrays overlap.
 template <class P, class Law>
 void solve_packs(const PackTask<typename P::value_type>& task, const Law& law) {
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
-  // Of arrays that come from memory one pack at a time: two are slower there by an eighth.
+  // If the arrays come from memory, two packs at a time are slower by an eighth than one.
   for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
     detail::solve_from<P, 2>(task, i, law);
   }

@@ -9,11 +9,11 @@
 
 #include <carom/impulse/numbers/products.hpp>
 
-/// Products of vectors of which each component has a relative error of its own, where those of products.hpp have one
-/// of |x| |y|.
+/// Products of vectors with a small relative error in each component. The products of products.hpp have an error
+/// relative to |x| |y| instead.
 namespace carom::impulse {
 
-/// A floating-point number, or a pack of them: what has fma.
+/// A type with fma: a floating-point number or a pack of them.
 template <class S>
 concept FusesMultiplyAdd = std::is_floating_point_v<S> || requires {
   typename S::mask_type;
@@ -27,7 +27,7 @@ template <class S>
   if constexpr (std::is_floating_point_v<S>) {
     return std::fma(x, y, z);
   } else {
-    // Lane by lane over vectors of the compiler's, which makes one instruction of it where there is one.
+    // The loop runs over a vector type of the compiler, which makes one instruction of it if the machine has one.
     using Number = typename S::value_type;
     using Numbers [[gnu::vector_size(sizeof(S))]] = Number;
     const auto xs = std::bit_cast<Numbers>(x);
@@ -41,8 +41,9 @@ template <class S>
   }
 }
 
-/// x y − `product`, exactly, where `product` is x y rounded (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", Numerische Mathematik 18, 1971), unless x or y is within 2³³ of the end of the range.
+/// x y − `product`, exactly, with `product` the rounded x y (T. J. Dekker, "A floating-point technique for extending
+/// the available precision", Numerische Mathematik 18, 1971). Not exact if x or y is within a factor of 2³³ of the end
+/// of the range.
 [[nodiscard]] inline long double error_of_product(long double x, long double y, long double product) {
   static_assert(std::numeric_limits<long double>::radix == 2);
   constexpr int half = (std::numeric_limits<long double>::digits + 1) / 2;
@@ -56,11 +57,12 @@ template <class S>
 
 }  // namespace detail
 
-/// a b − c d, off by at most 3/2 ulps (W. Kahan; C.-P. Jeannerod, N. Louvet, J.-M. Muller, "Further analysis of Kahan's
-/// algorithm for the accurate computation of 2 × 2 determinants", Mathematics of Computation 82, 2013), unless a
-/// product under- or overflows. In long double, of which machines have no fma, by at most 2 u (M. Cornea, J. Harrison,
-/// P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the Cornea-Harrison-Tang method", ACM
-/// Transactions on Mathematical Software 42, 2016). In types that carry more digits than they answer in, as it stands.
+/// a b − c d, with an error of at most 3/2 ulps unless a product overflows or underflows (W. Kahan; C.-P. Jeannerod, N.
+/// Louvet, J.-M. Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2 × 2 determinants",
+/// Mathematics of Computation 82, 2013). Machines have no fma for long double: there the error is at most 2 u (M.
+/// Cornea, J. Harrison, P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the Cornea-Harrison-Tang
+/// method", ACM Transactions on Mathematical Software 42, 2016). Other types carry more digits than their results need,
+/// and evaluate the expression as written.
 template <class S>
 [[nodiscard]] S difference_of_products(const S& a, const S& b, const S& c, const S& d) {
   if constexpr (std::is_same_v<S, long double>) {
@@ -76,7 +78,7 @@ template <class S>
   }
 }
 
-/// x × y.
+/// x × y, with each component from difference_of_products.
 template <class S>
 [[nodiscard]] Vector3<S> accurate_cross(const Vector3<S>& x, const std::type_identity_t<Vector3<S>>& y) {
   return {difference_of_products<S>(x[1], y[2], x[2], y[1]), difference_of_products<S>(x[2], y[0], x[0], y[2]),

@@ -7,10 +7,11 @@
 
 #include <carom/collision/expects.hpp>
 
-/// Numbers of about 106 bits as unevaluated sums of two doubles, after M. Joldes, J.-M. Muller, V. Popescu, "Tight and
-/// rigorous error bounds for basic building blocks of double-word arithmetic", ACM Trans. Math. Softw. 44 (2017), cited
-/// by algorithm. u = 2⁻⁵³. The bounds hold short of over- and underflow: the range is that of double, and below about
-/// 2⁻⁹⁶⁹ the low part loses bits. Must be compiled without contraction of a·b + c and without -ffast-math.
+/// Numbers of about 106 bits as unevaluated sums of two doubles. The algorithms are numbered as in M. Joldes, J.-M.
+/// Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM
+/// Trans. Math. Softw. 44 (2017). u = 2⁻⁵³. The bounds hold if nothing overflows or underflows. The range is that of
+/// double, and below about 2⁻⁹⁶⁹ the low part loses bits. This file must be compiled without contraction of a·b + c and
+/// without -ffast-math.
 namespace carom::impulse {
 
 class DoubleDouble {

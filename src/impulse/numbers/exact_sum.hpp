@@ -13,14 +13,15 @@
 
 namespace carom::impulse {
 
-/// A sum of products of up to three doubles, without rounding, over- or underflow: a fixed-point number so long that it
-/// holds each of them (U. Kulisch, "Computer Arithmetic and Validity", 2nd ed. 2013, ch. 8, where it is a long
-/// accumulator for products of two). Exact for up to `most_products`.
+/// An exact sum of products of up to three doubles. It never rounds, overflows or underflows, because it is a
+/// fixed-point number that is long enough for every such product (U. Kulisch, "Computer Arithmetic and Validity", 2nd
+/// ed. 2013, ch. 8, which describes a long accumulator for products of two numbers). Exact for up to `most_products`
+/// products.
 class ExactSum {
  public:
   static constexpr std::int64_t most_products = std::int64_t{1} << 29;
 
-  /// Adds x y z. Precondition: all are finite.
+  /// Adds x y z. Precondition: x, y and z are finite.
   void add(double x, double y, double z = 1) {
     CAROM_EXPECTS(std::isfinite(x) && std::isfinite(y) && std::isfinite(z), x, y, z);
     const Parts a(x);
@@ -52,8 +53,8 @@ class ExactSum {
     return carry < 0 ? -1 : (carry > 0 || !zero ? 1 : 0);
   }
 
-  /// The sum, within a relative 2⁻⁵⁰ where that is a normal number: two additions are rounded, and what is left out is
-  /// below 2⁻⁶⁴ of it. 0 or infinite where it leaves the range of double.
+  /// The sum. Its relative error is at most 2⁻⁵⁰ if the sum is a normal number: two additions are rounded, and the
+  /// omitted digits are below 2⁻⁶⁴ of it. It is 0 or infinite beyond the range of double.
   [[nodiscard]] double approximately() const {
     const int s = sign();
     std::int64_t carry = 0;
@@ -68,7 +69,7 @@ class ExactSum {
     while (top > begin_ && magnitude[top] == 0) {
       --top;
     }
-    double sum = 0;  // of three digits, of which the first is not 0: at least 65 bits
+    double sum = 0;  // of the three highest digits: at least 65 bits, because the first is not 0
     for (std::size_t k = 0; k < 3 && k <= top; ++k) {
       sum += std::ldexp(static_cast<double>(magnitude[top - k]), -static_cast<int>(digit_bits * k));
     }
@@ -82,9 +83,10 @@ class ExactSum {
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
 
-  // A product adds to a digit the lower half of one shifted digit and the upper half of another, and `sign` a carry.
+  // A product adds to a digit the lower half of one shifted digit and the upper half of another. `sign` adds a carry.
   static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
-  // The place of a double is at most 2045, three of them begin at this digit, and a product has six and a carry.
+  // The place of a double is at most 2045. A product of three begins at this digit or below, and has six digits and a
+  // carry.
   static_assert((3 * 2045) / digit_bits + 7 <= digit_count);
 
   /// x = sign · (digits[0] + 2³² digits[1]) · 2^(place − 1074).
@@ -119,7 +121,7 @@ class ExactSum {
     return product;
   }
 
-  std::array<std::int64_t, digit_count> digits_{};  // of base 2³², the lowest first, carries pending
+  std::array<std::int64_t, digit_count> digits_{};  // digits of base 2³², the lowest first, with pending carries
   std::size_t begin_ = digit_count;                 // digits outside of [begin_, end_) are 0
   std::size_t end_ = 0;
 };

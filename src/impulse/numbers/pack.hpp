@@ -8,16 +8,16 @@
 #error "Compiled by clang 14 for AVX-512, where(mask, x) = y of libstdc++ 12 assigns nothing: use -mno-avx512f, or gcc"
 #endif
 
-/// Packs of numbers, one contact a lane, as the scalar type of the solvers.
+/// Packs of numbers as the scalar type of the solvers, with one contact in each lane.
 namespace carom::impulse {
 
-/// As many numbers as a register of the instruction set holds that the including unit is compiled for.
+/// As many numbers as one register holds, in the instruction set that the including unit is compiled for.
 template <class S>
 using Pack = std::experimental::native_simd<S>;
 
 }  // namespace carom::impulse
 
-/// Eigen stores packs, and takes them for real numbers that it knows no instructions for.
+/// Lets Eigen store packs. Eigen treats a pack as a real number, and has no instructions for it.
 template <class S, class Abi>
 struct Eigen::NumTraits<std::experimental::simd<S, Abi>> {
   using Real = std::experimental::simd<S, Abi>;

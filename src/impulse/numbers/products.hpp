@@ -5,8 +5,9 @@
 
 #include <carom/collision/vector.hpp>
 
-/// Products in one order of addition. Eigen's own add in an order that depends on the scalar type and on the
-/// instruction set; with these a solver gives the same bits in a scalar and in each lane of a pack, on every machine.
+/// Products with one fixed order of addition. The order of Eigen's products depends on the scalar type and on the
+/// instruction set. With these products a solver gives the same bits for a scalar and for each lane of a pack, on every
+/// machine.
 namespace carom::impulse {
 
 /// x·y = (x₀ y₀ + x₁ y₁) + x₂ y₂.
@@ -21,7 +22,7 @@ template <class S>
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-/// M x, each row as `dot`.
+/// M x. Each row adds in the order of `dot`.
 template <class S>
 [[nodiscard]] Vector3<S> times(const Matrix3<S>& m, const std::type_identity_t<Vector3<S>>& x) {
   const auto row = [&](int i) -> S { return (m(i, 0) * x[0] + m(i, 1) * x[1]) + m(i, 2) * x[2]; };

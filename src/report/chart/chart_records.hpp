@@ -9,10 +9,10 @@
 #include <carom/report/chart/measurement.hpp>
 #include <carom/report/model/run_json.hpp>
 
-/// What `carom chart` writes beside the pictures.
+/// The data files of `carom chart`.
 namespace carom::report {
 
-/// Everything that was measured, and how.
+/// All measurements, and their settings.
 struct Measurements {
   Environment environment;
   std::uint64_t seed;
@@ -23,18 +23,18 @@ struct Measurements {
   std::vector<SweepMeasurement> sweeps;
 };
 
-/// A line for each method and family.
+/// One line for each method and family.
 [[nodiscard]] std::string work_precision_csv(const Measurements& measurements);
 
-/// A line for each method and quantity of each sweep.
+/// One line for each method and quantity of each sweep.
 [[nodiscard]] std::string stability_csv(const Measurements& measurements);
 
-/// A line for each step of each curve.
+/// One line for each step of each curve.
 [[nodiscard]] std::string deadline_csv(const Measurements& measurements);
 
 [[nodiscard]] nlohmann::json chart_record(const Measurements& measurements);
 
-/// The methods over all families, and where each leaves the limit, as Markdown.
+/// The methods over all families, and the quantity at which each method exceeds the limit, as Markdown.
 [[nodiscard]] std::string tables_markdown(const Measurements& measurements);
 
 }  // namespace carom::report

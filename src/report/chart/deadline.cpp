@@ -69,7 +69,7 @@ Plot deadline(std::span<const MethodMeasurement> methods) {
     labels.push_back({fmt::format("{} digits", deadline_digits[i]), panel.place_of(panel.x.high, steps.back().share),
                       std::string(colours[i])});
   }
-  // One below the other, each joined with the end of its curve.
+  // The labels are below each other. A line joins each label to the end of its curve.
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.names.y > b.names.y; });
   double above = panel.y.last_pixel + 50;
   for (Label& label : labels) {
@@ -77,7 +77,7 @@ Plot deadline(std::span<const MethodMeasurement> methods) {
     above = label.at.y;
   }
   picture.write(labels, 17);
-  // The methods that the steps are by.
+  // The methods of the steps.
   double y = std::min(above - 60, panel.y.first_pixel + 24 * static_cast<double>(methods_behind.size()) + 24);
   picture.write("the steps are by", {panel.x.last_pixel + 30, y}, "#555555");
   for (const auto& [nanoseconds, method] : methods_behind) {

@@ -10,37 +10,40 @@
 #include <carom/report/chart/measurement.hpp>
 #include <carom/report/drawing/plot.hpp>
 
-/// The pictures of `carom chart`. In all of them a method has the same number, its place in the list of its model.
+/// The pictures of `carom chart`. A method has the same number in all pictures, which is its place in the list of its
+/// law.
 namespace carom::report {
 
-/// The measurements of the methods of one model, in the order of their numbers.
+/// The measurements of the methods of one law, in the order of their numbers.
 [[nodiscard]] std::vector<MethodMeasurement> of_model(std::span<const MethodMeasurement> methods, Model model);
 
-/// Time against correct digits, over all families: one mark a method, a bar down to its worst case, the Pareto line.
+/// Time against correct digits, over all families: a mark for each method, a bar down to its worst case, and the Pareto
+/// line.
 [[nodiscard]] Plot work_precision(std::span<const MethodMeasurement> of_one_model);
 
-/// The same, one small diagram for each family.
+/// Time against correct digits, in one small diagram for each family.
 [[nodiscard]] Plot work_precision_of_families(std::span<const MethodMeasurement> of_one_model);
 
-/// The worst backward error along a sweep, one line a method of the model.
+/// The worst backward error along a sweep, with one line for each method of the law.
 [[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Model model, double limit_ulps);
 
-/// The share of cases that can be solved to so many digits within a time, by the best method for it.
+/// The share of cases that the best method solves to a number of digits within a time.
 [[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_model);
 
-/// One step of a deadline curve: from so many nanoseconds on, this share of the cases, by this method.
+/// One step of a deadline curve: from this time on, the method solves this share of the cases.
 struct DeadlineStep {
   double nanoseconds;
   double share;
   std::string method;
 };
 
-/// The digits that the deadline diagram asks for.
+/// The numbers of digits in the deadline diagram.
 inline constexpr std::array deadline_digits{3, 6, 9, 12, 15, 18};
 
 [[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_model, double digits);
 
-/// The methods that none beats both in time and in digits, quickest first: of those that fail nowhere.
+/// The methods that no method beats in both time and digits, the quickest first. Only methods with `is_sound` are
+/// considered.
 template <class Nanoseconds, class Digits, class IsSound>
 [[nodiscard]] std::vector<std::size_t> pareto(std::size_t count, const Nanoseconds& nanoseconds, const Digits& digits,
                                               const IsSound& is_sound) {

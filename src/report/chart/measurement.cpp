@@ -12,13 +12,13 @@
 namespace carom::report {
 namespace {
 
-/// Of values where small ones are good.
+/// The quantiles of values of which small ones are good.
 Quantiles quantiles_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return {quantile(values, 0.5), quantile(values, 0.99), values.back()};
 }
 
-/// Of values where large ones are good.
+/// The quantiles of values of which large ones are good.
 Quantiles quantiles_where_large_is_good(std::vector<double> values) {
   std::sort(values.begin(), values.end(), std::greater<>());
   return {quantile(values, 0.5), quantile(values, 0.99), values.back()};

@@ -8,31 +8,31 @@
 #include <string>
 #include <vector>
 
-/// What `carom chart` measures, before it is drawn.
+/// The measurements of `carom chart`, before they are drawn.
 namespace carom::report {
 
-/// Of the cases of a distribution; of 99 in 100 and of all of them, the worse end.
+/// The median of a distribution, and the worst value among the best 99 % and among all of its cases.
 struct Quantiles {
   double median = 0;
   double of_99_percent = 0;
   double worst = 0;
 };
 
-/// Of repeated measurements.
+/// The spread of repeated measurements.
 struct Spread {
   double median = 0;
   double lowest = 0;
   double highest = 0;
 };
 
-/// How exact one method is on the colliding contacts of one distribution.
+/// The accuracy of one method on the colliding contacts of one distribution.
 struct Exactness {
   std::size_t cases = 0;
-  std::size_t failures = 0;        // beyond the limit on the backward error, or violating an equation, or not finite
-  bool has_digits = true;          // false where they were not asked for
-  Quantiles digits;                // correct ones, of the change of the velocities (forward error)
-  bool has_backward_error = true;  // false of a law that determines no outcome
-  Quantiles backward_error;        // ulps of the method's own precision; infinite where an outcome is not finite
+  std::size_t failures = 0;        // cases beyond the limit on the backward error, violating an equation, or not finite
+  bool has_digits = true;          // false if the digits were not computed
+  Quantiles digits;                // correct digits of the change of the velocities (forward error)
+  bool has_backward_error = true;  // false for a law that determines no outcome
+  Quantiles backward_error;        // ulps of the method's own precision; infinite if an outcome is not finite
   std::vector<double> digits_of_cases;
 };
 
@@ -49,11 +49,11 @@ struct MethodMeasurement {
   Precision precision;
   std::vector<FamilyMeasurement> families;
 
-  /// Whether it fails on any case of any family.
+  /// Whether the method fails on any case of any family.
   [[nodiscard]] bool fails() const;
-  /// Over the cases of all families; of the backward error the worst alone.
+  /// The accuracy over the cases of all families. The median and the 99 % value of the backward error are not set.
   [[nodiscard]] Exactness over_all_families() const;
-  /// The median family, the quickest and the slowest.
+  /// The times of the median family, the quickest family and the slowest family.
   [[nodiscard]] Spread nanoseconds_over_all_families() const;
 };
 
@@ -65,7 +65,7 @@ struct SweepLine {
   std::vector<double> quantity;
   std::vector<Exactness> exactness;  // at each quantity
 
-  /// The first quantity, from the easy end, at which a case is beyond the limit; none where there is none.
+  /// The first quantity, from the easy end, at which a case fails; none if no case fails.
   [[nodiscard]] std::optional<double> leaves_limit_at() const;
 };
 
@@ -76,12 +76,12 @@ struct SweepMeasurement {
   std::vector<SweepLine> lines;
 };
 
-/// The exactness of results that were collected case by case.
+/// Collects results case by case into an Exactness.
 class ExactnessBuilder {
  public:
-  /// `backward_error` is infinite and `digits` 0 where the outcome is not finite.
+  /// If the outcome is not finite, `backward_error` is infinite and `digits` is 0.
   void add(double backward_error, double digits, bool within_limit);
-  /// Of a law that has no backward error; where the digits were not asked for, whether it holds alone.
+  /// For a law without a backward error. If the digits were not computed, only whether the law holds is added.
   void add(double digits, bool holds);
   void add(bool holds);
   ExactnessBuilder& operator+=(const ExactnessBuilder& other);
@@ -94,14 +94,14 @@ class ExactnessBuilder {
   std::size_t failures_ = 0;
 };
 
-/// The laws whose methods are charted: those with a truth, and `coulomb`, of whose answers the nearest gives the
-/// digits.
+/// The laws whose methods are charted: the laws with a truth, and `coulomb`. The digits of `coulomb` are those of its
+/// nearest answer.
 [[nodiscard]] std::span<const Model> charted_models();
 
-/// The value below which so large a share of the sorted values lies (nearest rank). Precondition: not empty.
+/// The value of rank ⌈share · n⌉ among n sorted values (nearest rank). Precondition: `sorted` is not empty.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
-/// A time to three digits or all before the point, without an exponent.
+/// A time with three significant digits, or with all digits before the point. From 1e-4 on, it has no exponent.
 [[nodiscard]] std::string in_three_digits(double number);
 
 }  // namespace carom::report

@@ -12,7 +12,7 @@ namespace carom::report {
 namespace {
 
 constexpr double least_error = 0.01;
-constexpr double most_error = 1e22;  // also what is not finite
+constexpr double most_error = 1e22;  // errors that are not finite are drawn here too
 
 struct Style {
   std::string_view colour;
@@ -20,13 +20,13 @@ struct Style {
   int point;
 };
 
-/// The colour of the precision; methods of one precision differ in dash and mark.
+/// The colour shows the precision. Methods of one precision differ in dash and mark.
 Style style_of(const SweepLine& line, std::size_t index) {
   constexpr std::array points{7, 5, 9, 13, 11, 4, 6};
   return {colour_of(line.precision), static_cast<int>(index / points.size() % 4) + 1, points[index % points.size()]};
 }
 
-/// Whether the end of a line keeps away from all others.
+/// Whether the end of a line is apart from all others.
 bool stands_alone(Pixel end, const std::vector<Pixel>& ends) {
   constexpr double near = 18;
   return std::count_if(ends.begin(), ends.end(),
@@ -96,7 +96,7 @@ Plot stability_map(const SweepMeasurement& sweep, Model model, double limit_ulps
   picture.write("orange: binary32 · blue: binary64 · green: more", {key_left, y}, "#777777");
   y -= row;
   picture.write("at 10²²: no digit is right, or the outcome is not finite", {key_left, y}, "#777777");
-  // The list tells apart what ends together.
+  // Lines that end close together are told apart by the list.
   std::erase_if(labels, [&](const Label& label) { return !stands_alone(label.names, ends); });
   for (Label& label : labels) {
     label.at = {label.names.x + 18, label.names.y};

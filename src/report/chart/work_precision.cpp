@@ -14,7 +14,7 @@
 namespace carom::report {
 namespace {
 
-constexpr double most_digits = 21;  // an exact outcome has more; it is drawn here
+constexpr double most_digits = 21;  // an exact outcome has more digits; it is drawn here
 constexpr double least_digits = 0;
 
 constexpr std::pair<std::string_view, std::string_view> key_of_colours[] = {{"binary32", orange},
@@ -23,7 +23,7 @@ constexpr std::pair<std::string_view, std::string_view> key_of_colours[] = {{"bi
                                                                             {"x: fails", vermillion},
                                                                             {"grey: Pareto line", grey}};
 
-/// One mark.
+/// The mark of one method.
 struct Mark {
   std::size_t number;  // of the method, from 0
   Spread nanoseconds;
@@ -46,7 +46,7 @@ Axis time_axis(std::span<const MethodMeasurement> methods, double first_pixel, d
   return {low / 1.3, high * 1.3, true, first_pixel, last_pixel};
 }
 
-/// Bars, marks and the Pareto line; labels for `is_labelled` marks.
+/// Draws bars, marks and the Pareto line, and labels for the marks with `is_labelled`.
 template <class IsLabelled>
 void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, double mark_size, double letter,
           const IsLabelled& is_labelled) {
@@ -87,7 +87,7 @@ std::string families_text(std::size_t failing, std::size_t all) {
   return failing == 0 ? std::string() : fmt::format("fails in {} of {} families", failing, all);
 }
 
-/// The list of methods at the right: number, name, time, digits, and where it fails.
+/// Writes the list of methods at the right: number, name, time, digits, and the number of families in which it fails.
 void write_key(Plot& picture, std::span<const MethodMeasurement> methods, Pixel top_left) {
   const double row = std::min(26.0, (top_left.y - 60) / static_cast<double>(methods.size() + 5));
   const double size = std::min(1.0, row / 24);

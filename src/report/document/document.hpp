@@ -10,29 +10,29 @@
 
 #include <pugixml.hpp>
 
-/// The content of a page. It is written as text for a terminal, as Markdown or as HTML. Texts may come from others:
-/// each way of writing makes them safe.
+/// The content of a page. It is written as text for a terminal, as Markdown or as HTML. Texts may come from third
+/// parties; each form escapes them.
 namespace carom::report {
 
 struct Block;
 using Document = std::vector<Block>;
 
-/// `look` is a class of the style sheet, for HTML alone, here and below.
+/// `look` is a class of the style sheet, here and below. Only HTML uses it.
 struct Paragraph {
   std::string text;
   std::string look = {};
   bool is_strong = false;
 };
 
-/// Lines that stay as they are.
+/// Lines that are shown unchanged.
 struct Code {
   std::string text;
 };
 
 struct Column {
   std::string name;
-  bool is_number = false;   // stands at the right
-  bool is_upright = false;  // in HTML the name is turned
+  bool is_number = false;   // aligned to the right
+  bool is_upright = false;  // HTML turns the name upright
 };
 
 struct Cell {
@@ -41,11 +41,10 @@ struct Cell {
 
   std::string text;
   std::string look;
-  bool is_code = false;  // in Markdown: a name that others chose, in which nothing is read as markup or as a person
-  // For HTML alone:
-  std::string link = {};    // of the text, "#anchor"
-  std::string sign = {};    // before the text, for those who see it;
-  std::string spoken = {};  // and for those who hear it
+  bool is_code = false;     // Markdown shows it as code, so that a third party's name is no markup and no mention
+  std::string link = {};    // the target of the text, "#anchor"
+  std::string sign = {};    // before the text, visible only
+  std::string spoken = {};  // in place of the sign, for screen readers
   std::string before = {};  // before the link
   std::string small = {};   // below the text
 };
@@ -54,25 +53,25 @@ struct List {
   std::vector<Cell> items;
 };
 
-/// Names and values; those without a value are left out.
+/// Names and values. A name without a value is left out.
 struct Facts {
   std::vector<std::pair<std::string, Cell>> pairs;
 };
 
 struct Row {
-  std::vector<Cell> cells;              // the first one is the row's name; the last one takes what columns are left
-  std::vector<std::string> notes = {};  // lines below it, in a text
-  bool is_group = false;                // the one cell is the heading of the rows below it
+  std::vector<Cell> cells;              // the first cell names the row; the last cell spans the remaining columns
+  std::vector<std::string> notes = {};  // lines below the row, in a text
+  bool is_group = false;                // the only cell is the heading of the rows below
 };
 
 struct Table {
-  std::string caption;  // HTML alone shows it
+  std::string caption;  // shown only in HTML
   std::vector<Column> columns;
   std::vector<Row> rows;
   std::string look = "coverage";
 };
 
-/// For HTML alone: draws itself into an element.
+/// Only for HTML: draws itself into an element.
 struct Picture {
   std::function<void(pugi::xml_node)> draw;
 };
@@ -83,17 +82,17 @@ struct Section {
   std::string anchor = {};
   std::string element = "section";
   std::string look = {};
-  bool is_code = false;  // its title, as of a cell
+  bool is_code = false;  // shows the title as code, as in a cell
 };
 
-/// A name that others chose.
+/// A name that a third party chose.
 [[nodiscard]] inline Cell name_cell(std::string name) {
   Cell cell(std::move(name));
   cell.is_code = true;
   return cell;
 }
 
-/// A part that HTML shows on demand, and no other form shows.
+/// Content that HTML shows on demand, and that no other form shows.
 struct Details {
   std::string summary;
   Document content;
@@ -109,26 +108,26 @@ struct Block {
   std::variant<Paragraph, List, Code, Facts, Table, Picture, Section, Details, Box> is;
 
   template <class T>
-  Block(T block) : is(std::move(block)) {}  // any of these stands for itself
+  Block(T block) : is(std::move(block)) {}  // implicit, so that each alternative is a block
 };
 
-/// Both, one after the other.
+/// The two documents, one after the other.
 [[nodiscard]] Document with(Document first, Document second);
 
-/// For a terminal. Tables have columns as wide as their longest cell.
+/// The document for a terminal. A column of a table is as wide as its longest cell.
 [[nodiscard]] std::string in_text(const Document& document);
 
-/// `level`: of the headings.
+/// `level` is that of the headings.
 [[nodiscard]] std::string in_markdown(const Document& document, int level = 2);
 
-/// Appends it to an element; `level` as above.
+/// Appends the document to an element. `level` is that of the headings.
 void add_html(pugi::xml_node parent, const Document& document, int level = 2);
 
-/// A page by itself, HTML and well-formed XML, that neither loads nor runs anything.
+/// A page of its own, as HTML and well-formed XML, that neither loads nor runs anything.
 struct Page {
   std::string title;
   std::string heading;
-  std::vector<std::pair<std::string, std::string>> contents = {};  // anchors and what they lead to
+  std::vector<std::pair<std::string, std::string>> contents = {};  // anchors, and the names of their targets
   Document main;
   std::string footer = {};
 };

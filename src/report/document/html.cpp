@@ -10,7 +10,7 @@
 namespace carom::report {
 namespace {
 
-/// An element with a class, if there is one.
+/// Appends an element, with a class if `look` is not empty.
 pugi::xml_node add_with_look(pugi::xml_node parent, const char* name, const std::string& look,
                              std::string_view text = {}) {
   return look.empty() ? add(parent, name, {}, text) : add(parent, name, {{"class", look}}, text);
@@ -76,7 +76,7 @@ struct HtmlWriter {
   }
 
   void operator()(const Table& table) const {
-    // What scrolls must be reached by the keyboard, and then has to say what it is.
+    // A scrolling element must be reachable by the keyboard, and then needs a label.
     const pugi::xml_node frame =
         add(parent, "div", {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", table.caption}});
     const pugi::xml_node node = add(frame, "table", {{"class", table.look}});
@@ -127,13 +127,13 @@ struct HtmlWriter {
   void operator()(const Box& box) const { add_html(add_with_look(parent, "div", box.look), box.content, level); }
 };
 
-/// Title, style, and a policy by which the page loads and runs nothing.
+/// Appends the title, the style, and a policy that forbids the page to load or run anything.
 void add_head(pugi::xml_node html, const std::string& title) {
   const pugi::xml_node head = add(html, "head");
   add(head, "meta", {{"charset", "utf-8"}});
   add(head, "meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   add(head, "meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  // No page that shows this one can make it load or run anything.
+  // Even if the page is embedded in another page, it cannot load or run anything.
   add(head, "meta",
       {{"http-equiv", "Content-Security-Policy"},
        {"content", "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"}});
@@ -141,7 +141,7 @@ void add_head(pugi::xml_node html, const std::string& title) {
   add(head, "style", {}, report_style);
 }
 
-/// In HTML an element without content has either no end tag or must have one; <meta/> is read the same as XML.
+/// In HTML, an element without content either has no end tag or requires one. HTML reads <meta/> like XML.
 std::string serialized(const pugi::xml_document& document) {
   std::ostringstream stream;
   document.save(stream, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);

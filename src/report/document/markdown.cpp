@@ -16,8 +16,8 @@ bool is_in_word(const std::string& line, std::size_t at) {
   return at > 0 && at + 1 < line.size() && is_word(line[at - 1]) && is_word(line[at + 1]);
 }
 
-/// A line in which nothing is read as markup, or ends the cell of a table. Within a word _ is no markup, and brackets
-/// are none unless more follows that makes a link or defines one.
+/// A line without active markup that does not end the cell of a table. Within a word, _ is no markup. A bracket is
+/// markup only if the next letter makes a link or a link definition.
 std::string escaped(const std::string& text) {
   constexpr std::string_view markup = "\\`*|~";
   constexpr std::string_view makes_a_link = "([:";
@@ -51,7 +51,7 @@ std::string in_code(const std::string& text) {
 
 std::string cell_text(const Cell& cell) { return cell.is_code ? in_code(cell.text) : escaped(cell.text); }
 
-/// A paragraph's first letter may not make it a heading or a list.
+/// The first letter of a paragraph must not make it a heading or a list.
 std::string paragraph_text(const std::string& text) {
   const std::string line = escaped(text);
   return (!line.empty() && std::string_view("#+-=>").find(line.front()) != std::string_view::npos ? "\\" : "") + line;
@@ -61,7 +61,7 @@ struct MarkdownWriter {
   int level;
   std::string text = {};
 
-  /// Between blocks stands an empty line.
+  /// An empty line separates blocks.
   void part() { text += text.empty() ? "" : "\n"; }
 
   void operator()(const Paragraph& paragraph) {
@@ -77,7 +77,7 @@ struct MarkdownWriter {
     }
   }
 
-  /// Each line is moved in, which makes a block that no text can end.
+  /// Each line is indented, which makes a code block that no text can end.
   void operator()(const Code& code) {
     part();
     bool begins = true;

@@ -8,12 +8,12 @@
 
 #include <pugixml.hpp>
 
-/// Elements of XML and HTML. What stands in them is escaped by the library that writes them; here it is made what both
-/// can hold at all.
+/// Elements of XML and HTML. The library that writes them escapes their content. These functions also replace
+/// characters that XML or HTML cannot contain.
 namespace carom::report {
 
-/// The text without what XML or HTML has no place for, escaped or not: control characters but line ends and tabs,
-/// noncharacters, invalid UTF-8.
+/// The text without characters that XML or HTML cannot contain, even escaped: control characters except for line ends
+/// and tabs, noncharacters, and invalid UTF-8.
 [[nodiscard]] std::string printable_text(std::string_view text);
 
 using Attributes = std::initializer_list<std::pair<const char*, std::string_view>>;

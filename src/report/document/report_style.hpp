@@ -5,8 +5,7 @@
 
 namespace carom::report {
 
-/// The style sheet of report.html. It stands in an element whose text HTML takes as it is, and must therefore do
-/// without <, > and &.
+/// The style sheet of report.html. HTML does not unescape the content of its element, so it must not contain <, > or &.
 extern const std::string_view report_style;
 
 }  // namespace carom::report

@@ -8,7 +8,7 @@
 
 namespace carom::report {
 
-/// The colour of a method's precision, the same in all pictures.
+/// The colour of a method's precision, which is the same in all pictures.
 [[nodiscard]] constexpr std::string_view colour_of(Precision precision) {
   switch (precision) {
     case Precision::binary32:

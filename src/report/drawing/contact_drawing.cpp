@@ -14,14 +14,14 @@ namespace carom::report {
 namespace {
 
 constexpr long double reach_in_pixels = 85;  // of the longest lever arm
-constexpr long double arrow_in_pixels = 75;  // of the longest velocity but a computed one that leaves all others behind
+constexpr long double arrow_in_pixels = 75;  // of the longest velocity, except for a computed one that is far longer
 constexpr long double wall_in_pixels = 95;   // half of a wall
 constexpr long double normal_in_pixels = 55;
 
 long double length(const Place& place) { return std::hypot(place.x, place.y); }
 Place scaled(const Place& place, long double factor) { return {place.x * factor, place.y * factor}; }
 
-/// A velocity before, computed and exact, as seen in the plane.
+/// The velocities before, computed and exact, projected into the plane.
 struct Velocities {
   Place before;
   std::optional<Place> computed;
@@ -43,7 +43,8 @@ Velocities seen(const Plane& plane, const ContactPicture& picture, const Pick& p
   return velocities;
 }
 
-/// Pixels for a unit of velocity, so that all of them have room. What was computed counts where nothing else moves.
+/// Pixels for a unit of velocity [1 m/s], so that all arrows fit. The computed velocities count only if all others are
+/// 0.
 long double velocity_scale(const std::vector<Velocities>& all) {
   long double true_ones = 0;
   long double computed = 0;
@@ -55,7 +56,7 @@ long double velocity_scale(const std::vector<Velocities>& all) {
   return longest > 0 ? arrow_in_pixels / longest : 0;
 }
 
-/// Whether an arrow had to be shortened.
+/// Draws the velocities. Returns whether an arrow was shortened.
 bool draw_velocities(Drawing& drawing, const Place& at, const Velocities& velocities, long double scale) {
   constexpr long double longest = 2 * arrow_in_pixels;
   bool is_shortened = false;
@@ -71,18 +72,18 @@ bool draw_velocities(Drawing& drawing, const Place& at, const Velocities& veloci
   return is_shortened;
 }
 
-/// A body as it is drawn, in pixels, the contact point in the origin.
+/// A body to draw. Places are in pixels, and the contact point is the origin.
 struct DrawnBody {
   const Body* body;
   std::string name;
   int side;  // 1: the normal points to it
   Place centre;
-  bool has_centre;  // near enough to be drawn
+  bool has_centre;  // whether the centre is near enough to be drawn
   Outline outline;
   Velocities velocities;
 };
 
-/// Pixels for a metre: both lever arms have room, and the outlines where they are not much larger.
+/// Pixels for a metre, so that both lever arms fit. The outlines fit too if they are not much larger.
 long double length_scale(const std::vector<DrawnBody>& bodies) {
   long double reach = 0;
   long double size = 0;
@@ -97,7 +98,7 @@ long double length_scale(const std::vector<DrawnBody>& bodies) {
   return whole > 0 ? reach_in_pixels / whole : 0;
 }
 
-/// The outline in pixels, within what can be seen; whether it is to scale.
+/// Scales the outline to pixels and limits it to a visible size. Returns whether it is to scale.
 bool scale_outline(Outline& outline, long double scale) {
   constexpr long double smallest = 5;
   constexpr long double largest = 130;
@@ -108,7 +109,7 @@ bool scale_outline(Outline& outline, long double scale) {
 
 std::string sentence(bool applies, const char* text) { return applies ? std::string(" ") + text : ""; }
 
-/// The bodies, the contact and the velocities; what a reader has to know of it.
+/// Draws the bodies, the contact and the velocities. Returns the caption.
 std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, const Plane& plane,
                         const std::string& name, const std::string& title) {
   const Collision& collision = picture.collision;

@@ -10,7 +10,7 @@
 
 namespace carom::report {
 
-/// What moves in a picture of a contact.
+/// The velocities in a picture of a contact.
 struct Motion {
   Outcome<double> outcome;
   Vector3<double> relative_velocity;  // of the contact point, V = V_A − V_B
@@ -19,17 +19,17 @@ struct Motion {
 struct ContactPicture {
   const Collision& collision;
   Motion before;
-  std::optional<Motion> computed;  // none where the subject gave no finite numbers
-  std::optional<Motion> exact;     // none where the model determines no outcome
+  std::optional<Motion> computed;  // none if the subject gave no finite numbers
+  std::optional<Motion> exact;     // none if the law determines no outcome
 };
 
-/// Appends a figure of two drawings and their legend: the bodies and their velocities, and the relative velocity of
-/// the contact point. `name` is unique in its page; `title` says whose contact it is. Precondition: the collision is
-/// valid; its numbers may be as extreme as they come.
+/// Appends a figure with two drawings and their legend: the bodies with their velocities, and the relative velocity of
+/// the contact point. `name` is unique in its page. `title` names the contact. Precondition: the collision is valid.
+/// Its numbers may be of any size.
 void add_contact_figure(pugi::xml_node parent, const ContactPicture& picture, const std::string& name,
                         const std::string& title);
 
-/// Appends what the strokes mean.
+/// Appends the legend of the strokes.
 void add_contact_legend(pugi::xml_node parent);
 
 }  // namespace carom::report

@@ -10,19 +10,19 @@
 namespace carom::report {
 namespace {
 
-/// Of length one; zero where the vector is.
+/// The unit vector of a vector; zero for a zero vector.
 Direction unit(const Direction& vector) {
   const long double largest = vector.cwiseAbs().maxCoeff();
   return largest > 0 ? Direction((vector / largest).normalized()) : Direction(Direction::Zero());
 }
 
-/// What is left of the direction of a vector once its part along the normal is taken away.
+/// The unit vector of a vector, without its component along the normal.
 Direction askew(const Direction& vector, const Direction& normal) {
   const Direction direction = unit(vector);
   return direction - direction.dot(normal) * normal;
 }
 
-/// A direction of length one orthogonal to this one.
+/// A unit vector orthogonal to the normal.
 Direction any_orthogonal(const Direction& normal) {
   int smallest = 0;
   normal.cwiseAbs().minCoeff(&smallest);
@@ -47,7 +47,7 @@ Plane contact_plane(const Collision& collision, const Vector3<double>& relative_
       best = candidate;
     }
   }
-  // Below this it is the rounding of the subtraction.
+  // A smaller value is rounding error of the subtraction.
   constexpr long double visible = 1e-12L;
   return best.askew.norm() > visible ? Plane{best.askew.normalized(), normal, best.name}
                                      : Plane{any_orthogonal(normal), normal, "any direction across it"};
@@ -62,15 +62,15 @@ Outline outline(const Plane& plane, const Body& body) {
                 body.principal_inertia);
   const Direction inertia = body.principal_inertia.cast<long double>();
   const Quaternion<long double> orientation = body.orientation.cast<long double>();
-  // Of a uniform ellipsoid I_x = m (b² + c²) / 5, and so on: a² = 5 (I_y + I_z − I_x) / 2m. The squared outline is the
-  // sum of the squared axes, each seen in the plane.
+  // A uniform ellipsoid has I_x = m (b² + c²) / 5, and so on. Hence a² = 5 (I_y + I_z − I_x) / 2m. The squared outline
+  // is the sum of the squared axes, each projected into the plane.
   long double xx = 0;
   long double xy = 0;
   long double yy = 0;
   for (int i = 0; i < 3; ++i) {
     const long double squared = 5 * (inertia.sum() - 2 * inertia[i]) / (2 * static_cast<long double>(body.mass));
     const Place axis = projected(plane, oracles::turned<long double>(orientation, Direction::Unit(i)));
-    const long double kept = std::max(squared, 0.0L);  // no ellipsoid has the inertia of some valid bodies
+    const long double kept = std::max(squared, 0.0L);  // some valid bodies have the inertia of no ellipsoid
     xx += kept * axis.x * axis.x;
     xy += kept * axis.x * axis.y;
     yy += kept * axis.y * axis.y;

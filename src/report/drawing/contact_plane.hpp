@@ -6,8 +6,8 @@
 #include <carom/collision/collision.hpp>
 #include <carom/report/drawing/drawing.hpp>
 
-/// The plane that a contact is drawn in. In extended numbers: differences and squares of any binary64 numbers are in
-/// their range.
+/// The plane in which a contact is drawn. Its numbers are long double, so that differences and squares of any binary64
+/// numbers neither overflow nor underflow.
 namespace carom::report {
 
 using Direction = Vector3<long double>;
@@ -18,17 +18,17 @@ struct Plane {
   std::string_view spanned_by;  // in words
 };
 
-/// The plane of the normal and of what is most askew to it: the relative velocity, or a movable body's lever arm.
-/// Precondition: the numbers are finite and the normal is not zero.
+/// The plane of the normal and of the vector that is least parallel to it: the relative velocity, or a movable body's
+/// lever arm. Precondition: the numbers are finite and the normal is not zero.
 [[nodiscard]] Plane contact_plane(const Collision& collision, const Vector3<double>& relative_velocity);
 
 [[nodiscard]] Place projected(const Plane& plane, const Direction& vector);
 
-/// The outline, seen in the plane, of the ellipsoid of uniform density that has the body's mass and inertia.
+/// The outline, projected into the plane, of the uniform ellipsoid with the body's mass and inertia.
 struct Outline {
-  long double longer = 0;  // semi-axes
+  long double longer = 0;  // semi-axes [m]
   long double shorter = 0;
-  long double turned = 0;  // of the longer one, counter-clockwise from `across` [rad]
+  long double turned = 0;  // angle of the longer axis, counter-clockwise from `across` [rad]
 };
 
 /// Precondition: the body is movable and valid.

@@ -11,15 +11,15 @@
 namespace carom::report {
 namespace {
 
-/// Far more than any picture has.
+/// Far larger than any picture.
 constexpr long double largest = 1000;
 
-/// A coordinate, whatever came of the numbers.
+/// A coordinate in the drawing, also for numbers that are NaN or too large.
 std::string in_pixels(long double number) {
   return fmt::format("{:.1f}", std::isnan(number) ? 0.0L : std::clamp(number, -largest, largest));
 }
 
-/// SVG has y downwards.
+/// In SVG, y points downwards.
 std::string point(const Place& place) { return in_pixels(place.x) + ',' + in_pixels(-place.y); }
 
 }  // namespace

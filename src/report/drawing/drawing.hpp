@@ -9,17 +9,17 @@
 
 namespace carom::report {
 
-/// A place in a drawing, y upwards.
+/// A place in a drawing, with y upwards.
 struct Place {
   long double x = 0;
   long double y = 0;
 };
 
-/// A small picture in SVG that grows with what is drawn in it. No attribute is ever anything but a moderate number.
-/// What stands in it gets its looks from the style sheet, by class.
+/// A small SVG picture that grows with its content. Every number in an attribute is of moderate size. The style sheet
+/// defines the look of each class.
 class Drawing {
  public:
-  /// `name` is unique in its page; title and description are for those who do not see the picture.
+  /// `name` is unique in its page. The title and the description are for readers who do not see the picture.
   Drawing(pugi::xml_node parent, const std::string& name, std::string_view title, std::string_view description);
 
   void line(const Place& from, const Place& to, const char* look);
@@ -27,16 +27,17 @@ class Drawing {
                const char* look);
   void dot(const Place& centre, const char* look);
 
-  /// Nothing where it would be shorter than a dot.
+  /// Draws nothing if the arrow is shorter than a dot.
   void arrow(const Place& from, const Place& along, const char* look);
 
-  /// A surface through the origin, across the drawing, hatched on the side of a body: 1 above it, −1 below.
+  /// A horizontal surface through the origin, hatched on the side of a body: 1 for above, −1 for below.
   void wall(int side, long double half_width);
 
-  /// Beside the anchor, where it covers least of what is drawn. To be called after all else is.
+  /// Writes a text next to the anchor, where it covers the least of the drawing. Call it after everything else is
+  /// drawn.
   void label(const Place& anchor, std::string_view text);
 
-  /// Sets the size. To be called last.
+  /// Sets the size. Call it last.
   void finish();
 
  private:

@@ -30,7 +30,7 @@ const std::map<std::string_view, Symbol>& symbols() {
   return all;
 }
 
-/// Reads one formula, front to back.
+/// Reads one formula from start to end.
 class Reader {
  public:
   explicit Reader(std::string_view rest) : rest_(rest) {}
@@ -46,7 +46,7 @@ class Reader {
   }
 
  private:
-  /// An atom with what stands above and below it.
+  /// Appends an atom with its subscript and its superscript.
   void scripted_into(pugi::xml_node parent) {
     const pugi::xml_node atom = atom_into(parent);
     pugi::xml_document scripts;
@@ -71,7 +71,7 @@ class Reader {
     }
   }
 
-  /// What a command or a script applies to: a group or a single character.
+  /// Appends the argument of a command or a script: a group or a single character.
   void argument_into(pugi::xml_node parent) {
     if (!rest_.empty() && is_digit(rest_.front())) {
       add(parent, "mn", {}, taken(1));
@@ -156,7 +156,7 @@ class Reader {
   }
 
   static pugi::xml_node operator_into(pugi::xml_node parent, std::string_view sign) {
-    // Read as a fence it would stand apart from what it encloses.
+    // MathML would set a fence apart from its content.
     const bool is_bar = sign == "|" || sign == "‖";
     return is_bar ? add(parent, "mo", {{"lspace", "0"}, {"rspace", "0"}, {"stretchy", "false"}}, sign)
                   : add(parent, "mo", {}, sign);
@@ -173,7 +173,7 @@ class Reader {
     return inside;
   }
 
-  /// Spaces at the ends of text would be lost.
+  /// Non-breaking spaces, because MathML drops spaces at the ends of a text.
   static std::string spaced(std::string_view text) {
     std::string result;
     for (const char letter : text) {

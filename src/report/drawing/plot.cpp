@@ -30,7 +30,7 @@ double overlap(const Box& a, const Box& b) {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-/// Of the letters of the usual sans-serif fonts, against their size.
+/// The letters of common sans-serif fonts, relative to the font size.
 constexpr double letter_width = 0.62;
 constexpr double letter_height = 1.0;
 
@@ -51,7 +51,7 @@ void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_
   }
   constexpr int directions = 16;
   for (Label& label : labels) {
-    // Half a letter more, so that two numbers are not read as one.
+    // Half a letter wider, so that two numbers are not read as one.
     const double width = letter * (letter_width * static_cast<double>(label.text.size()) + 0.5);
     const double height = letter * letter_height;
     double least = std::numeric_limits<double>::infinity();

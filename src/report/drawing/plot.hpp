@@ -7,21 +7,21 @@
 
 namespace carom::report {
 
-/// A place in a picture: pixels from its lower left corner.
+/// A place in a picture [pixels from its lower left corner].
 struct Pixel {
   double x;
   double y;
 };
 
-/// What one axis shows, and between which pixels.
+/// The values of one axis, and the pixels of its ends.
 struct Axis {
   double low;
   double high;
   bool logarithmic;
-  double first_pixel;  // where `low` stands
-  double last_pixel;   // where `high` stands
+  double first_pixel;  // of `low`
+  double last_pixel;   // of `high`
 
-  /// The pixel of a value; values outside are moved to the end of the axis.
+  /// The pixel of a value. A value outside of the axis is moved to its end.
   [[nodiscard]] double pixel_of(double value) const;
 };
 
@@ -35,7 +35,7 @@ struct Panel {
   }
 };
 
-/// A short text beside the place that it names.
+/// A short text next to the place that it names.
 struct Label {
   std::string text;
   Pixel names;
@@ -43,12 +43,12 @@ struct Label {
   Pixel at{0, 0};  // its middle, once it is placed
 };
 
-/// Moves each label beside its place, so that it covers no other label and no place that one of them names, as far as
-/// there is room nearby. `letter` is the size of a letter in pixels.
+/// Places each label next to its place. If there is room nearby, it covers no other label and no place in
+/// `to_keep_free`. `letter` is the size of a letter in pixels.
 void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within);
 
-/// A picture in the language of gnuplot: SVG, of a fixed size in pixels.
+/// A picture as a gnuplot script: an SVG of a fixed size in pixels.
 class Plot {
  public:
   Plot(std::string name, double width, double height, double font_size);
@@ -58,19 +58,19 @@ class Plot {
   [[nodiscard]] double height() const { return height_; }
   [[nodiscard]] double font_size() const { return font_size_; }
 
-  /// Starts a diagram: its axes, their names and its title.
+  /// Starts a diagram with its axes, their names and its title.
   void begin(const Panel& panel, std::string_view title, std::string_view x_name, std::string_view y_name);
-  /// A command of the open diagram, before its curves.
+  /// Adds a command to the open diagram, before its curves.
   void add(std::string_view command);
-  /// A text at a place, its left end, middle or right end there. In any diagram, before its curves.
+  /// Writes a text with its left end, middle or right end at a place. Call it in any diagram, before its curves.
   void write(std::string_view text, Pixel at, std::string_view colour = "#000000", std::string_view align = "left",
              double size = 1);
-  /// Placed labels, on white, each with a line to what it names where that is not beside it.
+  /// Writes placed labels on white. A line joins a label to its place if the two are apart.
   void write(const std::vector<Label>& labels, double letter);
-  /// A piece of a curve with its mark, as a list of methods shows it. In any diagram, before its curves.
+  /// Draws a piece of a curve with its mark, for a list of methods. Call it in any diagram, before its curves.
   void swatch(Pixel at, std::string_view colour, int dash, int point);
-  /// A curve or marks through points, each with two or four numbers (x, y and for arrows what they add), in the style
-  /// that `with` says. One without points is left out.
+  /// Adds a curve or marks through points, in the gnuplot style `with`. Each point has two numbers (x and y) or four
+  /// (the two ends of an arrow). Without points, it adds nothing.
   void curve(const std::vector<std::vector<double>>& points, std::string_view with);
   /// Draws the open diagram.
   void end();
@@ -89,7 +89,7 @@ class Plot {
   int blocks_written_ = 0;
 };
 
-/// Colours that people with any colour vision tell apart: M. Okabe, K. Ito, "Color Universal Design" (2008).
+/// Colours that people with any colour vision can distinguish: M. Okabe, K. Ito, "Color Universal Design" (2008).
 inline constexpr std::string_view orange = "#e69f00";
 inline constexpr std::string_view sky_blue = "#56b4e9";
 inline constexpr std::string_view green = "#009e73";
@@ -99,10 +99,10 @@ inline constexpr std::string_view purple = "#cc79a7";
 inline constexpr std::string_view black = "#000000";
 inline constexpr std::string_view grey = "#999999";
 
-/// Tics of an axis of times at 1, 2 and 5 times the powers of ten, as plain numbers: a gnuplot command.
+/// A gnuplot command for tics on an axis of times, at 1, 2 and 5 times the powers of ten, as plain numbers.
 [[nodiscard]] std::string time_tics(const Axis& axis);
 
-/// Tics at powers of ten, about eight of them, for the axis 'x' or 'y': a gnuplot command.
+/// A gnuplot command for tics at powers of ten, about eight of them, on the axis 'x' or 'y'.
 [[nodiscard]] std::string power_tics(const Axis& axis, char letter);
 
 /// A text as gnuplot reads it between double quotes.

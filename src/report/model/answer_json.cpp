@@ -42,7 +42,7 @@ json outcome_record(const ReportedOutcome& outcome) {
   return record;
 }
 
-/// A number as itself; as text what binary64 has not.
+/// Reads a number, or a string for a number that binary64 cannot represent.
 long double wide_number(const Field& field) {
   if (!field.value().is_string()) {
     return static_cast<long double>(field.number());

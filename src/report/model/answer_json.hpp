@@ -10,7 +10,7 @@
 /// Answers, truths and verdicts as JSON.
 namespace carom::report {
 
-/// An outcome has numbers; a number that binary64 cannot hold is a string with 21 digits. Any other answer is
+/// An outcome has numbers. A number that binary64 cannot represent is a string with 21 digits. Any other answer is
 /// {"refused": why}, {"skipped": why} or {"failed": why, "said": …}.
 template <>
 struct Json<Answer> {
@@ -18,7 +18,7 @@ struct Json<Answer> {
   static Answer read(const Field& field, Reading reading);
 };
 
-/// "holds", "violated" or "skipped", with both sides of the formula if violated. Only violations are read.
+/// "holds", "violated" or "skipped". A violation has both sides of the formula. Only violations are read.
 template <>
 struct Json<properties::Verdict> {
   static nlohmann::json write(const properties::Verdict& verdict);
@@ -32,19 +32,18 @@ struct Json<oracles::Yardstick> {
   static oracles::Yardstick read(const Field& field, Reading reading);
 };
 
-/// By reason.
+/// The counts by reason.
 template <>
 struct Json<properties::UnjudgedCounts> {
   static nlohmann::json write(const properties::UnjudgedCounts& counts);
   static properties::UnjudgedCounts read(const Field& field, Reading reading);
 };
 
-/// The exact truth of one model: velocities, impulse and energy change as strings "p/q", and under `nearest` the
-/// velocities as binary64.
+/// The exact truth of one law: velocities and impulse as strings "p/q", and the velocities as binary64 under `nearest`.
 [[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
 
-/// All answers of the law `coulomb`: how each ends, whether it is exact, and under `nearest` its velocities as
-/// binary64; the exact ones as those of a truth besides.
+/// All answers of the law `coulomb`: the kind of each, whether it is exact, and its velocities as binary64 under
+/// `nearest`. An exact answer also has the fields of a truth.
 [[nodiscard]] nlohmann::json answers_record(std::span<const oracles::CoulombAnswer> answers);
 
 }  // namespace carom::report

@@ -14,11 +14,11 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/report/model/field.hpp>
 
-/// One text that writes a value as JSON and reads it back. A type has either a function `fields(archive, value)`, which
-/// names each of its fields once, or a specialisation of Json with `write` and `read`.
+/// Writes a value as JSON and reads it back, by one description. A type has either a function `fields(archive, value)`,
+/// which names each of its fields once, or a specialisation of Json with `write` and `read`.
 namespace carom::report {
 
-/// Whether a report is read to be compared, or as a shard, whole.
+/// Whether a report is read for a comparison, or as a whole, for a shard.
 enum class Reading { to_compare, whole };
 
 template <class T>
@@ -31,13 +31,13 @@ class Writer {
  public:
   static constexpr bool reads = false;
 
-  /// A field that is always there.
+  /// A field that is always present.
   template <class T>
   void operator()(const char* name, const T& value) {
     record[name] = Json<T>::write(value);
   }
 
-  /// The same, but only a whole reading asks for it.
+  /// A field that is always written, but only read by Reading::whole.
   template <class T>
   void detail(const char* name, const T& value) {
     (*this)(name, value);
@@ -64,7 +64,7 @@ class Writer {
     }
   }
 
-  /// A field that follows from others: it is written, and never read.
+  /// A field that follows from other fields. It is written, and never read.
   template <class T>
   void derived(const char* name, const T& value) {
     (*this)(name, value);

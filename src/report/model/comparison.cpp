@@ -62,11 +62,11 @@ SubjectSummary summary_of(const JudgedSubject& judged_subject) {
   return summary;
 }
 
-/// A subject of a report, also one that is absent.
+/// A subject of a report, which may be absent.
 struct OneSubject {
   const Run* run;
   const Subject* subject;
-  const JudgedSubject* judged;  // none of one that is absent
+  const JudgedSubject* judged;  // none for an absent subject
 
   [[nodiscard]] SubjectSummary summary() const {
     return judged != nullptr ? summary_of(*judged) : summary_of(*subject, "absent", subject->absent);
@@ -111,7 +111,7 @@ std::vector<std::string> families_of(const Run& run) {
 
 std::string list_of(const std::vector<std::string>& words) { return words.empty() ? "none" : listed(words); }
 
-/// The words of the first list that the second has not.
+/// The words of the first list that are not in the second.
 std::vector<std::string> without(const std::vector<std::string>& words, const std::vector<std::string>& others) {
   std::vector<std::string> rest;
   std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
@@ -128,13 +128,13 @@ const OneSubject* found_in(const std::vector<OneSubject>& subjects, const Subjec
   if (const OneSubject* same = of([&](const Subject& subject) { return subject.name == wanted.name; })) {
     return same;
   }
-  // A program that could not be started has not said its name.
+  // A program that could not be started has not stated its name.
   return wanted.specification.empty()
              ? nullptr
              : of([&](const Subject& subject) { return subject.specification == wanted.specification; });
 }
 
-/// The counts of its invariants, by the families of its run.
+/// The counts of the subject's invariants, by the families of its run.
 std::map<std::string, std::map<std::string, Count>> counts_of(const OneSubject* subject) {
   std::map<std::string, std::map<std::string, Count>> counts;
   if (subject != nullptr && subject->judged != nullptr) {
@@ -159,7 +159,7 @@ std::optional<Change> change_of(const Count& before, const Count& now) {
   return std::nullopt;
 }
 
-/// The families of the newer run, then those of the older one alone; and what either names of invariants.
+/// The families of the newer run, then those of the older one only. The invariants of both runs.
 struct Names {
   std::vector<std::string> families;
   std::set<std::string> invariants;
@@ -195,7 +195,7 @@ std::size_t count_in(const ComparedSubject& subject, Change change) {
                     [&](const ComparedViolation& violation) { return violation.change == change; }));
 }
 
-/// One subject of both reports; nullptr where one has it not. Precondition: not both.
+/// Compares one subject of both reports. nullptr means that a report lacks it. Precondition: at most one is nullptr.
 ComparedSubject compare_subjects(const OneSubject* before, const OneSubject* now) {
   ComparedSubject subject;
   subject.name = shown((now != nullptr ? now : before)->subject->name);
@@ -232,7 +232,7 @@ ComparedSubject compare_subjects(const OneSubject* before, const OneSubject* now
   return subject;
 }
 
-/// The settings in which the runs differ.
+/// The settings that differ between the runs.
 std::vector<Difference> differences_between(const Run& before, const Run& now) {
   std::vector<Difference> differences;
   const auto note = [&](const char* what, const std::string& old_value, const std::string& new_value) {

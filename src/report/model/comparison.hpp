@@ -11,12 +11,12 @@
 #include <carom/properties/gate/family_result.hpp>
 #include <carom/report/model/digits.hpp>
 
-/// What differs between two reports. Texts are lines that are safe to print.
+/// The differences between two reports. Every text is a line that is safe to print.
 namespace carom::report {
 
 struct Run;
 
-/// Which run is meant.
+/// The identity of a run.
 struct RunHeading {
   std::string file;
   std::string carom;  // its version
@@ -30,21 +30,21 @@ struct RunHeading {
 /// A subject in one line.
 struct SubjectSummary {
   std::string status;   // "sound", "violated", "error", "not judged" or "absent"
-  std::string error;    // why it was not judged to the end
-  std::string version;  // empty where it says none
+  std::string error;    // the reason why it was not judged to the end
+  std::string version;  // empty if it states none
   std::string model;
   std::string precision;
   std::uint64_t cases = 0;
-  std::uint64_t violated_cases = 0;            // that violated any invariant
+  std::uint64_t violated_cases = 0;            // cases that violated any invariant
   std::vector<std::string> violated;           // invariants
-  std::optional<double> worst_backward_error;  // ulps; none where the law determines no outcome
-  std::string worst_family;                    // empty where there is none
+  std::optional<double> worst_backward_error;  // ulps; none if the law determines no outcome
+  std::string worst_family;                    // empty if there is none
   Digits digits;
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
 };
 
-/// What became of an invariant of a subject in a family. It is judged where it held or was violated in some case; what
-/// was skipped in all of them was not.
+/// The change of an invariant of a subject in a family. An invariant is judged if it held or was violated in some case.
+/// It is not judged if every case was skipped.
 enum class Change {
   newly_violated,    // judged before, and not violated
   violated_unknown,  // violated now, and not judged before: counts as new
@@ -53,7 +53,7 @@ enum class Change {
   no_longer_judged,  // violated before, and not judged now
 };
 
-/// "new", "new, not judged before", "known", "fixed", "no longer judged".
+/// "new", "new, not judged before", "known", "fixed" or "no longer judged".
 [[nodiscard]] std::string_view in_words(Change change);
 [[nodiscard]] bool is_new(Change change);
 
@@ -65,18 +65,19 @@ struct ComparedViolation {
   properties::Count now;
 };
 
-/// A subject of either report or both. One that is called otherwise but named alike on the command line is the same.
+/// A subject of either report, or of both. Two subjects are the same if they have the same name. Otherwise they are the
+/// same if they have the same specification on the command line.
 struct ComparedSubject {
   std::string name;
   bool counts = false;                         // in the newer report
-  std::optional<SubjectSummary> before;        // none where it came
-  std::optional<SubjectSummary> now;           // none where it went
+  std::optional<SubjectSummary> before;        // none if the older report lacks the subject
+  std::optional<SubjectSummary> now;           // none if the newer report lacks the subject
   std::vector<ComparedViolation> violations;   // by invariant, then in the order of the families
   std::vector<std::string> no_longer_claimed;  // "invariant" or "invariant@family" that was claimed before
   bool cannot_be_judged_now = false;           // now an error or not judged, and not so before: counts as new
 };
 
-/// A setting in which the runs differ, so that numbers of one are not those of the other.
+/// A setting that differs between the runs, so that their numbers are not comparable.
 struct Difference {
   std::string what;
   std::string before;
@@ -87,25 +88,26 @@ struct Comparison {
   RunHeading before;
   RunHeading now;
   std::vector<Difference> differences;
-  std::vector<ComparedSubject> subjects;  // those of the newer report, then those that went
+  std::vector<ComparedSubject> subjects;  // those of the newer report, then those of the older one only
 
-  /// Violations of that kind, and subjects that can be judged no longer among what is new; of all subjects, or of those
-  /// that count.
+  /// The number of violations with this change. `count_new` also counts the subjects that can no longer be judged.
+  /// `counting_alone` restricts it to the subjects that count.
   [[nodiscard]] std::size_t count_new(bool counting_alone) const;
   [[nodiscard]] std::size_t count(Change change) const;
 };
 
-/// Families that are not in both runs, and subjects that are called otherwise, are met by their names.
+/// Compares two runs. Families are matched by their names, and subjects as in ComparedSubject.
 [[nodiscard]] Comparison compare_runs(const Run& before, const std::string& file_before, const Run& now,
                                       const std::string& file_now);
 
-/// Whether the subject violates the invariant, in no family of which that is new.
+/// Whether the subject violates the invariant, and in no family newly.
 [[nodiscard]] bool is_known(const Comparison& comparison, const std::string& subject, const std::string& invariant);
 
-/// "2 new, 3 known, 1 fixed", and "1 no longer judged" where there is one.
+/// "2 new, 3 known, 1 fixed", with "1 no longer judged" if there are any.
 [[nodiscard]] std::string summary_of(const Comparison& comparison);
 
-/// "nothing new, 3 known, 1 fixed", of subjects that count; what is new in others is said beside it.
+/// "nothing new, 3 known, 1 fixed". The new ones are those of the subjects that count. If other subjects have new ones,
+/// their number follows in parentheses. The known and fixed ones are those of all subjects.
 [[nodiscard]] std::string baseline_verdict(const Comparison& comparison);
 
 }  // namespace carom::report

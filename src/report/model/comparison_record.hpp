@@ -10,7 +10,7 @@ namespace carom::report {
 /// A comparison as JSON.
 [[nodiscard]] nlohmann::json comparison_record(const Comparison& comparison);
 
-/// What report.json says of the baseline.
+/// The field `baseline` of report.json.
 [[nodiscard]] nlohmann::json baseline_record(const Comparison& comparison);
 
 }  // namespace carom::report

@@ -6,10 +6,10 @@
 
 namespace carom::report {
 
-/// What stands in place of a number that there is not.
+/// The text for a missing number.
 inline constexpr const char* no_number = "–";
 
-/// The correct digits that half of the cases, 99 in 100 and all of them have at least; none where no case has any.
+/// The correct digits that 50 %, 99 % and all of the cases have at least; none if no case has digits.
 struct Digits {
   std::optional<double> p50;
   std::optional<double> p99;

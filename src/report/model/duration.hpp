@@ -8,14 +8,14 @@
 
 namespace carom::report {
 
-/// How a duration is written, for error messages.
+/// The format of a duration, for error messages.
 inline constexpr const char* duration_form = "a number and a unit, 500ms, 10s, 2m or 1h, from 1ms to 1000h";
 
-/// "500ms", "10s", "2m", "1.5h": a decimal number followed by its unit. None where the text is anything else, or less
-/// than a millisecond, or more than 1000 hours.
+/// Parses "500ms", "10s", "2m" or "1.5h": a decimal number followed by its unit. None if the text is anything else, or
+/// if the duration is less than a millisecond or more than 1000 hours.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> duration_from(std::string_view text);
 
-/// The same in words, with the largest unit that leaves no fraction: "500 ms", "90 s", "2 m". What is less than a
+/// The duration in words, with the largest unit that leaves no fraction: "500 ms", "90 s" or "2 m". A fraction of a
 /// millisecond is left out.
 [[nodiscard]] std::string in_words(std::chrono::nanoseconds duration);
 

@@ -11,8 +11,8 @@
 
 namespace carom::report {
 
-/// A value in a JSON text, and where it stands. What reads it throws FormatError, which names the place, where it is of
-/// another type. It refers to the text, which is to outlive it.
+/// A value in a JSON text, and its place. Its members throw FormatError that names the place if the value has another
+/// type. Precondition: the JSON text outlives it.
 class Field {
  public:
   explicit Field(const nlohmann::json& value, std::string place = {}) : value_(&value), place_(std::move(place)) {}
@@ -20,7 +20,7 @@ class Field {
   [[nodiscard]] const nlohmann::json& value() const { return *value_; }
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// The field of an object; of another name there may be more.
+  /// The field with this name. `at` throws FormatError if there is none. The object may have other fields.
   [[nodiscard]] Field at(const std::string& name) const;
   [[nodiscard]] std::optional<Field> find(const std::string& name) const;
 
@@ -31,11 +31,11 @@ class Field {
   /// The text as one line that is safe to print.
   [[nodiscard]] std::string line() const;
   [[nodiscard]] std::uint64_t count() const;
-  [[nodiscard]] double number() const;                          // "nan", "inf" and "-inf" as well
+  [[nodiscard]] double number() const;                          // also reads "nan", "inf" and "-inf"
   [[nodiscard]] std::optional<double> optional_number() const;  // none for null
   [[nodiscard]] bool flag() const;
 
-  /// Throws what says that something else was expected here.
+  /// Throws FormatError that says that something else was expected here.
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:

@@ -11,14 +11,14 @@
 
 namespace carom::report {
 
-/// What a shard hands on of the violations of a subject on a family, beyond their counts: the numbers of the violated
-/// ones among the sampled cases, the first of them with the answers to them, and the worst of each invariant. Cases are
-/// named by their numbers; a merge draws them anew.
+/// The findings of a subject on a family that a shard records. They are the numbers of the violated sampled cases, the
+/// first violated cases with their answers, and the worst case of each invariant. They do not include the counts. A
+/// case is recorded by its number, and a merge draws it again.
 [[nodiscard]] nlohmann::json findings_record(const properties::FamilyResult& result);
 
-/// Puts back what findings_record wrote. `case_at` draws a case. Throws FormatError, which names the place, also where
-/// a number is not below `cases`, or no worst case is named of what `into` counts as violated. Precondition: `into` has
-/// its counts, and how many cases are sampled.
+/// Reads what findings_record wrote. `case_at` draws a case. Throws FormatError that names the place, also if a number
+/// is not below `cases`. It also throws if an invariant that `into` counts as violated has no worst case. Precondition:
+/// `into` has its counts, and the number of its sampled cases.
 void read_findings(const Field& record, std::uint64_t cases,
                    const std::function<properties::Case(std::uint64_t)>& case_at, properties::FamilyResult& into);
 

@@ -23,7 +23,7 @@ using properties::Witness;
                                shown(first.file), shown(of_other), shown(other.file)));
 }
 
-/// What has to be the same in all shards, by the name of its field.
+/// The facts that must be the same in all shards, by the name of the field.
 std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& shard) {
   const properties::GateOptions& options = shard.report.options;
   std::vector<std::string> families;
@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& s
   return facts;
 }
 
-/// Throws where a shard is not of the same run as the first.
+/// Throws MergeError if a shard is of another run than the first.
 void require_one_run(const std::vector<ReadShard>& shards) {
   const auto expected = common_facts(shards[0]);
   for (const ReadShard& shard : shards) {
@@ -75,7 +75,7 @@ void require_one_run(const std::vector<ReadShard>& shards) {
   }
 }
 
-/// Throws where a shard is missing or there twice.
+/// Throws MergeError if a shard is missing or occurs twice.
 void require_all_once(const std::vector<ReadShard>& shards) {
   const std::uint64_t of = shards[0].report.options.shard.of;
   std::vector<const ReadShard*> by_number(shards.size() + 1);
@@ -97,7 +97,7 @@ void require_all_once(const std::vector<ReadShard>& shards) {
   }
 }
 
-/// Preconditions: the same subject, on the same families.
+/// Adds the results of a shard. Preconditions: the same subject, and the same families.
 void add(SubjectResult& sum, const SubjectResult& part) {
   CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
                 part.subject.name);
@@ -127,7 +127,7 @@ void add(SubjectResult& sum, const SubjectResult& part) {
   sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());
 }
 
-/// How many cases of the witness's family violate its invariant.
+/// The number of cases of the witness's family that violate its invariant.
 std::uint64_t violated_beside(const Witness& witness, const SubjectResult& result,
                               const std::vector<const properties::Family*>& families) {
   for (std::size_t f = 0; f < families.size(); ++f) {
@@ -139,7 +139,7 @@ std::uint64_t violated_beside(const Witness& witness, const SubjectResult& resul
   return 0;
 }
 
-/// Of the witnesses of all shards one for each invariant.
+/// One witness for each invariant, chosen from those of all shards.
 std::vector<Witness> best_witnesses(const SubjectResult& result,
                                     const std::vector<const properties::Family*>& families) {
   std::vector<Witness> best;
@@ -194,7 +194,7 @@ Run merged_run(const std::vector<ReadShard>& shards) {
     }
   }
   for (const properties::Family* family : report.options.families) {
-    // Drawn again, for the diagnoses.
+    // The sample is drawn again, for the diagnoses.
     report.sampled.push_back(properties::drawn_sample(
         *family, report.options.seed, report.options.cases * static_cast<std::uint64_t>(family->weight)));
   }

@@ -8,17 +8,17 @@
 
 namespace carom::report {
 
-/// The shards are not those of one run, each once.
+/// The shards are not exactly those of one run.
 class MergeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The run that the shards are the parts of: its counts, coverage, worst backward errors and cases, digits and sample
-/// are those of a run without shards. A witness is the worst of those that the shards have of the family that shows
-/// most; the time of a solve is the mean of theirs, by their cases; date and machine are those of the first shard.
-/// Throws MergeError, which says what differs, where the shards do not belong together, one is missing, or one stands
-/// there twice.
+/// The run that consists of the shards. Its counts, coverage, worst backward errors and cases, digits and sample are
+/// those of a run without shards. A witness is the worst one of the shards, from the family with the most violations.
+/// The time of a solve is the mean over the shards, weighted by their cases. The date and the machine are those of the
+/// first shard. Throws MergeError that says what differs if the shards do not belong together, if one is missing, or if
+/// one occurs twice.
 [[nodiscard]] Run merged_run(const std::vector<ReadShard>& shards);
 
 }  // namespace carom::report

@@ -113,7 +113,7 @@ int Run::exit_status() const {
       continue;
     }
     judged = true;
-    // What was judged, and then could not be judged to the end, is at fault itself.
+    // A subject that was judged, but not to the end, is itself at fault.
     const bool is_at_fault = subject.status == "violated" || (subject.status == "error" && subject.result.cases() > 0);
     violated = violated || is_at_fault;
     ended_early = ended_early || !subject.result.error.empty();

@@ -13,14 +13,15 @@
 #include <carom/properties/gate/gate_result.hpp>
 #include <carom/report/model/comparison.hpp>
 
-/// The results of a run of the gate: one value. report.json holds it (run_json.hpp), and all forms of a report show it.
+/// The results of a run of the gate, as one value. report.json contains it (run_json.hpp), and all forms of a report
+/// show it.
 namespace carom::report {
 
-/// Where and with what a run was made: what a reader needs to run it again. Empty where the system does not say.
+/// The environment of a run, which a reader needs to repeat it. A field is empty if the system does not provide it.
 struct Environment {
-  std::string date;  // UTC, as ISO 8601 writes it
+  std::string date;  // UTC, in ISO 8601
   std::string compiler;
-  std::map<std::string, std::string> compiler_flags;  // by library: what all of its compile lines have
+  std::map<std::string, std::string> compiler_flags;  // by library: the flags of all its compile lines
   std::string build_type;
   std::string operating_system;
   std::string kernel;
@@ -35,8 +36,8 @@ struct Settings {
   std::optional<double> budget_seconds;  // in place of `cases`
   oracles::Yardstick yardstick;
   bool fail_fast = false;
-  std::uint64_t relations_every = 0;  // 0: as GateOptions says
-  std::vector<std::string> deviates;  // what the command line has no subject claim
+  std::uint64_t relations_every = 0;  // 0: the default of GateOptions
+  std::vector<std::string> deviates;  // deviations from the command line, which apply to every subject
   std::optional<properties::Shard> shard;
 };
 
@@ -44,13 +45,13 @@ struct RunFamily {
   std::string name;
   std::string summary;
   properties::Coverage coverage;
-  std::vector<properties::SampledCase> sampled;  // as GateReport has them; no report.json holds them
+  std::vector<properties::SampledCase> sampled;  // as in GateReport; report.json does not contain them
 };
 
 struct FamilyBeyondDomain {
   std::string name;
   std::string summary;
-  std::string quantity;  // of which it has much
+  std::string quantity;  // the quantity that is large in it
 };
 
 /// Features of the colliding cases of all families.
@@ -64,26 +65,26 @@ struct Features {
 struct Violation {
   std::string invariant;
   std::uint64_t count = 0;  // cases that violate it
-  std::string family;       // and case of the witness
+  std::string family;       // family and case of the witness
   std::uint64_t index = 0;
   std::string witness;  // its file, relative to the report's directory
 };
 
-/// A subject that was judged, or was to be.
+/// A subject that was judged, or should have been.
 struct JudgedSubject {
   properties::SubjectResult result;  // families as in the run
   bool counts = false;               // towards the exit status
-  /// "violated"; else "error" if it was not judged to the end, "not judged" if too little could be posed to it; else
-  /// "sound".
+  /// "violated" if it violates an invariant, otherwise "error" if it was not judged to the end. Otherwise "not judged"
+  /// if too few cases could be posed to it, and "sound" if there were enough.
   std::string status;
   properties::SubjectResult::WorstFamily worst;
   Digits digits;
   std::vector<Violation> violations;
-  /// Invariants of the collision matrix, if the subject shows none; none in reports that do not list them.
+  /// The invariants of the collision matrix, if the subject shows none. None for a report that does not list them.
   std::optional<std::vector<std::string>> not_claimed;
-  std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of one that violates something
+  std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
 
-  /// Why it was not judged, or not to the end; empty for others.
+  /// The reason why it was not judged, or not to the end; empty for other subjects.
   [[nodiscard]] const std::string& why_not_judged() const {
     return result.error.empty() ? result.not_judged : result.error;
   }
@@ -98,51 +99,52 @@ struct Run {
   std::vector<FamilyBeyondDomain> beyond_domain;
   Features features;
   std::vector<JudgedSubject> subjects;
-  std::vector<Subject> absent;           // asked for, or part of the default, and not installed
+  std::vector<Subject> absent;           // named or part of the default, and not installed
   std::optional<Comparison> baseline{};  // of this run with an earlier one
 
-  /// 2 something that counts could not be judged at all, nothing counts, or the run was interrupted; else 1 something
-  /// is violated or could not be judged to the end; 0 all hold. With a baseline, what is known from it is not counted.
+  /// 2 if a subject that counts could not be judged at all, if no subject counts, or if the run was interrupted.
+  /// Otherwise 1 if an invariant is violated or a subject could not be judged to the end. Otherwise 0. With a baseline,
+  /// known violations do not count.
   [[nodiscard]] int exit_status() const;
 };
 
-/// The value of what the gate found. `counts`: of each result, whether it counts. `is_shard`: whether the run is to be
-/// merged with others. The diagnoses are made here.
+/// Makes the value of the gate's results. `counts` tells for each result if it counts. `is_shard` tells if the run will
+/// be merged with others. This function makes the diagnoses.
 [[nodiscard]] Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
                          Environment environment, std::vector<std::string> deviates, bool is_shard);
 
-/// The invariants that a subject does not claim as it shows no collision matrix.
+/// The invariants that a subject does not claim because it shows no collision matrix.
 [[nodiscard]] std::vector<std::string> not_claimed_by(const Subject& subject);
 
-/// The reason for that.
+/// The reason in words.
 inline constexpr const char* shows_no_matrix = "as it shows no collision matrix";
 
-/// The sum of a run over the subjects that count.
+/// The totals of a run over the subjects that count.
 struct Overall {
   std::size_t subjects = 0;
   std::size_t sound = 0;
   std::size_t violated = 0;            // invariants, each counted once for each subject that violates it
-  std::size_t violating_subjects = 0;  // those that violate any
+  std::size_t violating_subjects = 0;  // subjects with any violation
   bool interrupted = false;
 };
 
 [[nodiscard]] Overall overall_of(const Run& run);
 
-/// "sound", "3 violated" or "not judged". A violation is told also if something was not judged.
+/// "sound", "3 violated" or "not judged". Violations are reported even if something was not judged.
 [[nodiscard]] std::string in_words(const Overall& overall);
 
-/// A subject's name as part of a file's.
+/// A subject's name, as a part of a file's name.
 [[nodiscard]] std::string file_name_of(std::string name);
 
 /// The file of a witness: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
 [[nodiscard]] std::string witness_path(const std::string& directory, const Subject& subject,
                                        const std::string& invariant);
 
-/// The command for a POSIX shell that replays the witness in that file with the same verdict.
+/// The POSIX shell command that replays the witness in that file with the same verdict.
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
                                          const oracles::Yardstick& yardstick);
 
-/// The witnesses of a subject, the one that tells most first.
+/// The witnesses of a subject, the most telling one first.
 [[nodiscard]] std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject);
 
 }  // namespace carom::report

@@ -32,7 +32,7 @@ struct Json<unsigned> {
   }
 };
 
-/// Of an enumeration, the name of one of `all`.
+/// Reads the name of one enumerator of `all`.
 template <class E, std::size_t count>
 E named(const Field& field, const std::array<E, count>& all, const char* what) {
   const auto found = std::find_if(all.begin(), all.end(), [&](E one) { return name_of(one) == field.text(); });
@@ -83,7 +83,7 @@ struct Json<properties::AdjustmentCounts> {
   }
 };
 
-/// By their bins.
+/// The histogram by its bins.
 template <>
 struct Json<DigitsHistogram> {
   static json write(const DigitsHistogram& digits) {
@@ -116,7 +116,7 @@ struct Json<DigitsHistogram> {
   }
 };
 
-/// Throws if there is no such family.
+/// Throws FormatError if there is no such family.
 inline const properties::Family* known_family(const Field& name) {
   const properties::Family* family = properties::family_named(name.text());
   if (family == nullptr) {
@@ -125,7 +125,7 @@ inline const properties::Family* known_family(const Field& name) {
   return family;
 }
 
-/// Throws if a whole report names an invariant that there is not.
+/// Throws FormatError if a whole report names an unknown invariant.
 template <class A>
 void require_known_invariant(const A& archive, const char* field, const std::string& name) {
   if constexpr (A::reads) {
@@ -252,7 +252,7 @@ void fields(A& archive, Is<properties::Witness> auto& witness) {
   archive("reproduced", witness.is_reproduced);
 }
 
-/// What a subject says of itself.
+/// The properties that a subject claims.
 template <class A>
 void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive("name", subject.name);
@@ -266,14 +266,14 @@ void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive.unless_default("version", subject.version);
 }
 
-/// Throws if the name stands in the list a second time.
+/// Throws FormatError if the name occurs a second time in the list.
 inline void require_new(std::set<std::string>& names, const Field& name) {
   if (!names.insert(name.line()).second) {
     throw FormatError(name.place(), fmt::format("'{}' stands here twice", name.line()));
   }
 }
 
-/// Of a subject on a family of the run.
+/// The fields of a subject on a family of the run.
 template <class A>
 void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
   if constexpr (A::reads) {
@@ -314,7 +314,7 @@ void beyond_domain_fields(A& archive, const std::string& family, Is<FamilyResult
   archive("boundary", result.boundary);
 }
 
-/// A list of a subject's results, one for each of `families`; of those beyond the domain there may be fewer.
+/// A list of a subject's results, one for each of `families`. There may be fewer results beyond the domain.
 template <class Families, class Results, class OfOne>
 void results_field(Writer& archive, const char* name, const Families& families, const Results& results,
                    const OfOne& of_one) {
@@ -368,7 +368,7 @@ void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) 
   archive.unless_default("diagnosis", subject.diagnosis);
 }
 
-/// What every subject has, also one that is absent.
+/// The fields that every subject has, including an absent one.
 template <class A>
 void standing_fields(A& archive, Is<Subject> auto& subject, auto&& not_claimed, auto&& counts, auto&& status,
                      auto&& error) {
@@ -410,15 +410,15 @@ void subjects_field(Reader& archive, Run& run) {
       run.absent.back().absent = error;
       continue;
     }
-    // Also one that violates something may have ended early.
+    // A subject with a violation may also have ended early.
     (subject.status == "not judged" ? subject.result.not_judged : subject.result.error) = error;
     judged_fields(reader, run, subject);
     run.subjects.push_back(std::move(subject));
   }
 }
 
-/// Of a shard what a merge adds up and no other field has: of each subject its correct digits by their bins, and of
-/// each family in which it violates something, what was found there (findings.hpp).
+/// The data of a shard that a merge adds up and that no other field has. Each subject has its correct digits by their
+/// bins. Each family in which it violates an invariant has its findings (findings.hpp).
 json shard_record(const Run& run) {
   json record{{"number", run.settings.shard->number},
               {"of", run.settings.shard->of},
@@ -519,7 +519,7 @@ properties::FeatureCoverage coverage_of(const Features& features, const Field& r
   return properties::FeatureCoverage::reported(std::move(counts), missing);
 }
 
-/// What a shard has of the subject beside its counts.
+/// Reads the shard's data of the subject other than its counts.
 void read_shard_of_subject(const Field& shard, std::size_t s, const properties::GateOptions& options,
                            properties::SubjectResult& result) {
   const auto of_subject = [&](const char* name) {

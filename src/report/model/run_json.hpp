@@ -8,34 +8,34 @@
 #include <carom/report/model/archive.hpp>
 #include <carom/report/model/run.hpp>
 
-/// report.json and the files of witnesses: written and read by the same functions.
+/// Writes and reads report.json and the files of witnesses, with the same functions for both.
 namespace carom::report {
 
 [[nodiscard]] nlohmann::json environment_record(const Environment& environment);
 
-/// report.json, as docs/reference/schemas/report.schema.json has it.
+/// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
-/// The run that report_record wrote, as far as a comparison needs it: fields of a subject's single families that it
-/// does not need may be missing, and families and invariants may be unknown. Throws FormatError, which names the place,
-/// if something is missing or of another type, or a subject or a family stands there twice.
+/// Reads the run that report_record wrote, as far as a comparison needs it. Fields of a subject's families that it does
+/// not need may be missing, and families and invariants may be unknown. Throws FormatError that names the place if a
+/// field is missing or has another type, or if a subject or a family occurs twice.
 [[nodiscard]] Run run_from(const nlohmann::json& record);
 
-/// A shard as the gate's report that it was, but for its witnesses.
+/// A shard, as the gate's report without its witnesses.
 struct ReadShard {
   std::string file;
   Run run;                        // without `sampled`, and without the witnesses
   properties::GateReport report;  // without the witnesses of run.subjects[…].violations
 };
 
-/// Throws FormatError also if the report is of no shard or of another version of Carom, or the run was interrupted.
+/// Throws FormatError, also if the report is of no shard or of another version of Carom, or if the run was interrupted.
 [[nodiscard]] ReadShard shard_from(const nlohmann::json& record, const std::string& file);
 
-/// A witness as one file, with what replays it.
+/// A witness as one file, with the command that replays it.
 [[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
                                             const Settings& settings, const std::string& witness_file);
 
-/// What witness_record wrote. Throws FormatError, also if it is of another invariant.
+/// Reads what witness_record wrote. Throws FormatError, also if it is of another invariant.
 [[nodiscard]] properties::Witness witness_from(const nlohmann::json& record, const std::string& invariant);
 
 }  // namespace carom::report

@@ -3,7 +3,7 @@
 
 namespace carom::report {
 
-/// Of Carom: "0.1.0".
+/// The version of Carom: "0.1.0".
 extern const char* const version;
 
 }  // namespace carom::report

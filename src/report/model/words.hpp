@@ -8,24 +8,24 @@
 
 #include <carom/report/model/run.hpp>
 
-/// Words that all forms of a report have in common.
+/// Words that all forms of a report share.
 namespace carom::report {
 
-/// A text that others wrote, as a line that is safe to print.
+/// A third party's text, as one line that is safe to print.
 [[nodiscard]] std::string shown(const std::string& text);
 
-/// Cases in which it held or was violated.
+/// The cases in which the invariant held or was violated.
 [[nodiscard]] inline std::uint64_t judged(const properties::Count& count) { return count.holds + count.violated; }
 
 /// "32 ulps" or "8 digits".
 [[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);
 
-/// "1000 cases of each of 26 families", "10 s on 26 families in turn"; and whether each subject's first violation ended
-/// it.
+/// "1000 cases of each of 26 families" or "10 s on 26 families in turn", and whether each subject ended at its first
+/// violation.
 [[nodiscard]] std::string extent_of(const Run& run);
 
-/// For a run with a budget: the number of cases that the subject was judged on, and the family with fewest. "sound"
-/// holds of these. Precondition: there is a family.
+/// For a run with a budget: the number of cases that the subject was judged on, and the family with the fewest cases. A
+/// verdict "sound" refers to these cases. Precondition: there is a family.
 [[nodiscard]] std::string cases_judged(const Run& run, const JudgedSubject& subject);
 
 /// The changes that families made to cases after they drew them: a sentence for each reason, with the number of cases.
@@ -34,16 +34,16 @@ namespace carom::report {
 /// "3 violated", or the status.
 [[nodiscard]] std::string verdict_in_words(const JudgedSubject& subject);
 
-/// The worst backward error in three digits, or no_number for a law that determines no outcome.
+/// The worst backward error [ulps] with three significant digits, or no_number for a law that determines no outcome.
 [[nodiscard]] std::string worst_in_words(const JudgedSubject& subject);
 
 /// "12 of 1000".
 [[nodiscard]] std::string violated_of_judged(const properties::Count& count);
 
-/// The names, with commas between.
+/// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
-/// "a with b" of the first so many pairs of features that no case had, after `before`; empty if none is missing.
+/// The first `most_named` pairs of features that no case had, as "a with b", after `before`; empty if none is missing.
 [[nodiscard]] std::string missing_pairs(const Features& features, const char* before, std::size_t most_named);
 
 /// The result of a run in a sentence.

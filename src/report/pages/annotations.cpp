@@ -17,7 +17,8 @@ using properties::Witness;
 constexpr std::size_t longest_title = 200;
 constexpr std::size_t longest_message = 4000;
 
-/// What ends a command or one of its fields is written as % and two digits; `ends` has what else does than a line end.
+/// Escapes %, line ends and the letters in `ends` as % and two digits, because they would end a command or a field of
+/// it.
 std::string escaped(std::string_view text, std::string_view ends) {
   std::string result;
   for (const char letter : text) {

@@ -15,8 +15,7 @@ using properties::SubjectResult;
 using properties::Witness;
 using properties::diagnosis::Diagnosis;
 
-/// The families in which anything was violated, how often, and how far the outcomes are off; those first in which most
-/// is.
+/// The families with violations, with their share of cases and worst backward error, the largest share first.
 std::string families_in_words(const Run& run, const SubjectResult& result) {
   struct Share {
     std::size_t family;
@@ -46,7 +45,7 @@ Facts facts_of(const Diagnosis& diagnosis) {
   return {{{"what is wrong", diagnosis.what}, {"where", diagnosis.where}, {"look at", diagnosis.look_at}}};
 }
 
-/// How often its family shows it.
+/// The family of the witness, with the number of its cases that violate the invariant.
 std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const auto count = result.families[f].counts.find(witness.invariant);

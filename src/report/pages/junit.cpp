@@ -21,11 +21,11 @@ std::string failure_text(const properties::Witness& witness) {
 }
 
 pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::string_view name) {
-  // The gate takes no time by invariant; what reads the file wants a number.
+  // The gate does not time invariants, but programs that read the file require a number.
   return add(suite, "testcase", {{"classname", subject}, {"name", name}, {"time", "0"}});
 }
 
-/// What a violation comes to.
+/// The effect of a violation.
 enum class Standing { failure, expected, known };
 
 Standing standing_of(const Run& run, std::size_t subject, const std::string& invariant) {
@@ -76,7 +76,7 @@ struct Totals {
   int failures = 0;
   int errors = 0;
   int skipped = 0;
-  double seconds = 0;  // that the subject took to answer
+  double seconds = 0;  // in which the subject answered
 
   Totals& operator+=(const Totals& other) {
     tests += other.tests;
@@ -117,7 +117,7 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
   const properties::SubjectResult& result = run.subjects[subject].result;
   const bool counts = run.subjects[subject].counts;
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
-  // They have to stand before the tests.
+  // JUnit requires them before the tests.
   if (!result.beyond_domain.empty()) {
     const pugi::xml_node list = add(suite, "properties");
     for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {

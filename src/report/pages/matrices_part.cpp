@@ -16,7 +16,7 @@ namespace {
 using properties::FamilyResult;
 using properties::SubjectResult;
 
-/// A matrix with a row for each subject, first those that count, then the others below a heading of their own.
+/// A matrix with a row for each subject. The subjects that count are first, and the others follow below a heading.
 template <class OfSubject>
 Table matrix(const Run& run, const char* caption, const char* look, const std::vector<std::string>& names,
              const OfSubject& cell_of) {
@@ -44,7 +44,7 @@ Table matrix(const Run& run, const char* caption, const char* look, const std::v
   return table;
 }
 
-/// A sign for those who see it, words for those who hear it, and a number.
+/// A cell with a visible sign, its words for screen readers, and a number.
 Cell signed_cell(const char* look, const char* sign, const char* spoken, std::string number = {}) {
   Cell cell(std::move(number), look);
   cell.sign = sign;
@@ -69,7 +69,7 @@ Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& 
                          : signed_cell("nothing", "○", "no case");
 }
 
-/// The shades of the second matrix: up to `limit` times each bound.
+/// The shades of the second matrix, each for errors up to `limit` times its bound.
 struct Shade {
   const char* look;
   double bound;
@@ -83,7 +83,7 @@ constexpr std::array<Shade, 8> shades{{{"shade-0", 1.0 / 32},
                                        {"shade-6", 1e12},
                                        {"shade-7", std::numeric_limits<double>::infinity()}}};
 
-/// 2.4e14 in place of 2.4e+14: the table is wide enough.
+/// Writes 2.4e14 in place of 2.4e+14, because the table is wide already.
 std::string in_few_letters(double number) {
   std::string text = fmt::format("{:.2g}", number);
   std::erase(text, '+');
@@ -114,7 +114,7 @@ Cell family_cell(const SubjectResult& result, const FamilyResult& family, double
   return Cell(in_few_letters(error), shade_of(error, limit) + (error <= limit ? "" : " above"));
 }
 
-/// What was posed, and is judged.
+/// The number of cases that were posed and judged.
 std::uint64_t judged_of(const FamilyResult& family) {
   return family.cases - family.skipped -
          std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});

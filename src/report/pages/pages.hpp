@@ -7,34 +7,36 @@
 
 #include <carom/report/model/run.hpp>
 
-/// Everything that shows a run or a comparison. `out_directory` is where the witnesses of the run are written; empty if
-/// they are not.
+/// Every form of a run or a comparison. `out_directory` is the directory of the run's witnesses; empty if they are not
+/// written.
 namespace carom::report {
 
-/// For a terminal.
+/// The run for a terminal.
 [[nodiscard]] std::string run_text(const Run& run, const std::string& out_directory);
 
-/// For the page of a job, or a comment on a merge request: of the subjects that count, not longer than a megabyte.
+/// The run for the page of a job, or a comment on a merge request. It has only the subjects that count, and is not
+/// longer than about a megabyte.
 [[nodiscard]] std::string run_markdown(const Run& run, const std::string& out_directory);
 
-/// report.html: one page that needs nothing else, neither script nor network, and is well-formed XML as well.
+/// report.html: one page that needs no script, network or other file, and is well-formed XML too.
 [[nodiscard]] std::string run_html(const Run& run, const std::string& out_directory);
 
 /// The subjects of a run as a table in Markdown.
 [[nodiscard]] std::string subjects_markdown(const Run& run);
 
-/// The run as JUnit's XML: a suite for each subject, a test for each invariant that it claims.
+/// The run as JUnit's XML: a suite for each subject, and a test for each invariant that it claims.
 [[nodiscard]] std::string junit_xml(const Run& run);
 
-/// The run as workflow commands of GitHub, a line each, for the subjects that count. Each invariant that a subject
-/// violates gives an error, and so does each subject that could not be judged. A notice with the verdict on all ends
-/// it.
+/// The run as workflow commands of GitHub, one a line, for the subjects that count. A violated invariant is an error,
+/// or a notice if the baseline knows it. A subject that could not be judged is an error. A diagnosis is a notice. The
+/// last line is a notice with the overall verdict.
 [[nodiscard]] std::string github_annotations(const Run& run, const std::string& out_directory);
 
-/// The verdict as shields.io's endpoint badge reads it (https://shields.io/badges/endpoint-badge).
+/// The verdict in the format of shields.io's endpoint badge (https://shields.io/badges/endpoint-badge).
 [[nodiscard]] nlohmann::json badge_record(const Run& run);
 
-/// A comparison for a terminal, for a comment on a merge request, and as a page. The text's last line is the sum.
+/// A comparison for a terminal, for a comment on a merge request, and as a page. The last line of the text is the
+/// summary.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
 [[nodiscard]] std::string comparison_markdown(const Comparison& comparison);
 [[nodiscard]] std::string comparison_html(const Comparison& comparison);

@@ -7,30 +7,30 @@
 #include <carom/report/document/document.hpp>
 #include <carom/report/model/run.hpp>
 
-/// The parts that pages are made of.
+/// The parts of pages.
 namespace carom::report {
 
 enum class Subjects { counting, all };
 
-/// A row a subject, those that count first: verdict, worst backward error, digits, time.
+/// One row for each subject, those that count first: verdict, worst backward error, digits, time.
 [[nodiscard]] Table subjects_table(const Run& run, Subjects which);
 
 /// The errors of subjects that could not be judged to the end, each with the anchor that subjects_table links to.
 [[nodiscard]] Document errors_part(const Run& run);
 
-/// A row a family: how many of its cases collide, rest, separate, ….
+/// One row for each family: the number of its cases that collide, rest, separate, ….
 [[nodiscard]] Table coverage_table(const Run& run);
 
-/// "52959 of 81843 pairs of features came up …", with the first so many that did not.
+/// "52959 of 81843 pairs of features in colliding cases", with the first `most_named` pairs that are missing.
 [[nodiscard]] std::string features_in_words(const Run& run, std::size_t most_named);
 
-/// In how many colliding cases each feature was.
+/// The number of colliding cases that have each feature.
 [[nodiscard]] Table features_table(const Run& run);
 
-/// In how many cases each subject keeps or violates each invariant.
+/// The number of cases in which each subject keeps or violates each invariant.
 [[nodiscard]] Document invariants_part(const Run& run);
 
-/// Each claim that a subject does not make, with the reason; empty if all claim all.
+/// Each claim that a subject does not make, with the reason; empty if every subject makes every claim.
 [[nodiscard]] Document deviations_part(const Run& run);
 
 /// The worst backward error of each subject in each family.
@@ -39,28 +39,28 @@ enum class Subjects { counting, all };
 /// The boundary of each subject beyond the claimed domain, which is no verdict; empty if no such family was posed.
 [[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
 
-/// The same of one subject on one of these families: "from 3.2e+07 on: 412 of 1000".
+/// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".
 [[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
 
-/// The diagnosis of a subject that violates something, its violations, and the witness that tells most.
+/// The diagnosis of a subject with violations, its violations, and the most telling witness.
 [[nodiscard]] Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory);
 
 /// The diagnosis of each subject, in short.
 [[nodiscard]] Document diagnoses_part(const Run& run);
 
-/// In which families, and with which features, subjects that count violate what.
+/// For each subject that counts, the families and the features with violations of each invariant.
 [[nodiscard]] Document violations_part(const Run& run);
 
 /// Every witness in full, with its picture.
 [[nodiscard]] Document witnesses_part(const Run& run, const std::string& out_directory);
 
-/// The anchor of a witness. `subject`: its place in the run.
+/// The anchor of a witness. `subject` is its index in the run.
 [[nodiscard]] std::string witness_anchor(std::size_t subject, const std::string& invariant);
 
-/// The differences between two runs, without the sum.
+/// The differences between two runs, without the summary.
 [[nodiscard]] Document comparison_part(const Comparison& comparison);
 
-/// For the end of a run: all changes since the baseline, and one line that says the sum.
+/// For the end of a run: all changes since the baseline, and one line with the summary.
 [[nodiscard]] Document baseline_part(const Comparison& comparison);
 
 /// The command that replays the witness.

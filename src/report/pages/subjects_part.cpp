@@ -13,7 +13,7 @@ namespace {
 
 std::string error_anchor(std::size_t subject) { return fmt::format("error-{}", subject); }
 
-/// What the subject does not claim, and who said so.
+/// Adds the claims that the subject does not make, with the source of each.
 void add_deviations(std::vector<std::string>& notes, const Subject& subject,
                     const std::vector<std::string>& of_command_line) {
   std::vector<std::string> own;
@@ -33,7 +33,7 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
   }
 }
 
-/// What stands below a subject's line in a text.
+/// The lines below a subject's row in a text.
 std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) {
   const properties::SubjectResult& result = subject.result;
   std::vector<std::string> notes;
@@ -80,7 +80,7 @@ std::string in_two_digits(const JudgedSubject& subject) {
                                                           : no_number;
 }
 
-/// "family (violated cases)", those first in which most are.
+/// "family (violated cases)", the family with the most violated cases first.
 std::string violated_families(const Run& run, const properties::SubjectResult& result) {
   std::vector<std::pair<std::uint64_t, std::string>> violated;
   for (std::size_t f = 0; f < result.families.size(); ++f) {

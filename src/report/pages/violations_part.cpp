@@ -26,7 +26,7 @@ void add_upright(Table& table, const std::vector<std::string>& names) {
   }
 }
 
-/// "12 of 1000, #7", the worst case's number linked to the witness if it is of this family.
+/// "12 of 1000, #7". If the witness is of this family, the number of the worst case links to it.
 Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string& invariant) {
   const SubjectResult& result = run.subjects[s].result;
   const FamilyResult& family = result.families[f];
@@ -64,11 +64,11 @@ Table family_matrix(const Run& run, std::size_t s) {
   return table;
 }
 
-/// Of one feature, how many sampled cases have it, and how many of them violate each invariant.
+/// The number of sampled cases with a feature, and the number of them that violate each invariant.
 struct FeatureRow {
   std::size_t feature = 0;
   std::uint64_t cases = 0;
-  std::uint64_t violated = 0;  // anything
+  std::uint64_t violated = 0;  // any invariant
   std::vector<std::uint64_t> by_invariant;
 
   [[nodiscard]] double share() const { return static_cast<double>(violated) / static_cast<double>(cases); }

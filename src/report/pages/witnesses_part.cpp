@@ -23,7 +23,7 @@ std::string vector_text(const Quaternion<double>& q) {
   return fmt::format("({}, {}, {}, {})", in_words(q[0]), in_words(q[1]), in_words(q[2]), in_words(q[3]));
 }
 
-/// A row of values below the names of the columns.
+/// An empty table of values with these columns.
 Table numbers_table(std::string caption, const std::vector<std::string>& columns) {
   Table table{std::move(caption), {}, {}, "numbers"};
   for (const std::string& column : columns) {
@@ -69,14 +69,14 @@ PerVector<std::string> velocities_in_words(const Outcome<T>& outcome) {
   return words;
 }
 
-/// A column of velocities that an outcome can be compared with.
+/// A column of velocities, to compare an outcome with.
 struct Velocities {
   std::string title;
   PerVector<std::string> velocities;
 };
 
-/// What is exact for a subject of this model: the truth, all answers of a law that may have several, or where no law is
-/// claimed the truth of each.
+/// The exact velocities for a subject that claims a law. A law that may have several answers has a column for each
+/// answer. If the subject claims no law, there is a column for the truth of each law.
 std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Model claimed) {
   std::vector<Velocities> columns;
   if (claimed == Model::coulomb) {
@@ -186,7 +186,7 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
   add_contact_figure(section, picture, anchor, title);
 }
 
-/// The case that the family drew, which the witness was shrunk from.
+/// The case that the family drew, before it was shrunk to the witness.
 Details drawn_case(const Witness& witness, const std::string& replay) {
   Details details{
       fmt::format("As drawn: case {} of the family {}, before it was shrunk", witness.index, witness.family), {}};
@@ -205,7 +205,7 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   const std::string replay = replay_line(run, subject, witness, out_directory);
   Document numbers;
   add_collision(numbers, witness.shrunk.collision);
-  // The page is written before the run is gone.
+  // The picture refers to the witness, so the page must be written while the run exists.
   const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk);
   add_outcome(numbers, witness, *judged_case, result.subject.model);
   add_sides(numbers, witness.verdict);

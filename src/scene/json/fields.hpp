@@ -9,8 +9,8 @@
 #include <carom/collision/json/object_reader.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Fields of a scene file as values. All throw FormatError; the ranges of numbers that a scene has are asked for once
-/// it is read (valid_scene.hpp).
+/// Reads fields of a scene file as values. The functions throw FormatError. The check of the whole scene tests the
+/// ranges of its numbers later (valid_scene.hpp).
 namespace carom::scene {
 
 using Fields = detail::ObjectReader<nlohmann::json>;
@@ -70,7 +70,7 @@ inline void read(Fields& fields, const char* name, std::uint64_t& into) {
   into = value.get<std::uint64_t>();
 }
 
-/// Leaves the value as it is where the field is absent.
+/// Leaves the value unchanged if the field is absent.
 template <class Value>
 void read_optional(Fields& fields, const char* name, Value& into) {
   if (fields.has(name)) {
@@ -78,7 +78,7 @@ void read_optional(Fields& fields, const char* name, Value& into) {
   }
 }
 
-/// A list that may be absent, and is empty then.
+/// A list; empty if the field is absent.
 [[nodiscard]] inline const nlohmann::json& read_list(Fields& fields, const char* name) {
   static const nlohmann::json none = nlohmann::json::array();
   if (!fields.has(name)) {

@@ -88,7 +88,7 @@ void MaterialsReader::check_all_listed() const {
   if (!has_contacts_) {
     return;
   }
-  // Two bodies of each material say all: a body meets others of its own.
+  // Two bodies of each material are enough, because a body meets bodies of other materials and of its own.
   struct Users {
     std::vector<std::string> bodies;
     std::optional<std::string> plane;

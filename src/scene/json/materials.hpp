@@ -11,22 +11,24 @@
 
 namespace carom::scene {
 
-/// The materials of a scene file and how they meet.
+/// Reads the materials of a scene file and the properties of their pairs.
 class MaterialsReader {
  public:
-  /// The scene is the one that is being read, and outlives the reader.
+  /// `scene` is the scene that is being read. It must outlive the reader.
   explicit MaterialsReader(Scene& scene) : scene_(scene) {}
 
   /// Reads "materials" and "contacts" into the scene. Throws FormatError.
   void read(Fields& root);
 
-  /// The field "material" of a body, which may be absent where there is one material.
+  /// The index of the material of a body. The field "material" may be absent if there is only one material. Throws
+  /// FormatError.
   [[nodiscard]] std::size_t material_of(Fields& body) const;
 
-  /// Once all bodies are read: throws FormatError where two can meet whose materials "contacts" does not list.
+  /// Call after all bodies are read. If the file has "contacts", throws FormatError if two bodies can meet whose
+  /// materials it does not list.
   void check_all_listed() const;
 
-  /// The place of a listed pair of materials.
+  /// The place of a pair of materials in the file; "/contacts" if the pair is not listed.
   [[nodiscard]] std::string place_of(std::size_t a, std::size_t b) const;
 
  private:
@@ -36,7 +38,7 @@ class MaterialsReader {
   Scene& scene_;
   std::map<std::string, std::size_t> indices_;
   bool has_contacts_ = false;
-  std::map<std::pair<std::size_t, std::size_t>, std::string> places_;  // of pairs in order
+  std::map<std::pair<std::size_t, std::size_t>, std::string> places_;  // the key is a sorted pair of material indices
 };
 
 }  // namespace carom::scene

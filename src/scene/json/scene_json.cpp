@@ -20,7 +20,7 @@ namespace {
 using detail::found;
 using nlohmann::json;
 
-/// Reads one file; it remembers where each body stands, so that an error of the whole scene names the place too.
+/// Reads one file. Remembers the place of each body, so that an error in the whole scene can name it.
 class SceneReader {
  public:
   explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}
@@ -220,7 +220,7 @@ class SceneReader {
     }
     std::size_t total = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // So kept, no product leaves 64 bits.
+      // These limits keep every product within 64 bits.
       const std::uint64_t count = std::min<std::uint64_t>(counts[axis].get<std::uint64_t>(), most_spheres + 1);
       lattice.count[axis] = count;
       total = std::min(total * count, most_spheres + 1);
@@ -234,7 +234,7 @@ class SceneReader {
     }
   }
 
-  /// Where the body, or what else has the defect, stands in the file.
+  /// The place of the defective object in the file.
   [[nodiscard]] std::string place_of(const SceneDefect& defect) const {
     switch (defect.of) {
       case SceneDefect::Of::scene:
@@ -260,7 +260,7 @@ class SceneReader {
     const std::string place = body + '/' + defect.field;
     const json::json_pointer pointer(place);
     if (defect.field.empty() || !json_.contains(pointer)) {
-      // Of a lattice: its spheres have fields that stand nowhere.
+      // The spheres of a lattice have fields that the file does not contain.
       throw FormatError(body, defect.field.empty() ? defect.what : describe(defect));
     }
     throw FormatError(place, defect.what + found(json_.at(pointer)));
@@ -271,7 +271,7 @@ class SceneReader {
   Fields root_;
   MaterialsReader materials_;
   std::size_t planes_of_room_ = 0;
-  std::vector<std::size_t> first_of_lattices_;  // each one's first sphere
+  std::vector<std::size_t> first_of_lattices_;  // the index of the first sphere of each lattice
 };
 
 json contacts_to_json(const Scene& scene) {

@@ -10,20 +10,20 @@
 
 namespace carom::scene {
 
-/// What a scene file may have at most.
+/// Limits of a scene file.
 inline constexpr std::size_t most_spheres = 1'000'000;
-/// Of bodies where there are polyhedra: each is compared with each.
+/// The limit of bodies in a scene with polyhedra, because every pair of bodies is compared.
 inline constexpr std::size_t most_bodies_with_polyhedra = 2000;
 inline constexpr std::size_t most_vertices = 100;
 inline constexpr std::size_t most_materials = 256;
 inline constexpr std::size_t most_planes = 256;
 
-/// The scene of a file (docs/reference/schemas/scene.schema.json): rooms are six planes then, lattices spheres. Throws
-/// FormatError where the file is no scene, or one that is not valid (valid_scene.hpp, valid_polyhedra.hpp); its text
-/// names the place.
+/// The scene of a file (docs/reference/schemas/scene.schema.json). A room becomes six planes, and a lattice becomes
+/// spheres. Throws FormatError if the JSON is not a scene or the scene is not valid (valid_scene.hpp,
+/// valid_polyhedra.hpp). The message names the place.
 [[nodiscard]] Scene scene_from_json(const nlohmann::json& json);
 
-/// The other way round, with everything written out. Precondition: the scene is valid.
+/// The JSON of a scene, with every field written out. Precondition: the scene is valid.
 [[nodiscard]] nlohmann::json scene_to_json(const Scene& scene);
 
 }  // namespace carom::scene

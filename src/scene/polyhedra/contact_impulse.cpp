@@ -30,7 +30,7 @@ Outcome<double> struck_in(Model law, const Collision& collision) {
     case Model::sticking:
       return in_double(impulse::sticking<Ldlt, S>(contact));
     case Model::coulomb: {
-      // Its search for the slip needs the elementary functions of a type of the machine.
+      // The search for the slip needs the elementary functions of a built-in type.
       using Searched = std::conditional_t<std::is_floating_point_v<S>, S, long double>;
       return in_double(impulse::coulomb(impulse::make_contact<Searched>(collision)));
     }
@@ -41,7 +41,8 @@ Outcome<double> struck_in(Model law, const Collision& collision) {
   return in_double(impulse::rough<Ldlt, S>(contact));
 }
 
-/// Rounded to the solver's precision, the velocities of what cannot move would change.
+/// The outcome with the former velocities of immovable bodies. The rounding to the solver's precision would change
+/// them.
 Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& collision) {
   const Outcome<double> before = unchanged(collision);
   if (collision.a.immovable) {
@@ -76,7 +77,7 @@ double parting_speed(const Collision& collision) {
 
 Outcome<double> sent_apart(const Collision& collision, double speed) {
   impulse::Contact<double> contact = impulse::make_contact<double>(collision);
-  // As a plastic impact of what approaches by as much as is missing.
+  // This is a plastic impact of bodies that approach by the missing speed.
   contact.restitution = 0;
   const double missing = impulse::normal_velocity(contact) - speed * contact.normal.norm();
   return with_immovable_kept(impulse::apply_impulse(contact, impulse::frictionless_impulse(contact, missing)),

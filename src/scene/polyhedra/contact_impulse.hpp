@@ -8,12 +8,12 @@
 
 namespace carom::scene {
 
-/// The outcome of a law, in a precision, for bodies of any shape. Precondition: the collision is valid, the law is not
+/// The outcome of a law, in a precision, for bodies of any shape. Preconditions: the collision is valid; the law is not
 /// `any`.
 [[nodiscard]] Outcome<double> struck_bodies(Model law, Precision precision, const Collision& collision);
 
-/// What an impulse along the normal leaves that makes N·V/‖N‖ the speed [m/s], where it is less: else the velocities as
-/// they are. Precondition: the collision is valid.
+/// The outcome of an impulse along the normal that makes N·V/‖N‖ equal to `speed` [m/s]. If N·V/‖N‖ is not less than
+/// the speed already, the velocities are unchanged. Precondition: the collision is valid.
 [[nodiscard]] Outcome<double> sent_apart(const Collision& collision, double speed);
 
 /// N·V/‖N‖, the speed at which the contact points part [m/s].

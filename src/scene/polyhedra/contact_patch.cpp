@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// The plane across a normal, with axes that are counterclockwise as seen from its end.
+/// A plane across a normal. Its axes x and y are counterclockwise as seen from the tip of the normal.
 struct Plane {
   Vector normal;
   Vector x;
@@ -27,13 +27,14 @@ Plane plane_across(const Vector& normal) {
   return {normal, x, normal.cross(x)};
 }
 
-/// What of a shape is foremost against a direction.
+/// The foremost part of a shape in a direction.
 struct Front {
-  double height;         // of the surface along the normal
-  PlanePolygon polygon;  // of the core, projected
+  double height;         // of the surface, along the normal [m]
+  PlanePolygon polygon;  // of the core, projected onto the plane
 };
 
-/// Of the shape that lies towards the normal, with sign −1: its lowest points; of the other, with sign +1: its highest.
+/// The lowest points of the shape on the side of the normal (sign −1), or the highest points of the other shape (sign
+/// +1).
 Front front_of(const ConvexShape& shape, const std::vector<Vector>& vertices, const Plane& plane, int sign,
                double flatness) {
   double foremost = -std::numeric_limits<double>::infinity();
@@ -70,7 +71,7 @@ PlanePolygon common_of(const PlanePolygon& a, const PlanePolygon& b, double flat
     return common_of_segments(a, b, flatness);
   }
   PlanePolygon common = of_b == 2 ? clipped(a, b, flatness) : clipped(b, a, flatness);
-  // Empty only where the two are not as near as the separation says.
+  // Empty only if the shapes are farther apart than the separation says.
   return common.empty() ? PlanePolygon{centroid(of_b == 2 ? a : b)} : common;
 }
 
@@ -121,7 +122,7 @@ ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, con
   CAROM_EXPECTS(flatness > 0, flatness);
   const Plane plane = plane_across(b.normal);
   const Front front = front_of(a, placed_vertices(a, placement, placement.position), plane, -1, flatness);
-  // Heights count from the shape's centre.
+  // Heights are relative to the shape's centre.
   const double ground = b.offset - b.normal.dot(placement.position);
   return patch_of(kind_of(dimension(front.polygon), 2), front.polygon, plane, (front.height + ground) / 2,
                   placement.position);

@@ -8,27 +8,28 @@
 
 namespace carom::scene {
 
-/// What of two shapes touches, the lesser first. A ball touches as a vertex does, a half-space as a face.
+/// The features of two shapes that touch, the one of lower dimension first. A ball touches as a vertex, a half-space as
+/// a face.
 enum class ContactKind { vertex_vertex, vertex_edge, vertex_face, edge_edge, edge_face, face_face };
 
 [[nodiscard]] std::string_view name_of(ContactKind kind);
 
-/// Where two shapes that almost touch do so. All points lie midway between the shapes.
+/// The places at which two shapes touch or almost touch. All points lie midway between the shapes.
 struct ContactPatch {
   ContactKind kind = ContactKind::vertex_vertex;
-  /// The one point that stands for all [m, world]: of a polygon the centroid of its area, of a segment its middle.
+  /// The point that represents the patch [m, world]: the centroid of a polygon's area, or the middle of a segment.
   Vector3<double> point{0, 0, 0};
-  /// The corners of the patch [m, world]: one point, two ends of a segment, or a polygon in order, counterclockwise as
-  /// seen from A.
+  /// The corners of the patch [m, world]: one point, the two ends of a segment, or the corners of a polygon in order.
+  /// Their order is counterclockwise as seen from A.
   std::vector<Vector3<double>> vertices;
 };
 
-/// The patch between two shapes that are separated along separation.normal: the vertices of each that lie within
-/// `flatness` [m] of its foremost one make a corner, an edge or a face, and the patch is where their projections along
-/// the normal overlap. A vertex, or a crossing of two edges, makes one point, an edge along an edge or over a face a
-/// segment, faces a polygon, at most `flatness` beyond the sides of either (so farther at a sharp corner). Two edges
-/// count as parallel where they part by no more than `flatness` over the shorter one. Precondition: the flatness is
-/// positive, and small beside the sides of the faces.
+/// The patch between two shapes that are separated along separation.normal. The vertices of a shape within `flatness`
+/// [m] of its foremost vertex form a corner, an edge or a face. The patch is the overlap of the projections of these
+/// features along the normal. A vertex or a crossing of two edges gives one point. An edge along an edge or over a face
+/// gives a segment, and two faces give a polygon. The patch extends at most `flatness` beyond the sides of either
+/// feature, so farther at a sharp corner. Two edges count as parallel if they diverge by at most `flatness` over the
+/// length of the shorter one. Precondition: the flatness is positive, and small compared with the sides of the faces.
 [[nodiscard]] ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Placement& b,
                                          const Separation& separation, double flatness);
 [[nodiscard]] ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, const HalfSpace& b,

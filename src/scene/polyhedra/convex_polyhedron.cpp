@@ -19,7 +19,7 @@ bool comes_before(const Vector3<double>& left, const Vector3<double>& right) {
   return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
 }
 
-/// The indices, ordered by x, then y, then z.
+/// The indices in ascending order of x, then y, then z.
 Polygon in_order(const Points& points) {
   Polygon order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -30,7 +30,7 @@ Polygon in_order(const Points& points) {
   return order;
 }
 
-/// On which sides of the triangle's plane the points lie.
+/// The sides of the triangle's plane on which points lie.
 struct Sides {
   bool above = false;
   bool below = false;
@@ -50,7 +50,7 @@ Sides sides_of(const Points& points, const Triangle& t) {
 }
 
 /// Three points of a face, counterclockwise as seen from outside. The first point in the order of coordinates is a
-/// corner, so a face is found among the triangles at it. None where all points share a plane.
+/// corner, so one of the triangles at it lies in a face. None if all points share a plane.
 std::optional<Triangle> first_triangle(const Points& points, std::size_t corner) {
   for (std::size_t j = 0; j < points.size(); ++j) {
     for (std::size_t k = j + 1; k < points.size(); ++k) {
@@ -58,7 +58,7 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
         continue;
       }
       const Sides sides = sides_of(points, {corner, j, k});
-      if (sides.above != sides.below) {  // neither: the three share a line, or all points a plane
+      if (sides.above != sides.below) {  // both false if the three points share a line or all points share a plane
         return sides.below ? Triangle{corner, j, k} : Triangle{corner, k, j};
       }
     }
@@ -66,12 +66,12 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
   return std::nullopt;
 }
 
-/// The corners of the face in the plane of a triangle, in the triangle's sense, by A. Andrew's monotone chain ("Another
-/// efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979); the order of coordinates is
-/// the order along some direction in the plane as well.
+/// The corners of the face in the plane of a triangle, in the orientation of the triangle. Uses A. Andrew's monotone
+/// chain ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The order of
+/// coordinates is also the order along some direction in the plane.
 Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
   const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
-  int axis = 0;  // along which the plane is looked at
+  int axis = 0;  // the axis along which the plane is projected
   while (signs[axis] == 0) {
     ++axis;
   }
@@ -93,14 +93,14 @@ Polygon face_through(const Points& points, const Polygon& order, const Triangle&
       }
       corners.push_back(*i);
     }
-    corners.pop_back();  // it begins the other chain
+    corners.pop_back();  // it is the first point of the other chain
   };
   add_chain(in_plane.begin(), in_plane.end());
   add_chain(in_plane.rbegin(), in_plane.rend());
   return corners;
 }
 
-/// A triangle of the face on the other side of the edge from a to b, where that edge is a side of a face that holds the
+/// A triangle of the face on the other side of the edge from a to b. The edge is a side of a face that contains the
 /// triangle (a, b, inside).
 Triangle across(const Points& points, std::size_t a, std::size_t b, std::size_t inside) {
   std::optional<std::size_t> outermost;
@@ -144,7 +144,7 @@ std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector
   }
 
   ConvexPolyhedron hull;
-  std::set<std::pair<std::size_t, std::size_t>> sides;  // of the faces known, each in its face's sense
+  std::set<std::pair<std::size_t, std::size_t>> sides;  // of the known faces, each in the orientation of its face
   std::vector<bool> is_corner(vertices.size(), false);
   const auto add_face = [&](const Triangle& triangle) {
     Polygon face = face_through(vertices, order, triangle);

@@ -11,23 +11,23 @@
 
 namespace carom::scene {
 
-/// A convex body as its corners and what joins them.
+/// A convex body with its corners, faces and edges.
 struct ConvexPolyhedron {
-  std::vector<Vector3<double>> vertices;          // each of them a corner [m]
+  std::vector<Vector3<double>> vertices;          // every vertex is a corner [m]
   std::vector<std::vector<std::size_t>> faces;    // corners in order, counterclockwise as seen from outside
-  std::vector<std::array<std::size_t, 2>> edges;  // each once, the lesser index first
+  std::vector<std::array<std::size_t, 2>> edges;  // each once, with the smaller index first
 };
 
-/// Why a list of points is no convex polyhedron, or a polyhedron no body.
+/// The reason why points do not form a convex polyhedron, or why a polyhedron is not a body.
 struct ShapeDefect {
-  std::string text;  // names the vertex by its index in the list, where it is one vertex's
+  std::string text;  // if the defect belongs to one vertex, names its index in the list
 };
 
-/// The convex hull of points in any frame [m], where each of them is a corner of it. Everything is decided exactly:
-/// points that share a plane are one face, however many they are, and a point is no corner where it lies inside, on a
-/// face or on an edge, or is in the list twice; such a point is a defect, as are fewer than four points, points in one
-/// plane, and numbers that are not finite. Gift wrapping (D. Chand, S. Kapur, "An algorithm for convex polytopes", J.
-/// ACM 17, 1970): of the order of vertices times edges.
+/// The convex hull of points in any frame [m], if each point is a corner of the hull. Every decision is exact. Points
+/// in one plane form one face, however many they are. A point that is not a corner is a defect: it lies inside the
+/// hull, on a face or on an edge, or is in the list twice. Fewer than four points, points in one plane, and numbers
+/// that are not finite are defects too. The algorithm is gift wrapping (D. Chand, S. Kapur, "An algorithm for convex
+/// polytopes", J. ACM 17, 1970). Its time is of the order of vertices times edges.
 [[nodiscard]] std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector3<double>> vertices);
 
 }  // namespace carom::scene

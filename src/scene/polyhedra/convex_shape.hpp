@@ -6,17 +6,17 @@
 
 namespace carom::scene {
 
-/// What can touch: all points within `margin` of the hull of the vertices, in the body frame. A polyhedron has margin
-/// 0, a ball is one vertex with its radius as margin.
+/// A shape that can touch others: all points within `margin` of the hull of the vertices, in the body frame. A
+/// polyhedron has margin 0. A ball is one vertex with its radius as margin.
 struct ConvexShape {
   ConvexPolyhedron core;
   double margin = 0;       // [m]
-  double core_radius = 0;  // at least the distance of every vertex from 0 [m]
+  double core_radius = 0;  // upper bound of the distance of every vertex from 0 [m]
 };
 
 [[nodiscard]] ConvexShape convex_shape(const PolyhedralBody& body);
 
-/// A ball about 0. Precondition: the radius is positive [m].
+/// A ball about 0. Precondition: the radius [m] is positive.
 [[nodiscard]] ConvexShape ball_shape(double radius);
 
 /// All points x with normal · x ≤ offset, in the world.
@@ -25,7 +25,7 @@ struct HalfSpace {
   double offset = 0;                // [m]
 };
 
-/// Where a shape is, and what that may be wrong by.
+/// The placement of a shape, with bounds of its errors.
 struct Placement {
   Quaternion<double> orientation{1, 0, 0, 0};  // body axes to world axes, not zero
   Vector3<double> position{0, 0, 0};           // of the body frame's origin, world [m]
@@ -33,17 +33,18 @@ struct Placement {
   double position_error = 0;                   // [m]
 };
 
-/// The core's vertices as placed, relative to a point near by: x − origin [m].
+/// The vertices of the placed core, relative to a nearby point: x − origin [m].
 [[nodiscard]] std::vector<Vector3<double>> placed_vertices(const ConvexShape& shape, const Placement& placement,
                                                            const Vector3<double>& origin);
 
-/// What the placement's errors move a vertex by, at most [m].
+/// The largest distance by which the errors of the placement move a vertex [m].
 [[nodiscard]] double placement_error(const ConvexShape& shape, const Placement& placement);
 
-/// At least the error of (x − y) · n for placed vertices x and y of shapes with these core radii at this distance, n of
-/// length 1 within rounding. In units of 2⁻⁵³: the rotation matrix is right within 8 in each number, so a turned vertex
-/// within 17 of its length; the difference of the positions and the sum add 2, the product with n 4, its length 4: less
-/// than 27 of distance + radii, and 64 are taken.
+/// An upper bound of the rounding error of (x − y) · n [m], for placed vertices x and y of shapes with these core radii
+/// at this distance. The length of n is 1 within rounding. In units of 2⁻⁵³, the error of each number of the rotation
+/// matrix is at most 8. The error of a turned vertex is at most 17 of its length. The difference of the positions and
+/// the sum add 2, the product with n adds 4, and the length of n adds 4. The total is less than 27 of distance + radii.
+/// The function uses 64.
 [[nodiscard]] inline double rounding_of_gap(double distance, double radius_a, double radius_b) {
   return 0x1p-47 * (distance + radius_a + radius_b);
 }

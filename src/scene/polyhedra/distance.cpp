@@ -21,34 +21,36 @@ namespace {
 using Vector = Vector3<double>;
 using Points = std::vector<Vector>;
 
-// All measured on 1000 pairs each of boxes and hulls at gaps of 1, 10⁻², …, 10⁻¹² m, of sizes 1 : 1 down to 1 : 10⁻⁶.
+// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and with sizes
+// from 1 : 1 to 1 : 10⁻⁶.
 
-/// Of FCL's iteration, in units of the smaller body. With 10⁻⁶ the gap falls short by 3 × 10⁻⁷ of the sizes at 1 :
-/// 10⁻⁴; with this by the rounding of the directions, 10⁻¹².
+/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶ the gap is too small by 3 × 10⁻⁷ of the
+/// sizes at 1 : 10⁻⁴. With this value it is too small only by the rounding of the directions, 10⁻¹².
 constexpr double fcl_tolerance = 1e-12;
 
-/// No direction parts two bodies by more than their distance, and no points of theirs are nearer: a gap within this
-/// share of FCL's distance is the distance, within the same share. Without the features the gap falls short by as much
-/// as FCL's difference has lost, 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
+/// No direction separates two bodies by more than their distance, and no two of their points are nearer. So a gap
+/// within this share of FCL's distance is the distance, within the same share. Without the features, the gap would be
+/// too small by the rounding error of FCL's difference, 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
 constexpr double share_that_is_distance = 1e-12;
 
-/// In sizes: how near to FCL's points features are taken. The points are off by 10⁻¹² at most, but for 1 of 1000 pairs
-/// of sizes 1 : 10⁻⁶. From 10⁻¹² to 10⁻⁶ all gaps come out alike; more costs directions that are tried in vain.
+/// The distance from FCL's points up to which features are used, relative to the sizes. The error of the points is at
+/// most 10⁻¹², except for 1 of 1000 pairs of sizes 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps. Larger
+/// values only cost directions that are tried in vain.
 constexpr double feature_tolerance = 1e-9;
 
-/// A gap that is short of FCL's distance by more than this share of it shows that FCL has failed (by 0.2 of the sizes,
-/// for 1 of 1000 pairs that are far apart and of sizes 1 : 100 and less), and then everything is tried. With 10⁻¹² all
-/// gaps come out alike, and everything is tried for up to 5 of 1000.
+/// A gap that is smaller than FCL's distance by more than this share of it shows that FCL has failed. For 1 of 1000
+/// pairs that are far apart and of sizes 1 : 100 or less, FCL fails by 0.2 of the sizes. The search then tries every
+/// direction. The value 10⁻¹² gives the same gaps, and tries every direction for up to 5 of 1000 pairs.
 constexpr double share_that_is_failure = 1e-6;
 
-/// A polyhedron as placed, relative to the position of B.
+/// A placed polyhedron, relative to the position of B.
 struct Placed {
   const ConvexPolyhedron& shape;
   Points points;
 };
 
 Vector face_normal(const Placed& body, const std::vector<std::size_t>& face) {
-  // Newell's sum: of all corners, so that a short side does not spoil it.
+  // Newell's sum over all corners, so that a short side cannot spoil it.
   Vector normal = Vector::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
     normal += (body.points[face[i]] - body.points[face[0]]).cross(body.points[face[i + 1]] - body.points[face[0]]);
@@ -60,12 +62,12 @@ Vector along(const Placed& body, const std::array<std::size_t, 2>& edge) {
   return body.points[edge[1]] - body.points[edge[0]];
 }
 
-/// The best direction so far, and how far the polyhedra are apart along it.
+/// The best direction so far, and the gap of the polyhedra along it.
 class Search {
  public:
   Search(const Points& a, const Points& b) : a_(a), b_(b) {}
 
-  /// From B to A.
+  /// `direction` points from B to A.
   void try_direction(const Vector& direction) {
     const double length = direction.norm();
     if (!(length > 0) || !std::isfinite(length)) {
@@ -101,7 +103,7 @@ class Search {
   Vector normal_{0, 0, 1};
 };
 
-/// What of a body passes within a distance of a point of it.
+/// The features of a body that pass within a distance of a point.
 struct Features {
   std::vector<Vector> normals;  // of faces, outward, with any length
   std::vector<Vector> edges;    // of length 1
@@ -138,8 +140,8 @@ Features all_features(const Placed& body) {
   return features;
 }
 
-/// Every direction that two polyhedra can be nearest along, where more than a corner takes part; and `between`, the
-/// direction of the nearest points, made perpendicular to each edge, for an edge and a corner.
+/// Tries every direction along which two polyhedra can be nearest, if more than a corner takes part. `between` is the
+/// direction of the nearest points. For an edge and a corner, it is made perpendicular to each edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
@@ -155,15 +157,15 @@ void try_features(Search& search, const Features& a, const Features& b, const Ve
   for (const Vector& edge_of_a : a.edges) {
     for (const Vector& edge_of_b : b.edges) {
       const Vector direction = edge_of_a.cross(edge_of_b);
-      if (direction.squaredNorm() > 0x1p-80) {  // edges that are parallel have the direction of a face or of a corner
+      if (direction.squaredNorm() > 0x1p-80) {  // parallel edges have the direction of a face or of a corner
         search.try_both(direction);
       }
     }
   }
 }
 
-/// The point of a triangle that is nearest to a point: its foot where that lies inside (C. Ericson, "Real-Time
-/// Collision Detection", 2005, §5.1.5), else one of a side.
+/// The point of a triangle that is nearest to p: the foot of p if it lies inside (C. Ericson, "Real-Time Collision
+/// Detection", 2005, §5.1.5), otherwise a point of a side.
 Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a);
   const auto area = [&](const Vector& start, const Vector& end) { return normal.dot((start - p).cross(end - p)); };
@@ -179,7 +181,7 @@ Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, co
   return *std::ranges::min_element(sides, {}, [&](const Vector& x) { return (p - x).squaredNorm(); });
 }
 
-/// From the point of a polyhedron's surface that is nearest to a point outside of it.
+/// The direction to an outside point from the nearest point of a polyhedron's surface.
 Vector direction_from_surface(const Placed& body, const Vector& point) {
   Vector best = Vector::Zero();
   double least = std::numeric_limits<double>::infinity();
@@ -197,7 +199,7 @@ Vector direction_from_surface(const Placed& body, const Vector& point) {
   return best;
 }
 
-/// The direction of a face of a polyhedron is the only one, where a point lies within it.
+/// If the centre of the ball lies within the polyhedron, only the faces give directions.
 void search_ball(Search& search, const Placed& body, const Vector& point, bool ball_is_a) {
   const Vector direction = direction_from_surface(body, point);
   search.try_direction(ball_is_a ? direction : Vector(-direction));
@@ -240,13 +242,13 @@ struct ShapePair::Geometry {
   std::shared_ptr<const fcl::Convex<double>> a;
   std::shared_ptr<const fcl::Convex<double>> b;
 
-  /// The nearest points of A and B relative to an origin; none where FCL sees an overlap, or fails.
+  /// The nearest points of A and B relative to `origin`; none if FCL sees an overlap or fails.
   [[nodiscard]] std::optional<std::pair<Vector, Vector>> nearest_points(const Placement& placement_a,
                                                                         const Placement& placement_b,
                                                                         const Vector& origin) const {
     fcl::DistanceRequest<double> request(true);
-    // GST_INDEP, the other solver of FCL 0.7, is off by a tenth of the bodies' size for some boxes that are near each
-    // other.
+    // GST_INDEP, the other solver of FCL 0.7, has an error of a tenth of the bodies' size for some boxes that are near
+    // each other.
     request.gjk_solver_type = fcl::GST_LIBCCD;
     request.distance_tolerance = fcl_tolerance;
     fcl::DistanceResult<double> result;
@@ -317,7 +319,7 @@ std::optional<Separation> ShapePair::searched(const Placement& a, const Placemen
     search.try_direction(between);
   }
   const double margin = a_.margin + b_.margin;
-  // A direction exists but for two balls with one centre.
+  // Only two balls with one centre have no direction.
   const double gap = (std::isfinite(search.gap()) ? search.gap() : 0) - margin;
   return certified(search.normal(), gap,
                    rounding_of_gap(between.norm() + margin, a_.core_radius, b_.core_radius) + placement_error(a_, a) +

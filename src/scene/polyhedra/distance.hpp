@@ -8,29 +8,29 @@
 
 namespace carom::scene {
 
-/// How far two shapes are apart along a direction.
+/// The distance of two shapes along a direction.
 struct Separation {
   Vector3<double> normal{0, 0, 1};  // from B to A, world, of length 1 within rounding
-  /// The least of normal · x over A less the greatest over B, as computed [m]: never more than the distance but for
-  /// rounding, and the distance itself where the direction is the best one. Negative where shapes overlap: then the
-  /// least overlap of all directions tried.
+  /// The least of normal · x over A minus the greatest over B, as computed [m]. Except for rounding, it is at most the
+  /// distance, and equal to it for the best direction. Negative if the shapes overlap. Its size is then the least
+  /// overlap of the directions that were tried.
   double gap = 0;
-  /// What is left of the gap when every rounding, and the errors of both placements, are taken off: where it is
-  /// positive the shapes are certain to be apart by at least as much, along the normal.
+  /// The gap minus bounds of every rounding error and of the errors of both placements [m]. If it is positive, the
+  /// shapes are certain to be apart by at least this much along the normal.
   double certified = 0;
 };
 
-/// Two shapes whose distance is asked for often.
+/// Two shapes whose distance is computed often.
 ///
-/// FCL (J. Pan, S. Chitta, D. Manocha, ICRA 2012), by libccd's GJK, finds the nearest points of two polyhedra; nothing
-/// rests on its answer. Only a direction is taken from it, and what counts is how far the vertices are apart along
-/// that. Where the gap is small, the difference of nearest points has lost its direction, and the faces and edges that
-/// those points lie on give it. Where FCL finds no distance (an overlap, or one of its failures) all face normals and
-/// products of edges are tried (the separating axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). Of a
-/// ball and a polyhedron the direction is that from the nearest point of the faces, found among all.
+/// FCL (J. Pan, S. Chitta, D. Manocha, ICRA 2012) finds the nearest points of two polyhedra by libccd's GJK. Only a
+/// direction is taken from its answer, so an error of FCL cannot make a gap too large. The gap is the distance of the
+/// vertices along that direction. If the gap is small, the difference of the nearest points has lost its direction. The
+/// faces and edges that contain these points then give the direction. If FCL finds no distance because of an overlap or
+/// a failure, all face normals and products of edges are tried (the separating axis theorem; S. Gottschalk, M. Lin, D.
+/// Manocha, SIGGRAPH 1996). For a ball and a polyhedron, the direction is that from the nearest point of all faces.
 ///
-/// Measured: the gap falls short of the distance by at most 10⁻¹³ of the sizes (by 10⁻¹⁵ at gaps of 10⁻³ and less), for
-/// sizes down to 1 : 10⁻⁴; at 1 : 10⁻⁶ it fell short by up to 10⁻³ of itself in 1 of 1000 pairs.
+/// As measured, the gap is too small by at most 10⁻¹³ of the sizes (10⁻¹⁵ at gaps of 10⁻³ and less), for sizes down to
+/// 1 : 10⁻⁴. At 1 : 10⁻⁶ the gap was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
 class ShapePair {
  public:
   ShapePair(ConvexShape a, ConvexShape b);
@@ -40,22 +40,22 @@ class ShapePair {
 
   [[nodiscard]] Separation separation(const Placement& a, const Placement& b) const;
 
-  /// The same where FCL finds how far two polyhedra are apart; nothing where it does not. Quick whatever their number
-  /// of corners, and good enough to try a direction.
+  /// The separation if FCL finds the distance of two polyhedra, otherwise nothing. Fast for any number of corners, and
+  /// accurate enough to try a direction.
   [[nodiscard]] std::optional<Separation> quick_separation(const Placement& a, const Placement& b) const;
 
  private:
   enum class Effort { quick, thorough };
-  struct Geometry;  // FCL's, scaled by a power of two to about 1, since libccd's tolerances are absolute
+  struct Geometry;  // FCL's shapes, scaled by a power of two to about 1, because libccd's tolerances are absolute
 
   [[nodiscard]] std::optional<Separation> searched(const Placement& a, const Placement& b, Effort effort) const;
 
   ConvexShape a_;
   ConvexShape b_;
-  std::shared_ptr<const Geometry> geometry_;  // of two polyhedra
+  std::shared_ptr<const Geometry> geometry_;  // only for two polyhedra
 };
 
-/// Of a shape (A) and a half-space (B); the direction is the half-space's normal.
+/// The separation of a shape (A) and a half-space (B). The direction is the half-space's normal.
 [[nodiscard]] Separation separation(const ConvexShape& a, const Placement& placement, const HalfSpace& b);
 
 }  // namespace carom::scene

@@ -17,18 +17,18 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// q ω, where ω is a quaternion without a scalar part.
+/// q ω, with ω a quaternion without a scalar part.
 Quaternion<double> product(const Quaternion<double>& q, const Vector3<double>& w) {
   return {-(q[1] * w[0] + q[2] * w[1] + q[3] * w[2]), q[0] * w[0] + q[2] * w[2] - q[3] * w[1],
           q[0] * w[1] + q[3] * w[0] - q[1] * w[2], q[0] * w[2] + q[1] * w[1] - q[2] * w[0]};
 }
 
-/// (x₂y₃, x₃y₁, x₁y₂), whose norm is at most ‖x‖ ‖y‖.
+/// (x₂y₃, x₃y₁, x₁y₂). Its norm is at most ‖x‖ ‖y‖.
 Vector3<double> crosswise(const Vector3<double>& x, const Vector3<double>& y) {
   return {x[1] * y[2], x[2] * y[0], x[0] * y[1]};
 }
 
-/// The derivative of Euler's equations at a rate.
+/// The derivative of ω' in Euler's equations with respect to ω.
 Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   Matrix3<double> b;
   b << 0, a[0] * w[2], a[0] * w[1],  //
@@ -37,8 +37,8 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   return b;
 }
 
-/// The derivative of ω at the end of a step by ω at its beginning: its own series along that of ω. Of so few terms
-/// since with a ‖ω‖ × length ≤ 0.14 the rest is below 2⁻⁴⁰.
+/// The derivative of ω at the end of a step with respect to ω at its beginning, as a series along that of ω. Nine terms
+/// suffice: with a ‖ω‖ × length ≤ 0.14 the rest is below 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;
@@ -56,24 +56,25 @@ Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients&
   return sum;
 }
 
-/// At least the greatest eigenvalue of the symmetric part of that derivative, as a share of ‖ω‖: its diagonal is zero,
-/// so the eigenvalue is at most √(2/3) of the Frobenius norm.
+/// An upper bound of the greatest eigenvalue of the symmetric part of `derivative`, divided by ‖ω‖. The diagonal is
+/// zero, so the eigenvalue is at most √(2/3) of the Frobenius norm.
 double growth_rate(const Vector3<double>& a) {
   const double greatest =
       std::max({std::abs(a[0] + a[1]), std::abs(a[1] + a[2]), std::abs(a[2] + a[0])}) + 8 * unit_roundoff;
   return greatest * std::numbers::inv_sqrt3;
 }
 
-/// The greatest ‖ω'‖² of all ω' with the energy and the angular momentum of ω. With yᵢ = ω'ᵢ² that is a linear
-/// programme with two equations: its corners have a component k that is zero, and there Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ +
-/// Iⱼ − Iₖ)/(Iᵢ Iⱼ).
+/// The greatest ‖ω'‖² of all ω' with the energy and the angular momentum of ω. With yᵢ = ω'ᵢ² this is a linear
+/// programme with two equations. At each of its corners a component k is zero, and Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ −
+/// Iₖ)/(Iᵢ Iⱼ).
 double greatest_squared_rate(const Vector3<double>& moments, const Vector3<double>& rate) {
   const Vector3<double> squares = rate.cwiseAbs2();
   double greatest = squares.sum();
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    // Corners with a negative y are none; where rounding leaves that open, the corner may only make the bound greater.
+    // A corner with a negative y is not feasible. If rounding leaves the sign open, the corner can only make the bound
+    // larger.
     const auto is_negative = [&](int p, int q) {
       const double own = moments[p] * (moments[p] - moments[q]) * squares[p];
       const double other = moments[k] * (moments[k] - moments[q]) * squares[k];
@@ -104,8 +105,8 @@ RotationState rotation_state(const Quaternion<double>& orientation, const Vector
 
 RotationPath::Bounds RotationPath::bounds_for(double a) {
   Bounds bounds;
-  std::array<double, order + 2> rate{};      // a bound of each coefficient over ‖ω‖
-  std::array<double, order + 2> rotation{};  // a bound of each coefficient of q
+  std::array<double, order + 2> rate{};      // bounds of the coefficients of ω, divided by ‖ω‖
+  std::array<double, order + 2> rotation{};  // bounds of the coefficients of q
   double rest_of_rate = 0;
   double rest_of_rotation = 0;
   double x = 2;
@@ -116,7 +117,7 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       rate[k + 1] = rate[k] * a * x;
       rotation[k + 1] = rotation[k] * x * (0.5 + n * a) / (n + 1);
     }
-    const double ratio = x * std::max(0.5, a);  // of a coefficient to the one before it, from the second on
+    const double ratio = x * std::max(0.5, a);  // of a coefficient to the preceding one, from the second on
     if (ratio < 0.9) {
       rest_of_rate = rate[order + 1] / (1 - a * x);
       rest_of_rotation = rotation[order + 1] / (1 - ratio);
@@ -127,13 +128,13 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
   }
   bounds.scaled_length = x;
 
-  // The recurrences once more, over bounds of the errors of the computed coefficients, in units of roundoff. A sum of
-  // k + 1 products is off by k + 1 roundings of what its terms add up to; seven more are for aᵢ, the length and the
-  // division.
+  // The recurrences again, for bounds of the errors of the computed coefficients, in units of roundoff. A sum of k + 1
+  // products has an error of k + 1 roundings of the sum of its terms' sizes. Seven more roundings are for aᵢ, the
+  // length and the division.
   std::array<double, order + 1> rate_error{};
   std::array<double, order + 1> rotation_error{};
-  double rate_units = 1;      // the last sum is a rounding of the whole
-  double rotation_units = 5;  // and dividing by the length four more
+  double rate_units = 1;      // the last sum rounds the whole
+  double rotation_units = 5;  // the last sum, and four more for the division by the length
   for (std::size_t k = 0; k < order; ++k) {
     const auto n = static_cast<double>(k);
     double of_rate = 0;
@@ -143,14 +144,14 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       of_rotation += rotation_error[j] * rate[k - j] + rotation[j] * rate_error[k - j];
     }
     rate_error[k + 1] = of_rate * a * x / (n + 1) + (n + 8) * rate[k + 1];
-    // The absolute values of a product of quaternions add up to no more than twice its length.
+    // The absolute values in a product of quaternions add up to at most twice its length.
     rotation_error[k + 1] = of_rotation * x / (2 * (n + 1)) + 2 * (n + 8) * rotation[k + 1];
-    // Horner's scheme rounds the coefficient of the k-th power twice k times, and the power comes from a rounded time.
+    // Horner's scheme rounds the coefficient of the k-th power 2 k times, and the power comes from a rounded time.
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
     rotation_units += rotation_error[k + 1] + (3 * (n + 1) + 1) * rotation[k + 1];
   }
   bounds.relative_rate = rest_of_rate + unit_roundoff * rate_units;
-  // An error of a unit quaternion turns by twice as much.
+  // An error of a unit quaternion turns by twice this angle.
   bounds.angle = 2.01 * (rest_of_rotation + unit_roundoff * rotation_units);
   return bounds;
 }
@@ -172,21 +173,22 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
   greatest_turning_ = (a + 4 * unit_roundoff) * std::numbers::inv_sqrt3;
   greatest_rate_ = std::sqrt(greatest_squared_rate(principal_inertia, start_.body_rate)) * (1 + 32 * unit_roundoff);
   if (a == 0 || greatest_rate_ == 0) {
-    return;  // a fixed axis
+    return;  // rotation about a fixed axis
   }
 
   bounds_ = bounds_for(a);
   const double growth_per_angle = growth_rate(a_);
   BoundedRotation now{start_, 4 * unit_roundoff, 0};
-  double by_norms = 0;  // rate_error by Gronwall
-  // And by derivatives: the error is frame · e with |eᵢ| ≤ widths[i] (R. Lohner's parallelepipeds, with orthogonal
-  // frames).
+  double by_norms = 0;  // rate_error by Gronwall's inequality
+  // The second bound, by derivatives: the error is frame · e with |eᵢ| ≤ widths[i] (R. Lohner's parallelepipeds, with
+  // orthogonal frames).
   Matrix3<double> frame = Matrix3<double>::Identity();
   Vector3<double> widths = Vector3<double>::Zero();
   double greatest_error = 0;
   for (double time = 0; time < duration;) {
     const double rate = now.state.body_rate.norm();
-    // No step is longer than the time before it, but the first: differences of times within it are exact (P. Sterbenz).
+    // Except for the first, no step is longer than the time before it. So differences of times within a step are exact
+    // (P. Sterbenz).
     const double furthest = time > 0 ? std::min(duration, 2 * time) : duration;
     const double end = std::min(furthest, time + bounds_.scaled_length / rate);
     add_step(now, time, end - time);
@@ -200,7 +202,8 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     const Matrix3<double> moved = derivative_of_step(a_, step.rate, step.length) * frame;
     const Eigen::HouseholderQR<Matrix3<double>> factors(moved);
     frame = factors.householderQ();
-    // Within 2⁻²⁰ of the whole: the series' rest, roundings, and what is quadratic in an error of less than 2⁻²⁰ ‖ω‖.
+    // The relative 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in an error of
+    // less than 2⁻²⁰ ‖ω‖.
     widths = (frame.transpose() * moved).cwiseAbs() * widths * (1 + 0x1p-20) + Vector3<double>::Constant(added);
     const double by_derivatives = widths.norm();
     now.rate_error = by_derivatives < 0x1p-20 * rate ? std::min(by_norms, by_derivatives) : by_norms;
@@ -257,9 +260,9 @@ BoundedRotation RotationPath::at(double time) const {
   }
   const double rate = start_.body_rate.norm();
   if (rate == 0 || time == 0) {
-    return {start_, 4 * unit_roundoff, 0};  // the orientation was divided by its length
+    return {start_, 4 * unit_roundoff, 0};  // because the orientation was divided by its length
   }
-  // Half the angle is right within four roundings, sine and cosine of it within an ulp; the product within ten more.
+  // Half the angle is accurate to four roundings, its sine and cosine to an ulp, and the product to ten more roundings.
   const double half_angle = rate * time / 2;
   const Vector3<double> axis = start_.body_rate / rate;
   const Quaternion<double> turned =

@@ -7,7 +7,7 @@
 
 namespace carom::scene {
 
-/// A body that turns without torque, at one time.
+/// The state of a body that turns without torque, at one time.
 struct RotationState {
   Quaternion<double> orientation{1, 0, 0, 0};  // body axes to world axes, of length 1 within rounding
   Vector3<double> body_rate{0, 0, 0};          // the angular velocity along the body axes [rad/s]
@@ -16,34 +16,38 @@ struct RotationState {
 /// The angular velocity along the world axes [rad/s].
 [[nodiscard]] Vector3<double> world_rate(const RotationState& state);
 
-/// Orientation and world angular velocity as they are after an impact. Precondition: the orientation is not zero.
+/// The state for an orientation and an angular velocity in world axes, as after an impact. Precondition: the
+/// orientation is not zero.
 [[nodiscard]] RotationState rotation_state(const Quaternion<double>& orientation, const Vector3<double>& world_rate);
 
-/// A state with what it may be wrong by, against the exact motion from the state that the path began with.
+/// A state with bounds of its errors against the exact motion from the first state of the path.
 struct BoundedRotation {
   RotationState state;
-  double angle_error = 0;  // at least the angle of the rotation from the exact orientation to this one [rad]
-  double rate_error = 0;   // at least the distance of body_rate from the exact one [rad/s]
+  double angle_error = 0;  // upper bound of the angle of the rotation from the exact orientation to this one [rad]
+  double rate_error = 0;   // upper bound of the distance of body_rate from the exact one [rad/s]
 };
 
-/// The free rotation of a body over a duration: Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on) and
-/// q' = ½ q ω by Taylor series of high order, step after step, kept so that the state at any time is one evaluation.
+/// The free rotation of a body over a duration. It solves Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on) and q'
+/// = ½ q ω by Taylor series of high order, step after step. The series are stored, so the state at any time is one
+/// evaluation.
 ///
-/// Rates are taken along the body axes since there alone slender bodies keep their digits: a world angular momentum,
-/// divided by the moments, would lose I_max/I_min.
+/// The angular velocity is kept along the body axes, because only there slender bodies keep their digits. A division of
+/// the world angular momentum by the moments would multiply rounding errors by I_max/I_min.
 ///
-/// The bound. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ; a body has |aᵢ| ≤ 1, and a is the greatest. With W = ‖ω‖ where a step begins, the
-/// coefficients of ω are at most those of W/(1 − a W t), and those of q at most those of (1 − a W t)^(−1/(2a)) (both by
-/// induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖), so what a series leaves out is bounded by a geometric series.
-/// Roundings are counted by running the recurrence over their bounds. An error of ω grows by the equation's derivative:
-/// at most by Gronwall's exp ∫Λ, Λ the greatest eigenvalue of its symmetric part, and, as long as it is below 2⁻²⁰ ‖ω‖,
-/// as the derivatives of the steps say, followed in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary
-/// initial and boundary value problems", 1987); the less of both is taken. An error e of ω turns the orientation away
-/// by at most e a second, and errors of orientation do not grow.
+/// The bound. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ. A body has |aᵢ| ≤ 1, and a is the greatest |aᵢ|. Let W = ‖ω‖ at the beginning of a
+/// step. The coefficients of ω are at most those of W/(1 − a W t), and the coefficients of q at most those of (1 − a W
+/// t)^(−1/(2a)). Both follow by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds the rest of
+/// each series. To bound the rounding errors, the recurrence runs over bounds of them. An error of ω grows by the
+/// derivative of the equation, for which there are two bounds. Gronwall's bound is exp ∫Λ, with Λ the greatest
+/// eigenvalue of the symmetric part of the derivative. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps
+/// bound it in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary initial and boundary value problems",
+/// 1987). The smaller bound is used. An error e of ω turns the orientation away by at most e a second. Errors of the
+/// orientation do not grow.
 class RotationPath {
  public:
-  /// Preconditions: moments positive, each at most the sum of the others (within rounding); the duration finite and ≥
-  /// 0; ‖ω‖ × duration at most about 10⁵, since the path holds some eight steps a radian.
+  /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding); the duration
+  /// is finite and ≥ 0. The product ‖ω‖ × duration is at most about 10⁵, because the path stores about eight steps a
+  /// radian.
   RotationPath(const Vector3<double>& principal_inertia, const RotationState& start, double duration);
 
   /// A body that does not turn, for any duration.
@@ -54,11 +58,12 @@ class RotationPath {
 
   [[nodiscard]] double duration() const { return duration_; }
 
-  /// At least ‖ω‖ at any time, exactly computed or not: of all ω with this energy and this angular momentum the
-  /// fastest, a linear programme in the squares of ω's components.
+  /// An upper bound of ‖ω‖ at any time [rad/s], for the exact and the computed motion. It is the greatest ‖ω‖ with this
+  /// energy and angular momentum, by a linear programme in the squares of ω's components.
   [[nodiscard]] double greatest_rate() const { return greatest_rate_; }
 
-  /// At least ‖ω'‖/‖ω‖² at any time: a/√3. The acceleration of a point at r is at most ‖ω‖² (1 + this) ‖r‖.
+  /// An upper bound of ‖ω'‖/‖ω‖² at any time: a/√3. The acceleration of a point at r is at most ‖ω‖² (1 + this bound)
+  /// ‖r‖.
   [[nodiscard]] double greatest_turning() const { return greatest_turning_; }
 
  private:
@@ -69,16 +74,16 @@ class RotationPath {
     double length = 0;  // [s]
     double angle_error = 0;
     double rate_error = 0;
-    double growth = 1;  // at most how an error of ω grows within the step
-    // Coefficient k is that of ((t − start)/length)ᵏ.
+    double growth = 1;  // upper bound of the growth of an error of ω within the step
+    // Column k is the coefficient of ((t − start)/length)ᵏ.
     Eigen::Matrix<double, 4, order + 1> orientation;
     Eigen::Matrix<double, 3, order + 1> rate;
   };
 
   struct Bounds {
     double scaled_length = 0;  // ‖ω‖ × length of a step
-    double angle = 0;          // what a step adds to angle_error
-    double relative_rate = 0;  // what a step adds to rate_error, as a share of ‖ω‖
+    double angle = 0;          // increase of angle_error in a step [rad]
+    double relative_rate = 0;  // increase of rate_error in a step, relative to ‖ω‖
   };
 
   [[nodiscard]] static Bounds bounds_for(double a);

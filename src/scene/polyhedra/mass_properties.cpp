@@ -18,10 +18,10 @@ using Triple = std::array<mpq_class, 3>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The nearest double, of two equally near the one with an even last digit. Where it would leave the range of normal
-/// numbers the answer does so as well, or is zero.
+/// The nearest double. Of two equally near ones, it is the one with an even last digit. For a number beyond the range
+/// of normal doubles, the result is outside of that range too, or zero.
 double nearest(const mpq_class& number) {
-  const double toward_zero = number.get_d();  // GMP cuts off what does not fit
+  const double toward_zero = number.get_d();  // GMP truncates
   if (toward_zero == 0 || !std::isfinite(toward_zero)) {
     return toward_zero;
   }
@@ -82,7 +82,7 @@ Integrals integrals_of(const std::vector<Triple>& points, const std::vector<std:
   return integrals;
 }
 
-/// Mass properties as they are, about the first vertex.
+/// The exact mass properties, relative to the first vertex.
 struct ExactProperties {
   mpq_class volume;
   Triple centre;
@@ -167,7 +167,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
   if (!is_in_range(size)) {
     return ShapeDefect{"its moments of inertia are too great or too small for binary64"};
   }
-  // Scaled by a power of two, so that the axes of the smallest body are found as those of any other.
+  // Scaling by a power of two makes the search for the axes independent of the size of the body.
   int exponent = 0;
   std::frexp(size, &exponent);
   Matrix3<DoubleDouble> scaled;
@@ -197,7 +197,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
     }
     body.radius = std::max(body.radius, body.shape.vertices[v].norm());
   }
-  // stableNorm is not needed within the range of the moments; a norm of three squares is right within 4 ulps.
+  // stableNorm is not needed within the range of the moments. A norm of three squares is accurate to 4 ulps.
   body.radius *= 1 + 0x1p-50;
   body.vertex_error = 0x1p-53 * body.radius;
   if (const std::optional<ShapeDefect> defect = defect_of(properties)) {
@@ -213,7 +213,7 @@ std::variant<MassProperties, ShapeDefect> sphere_mass_properties(double radius, 
   if (!std::isfinite(radius) || radius <= 0) {
     return ShapeDefect{"the radius is not a positive finite number"};
   }
-  // π = 0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53, and 2⁻¹⁰⁷ of it is left out.
+  // π = 0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53, with a relative error of 2⁻¹⁰⁷.
   const DoubleDouble pi = DoubleDouble::of_parts(0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53);
   const DoubleDouble squared = DoubleDouble(radius) * DoubleDouble(radius);
   const DoubleDouble volume = DoubleDouble(4) * pi * squared * DoubleDouble(radius) / DoubleDouble(3);

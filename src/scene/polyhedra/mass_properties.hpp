@@ -8,43 +8,47 @@
 
 namespace carom::scene {
 
-/// What the motion of a body of uniform density depends on. "Rounded once": computed exactly, then rounded to nearest.
+/// The properties of a body of uniform density that determine its motion. "Rounded once" means computed exactly, then
+/// rounded to nearest.
 struct MassProperties {
   double volume = 0;                  // rounded once [m³]
   double mass = 0;                    // rounded once [kg]
-  Vector3<double> centre{0, 0, 0};    // of mass, in the frame of the vertices as given, rounded once [m]
+  Vector3<double> centre{0, 0, 0};    // of mass, in the frame of the given vertices, rounded once [m]
   Matrix3<double> inertia;            // about the centre, along the axes of that frame, rounded once [kg m²]
-  Vector3<double> principal_inertia;  // along the body axes, each within 2⁻⁵² of it [kg m²]
+  Vector3<double> principal_inertia;  // along the body axes, each with a relative error of at most 2⁻⁵² [kg m²]
   Quaternion<double> orientation;     // body axes to the axes of that frame; of length 1 within rounding
 };
 
-/// A body in its own frame: the centre of mass at 0, the principal axes along x, y and z, none exchanged: the axes of a
-/// box along the given axes stay where they are.
+/// A body in its own frame, with the centre of mass at 0 and the principal axes along x, y and z. No axes are
+/// exchanged, so the axes of a box stay in place if they are along the given axes.
 struct PolyhedralBody {
   ConvexPolyhedron shape;  // in the body frame [m]
   MassProperties properties;
-  double radius = 0;        // at least the distance of every vertex from the centre of mass [m]
-  double vertex_error = 0;  // at least the distance of every vertex from where it is exactly [m]
+  double radius = 0;        // upper bound of the distance of every vertex from the centre of mass [m]
+  double vertex_error = 0;  // upper bound of the distance of every vertex from its exact position [m]
 };
 
 /// A polyhedron as a body of uniform density [kg/m³].
 ///
 /// Volume, centre and inertia are integrals of polynomials over tetrahedra (F. Tonon, "Explicit exact formulas for the
-/// 3-D tetrahedron inertia tensor in terms of its vertex coordinates", J. Math. Stat. 1, 2005): exact in rationals. The
-/// axes are found by Jacobi's rotations in numbers of 106 bits: ‖J − R diag Rᵀ‖ ≤ 2⁻⁹⁰ ‖J‖ for the exact J before
-/// anything is rounded to double, so a principal moment keeps its relative precision where it is above 2⁻³⁵ of the
-/// greatest. Vertices are turned into the body frame in those numbers and rounded once: each moves by at most 2⁻⁵³ of
-/// its distance from the centre. The body that a scene moves is the hull of the rounded vertices; `faces` and `edges`
-/// are those of the vertices as given, and a face of more than three corners is plane within `vertex_error`. The mass
-/// properties are of the vertices as given. Moving or turning the given frame changes nothing but that rounding, and
-/// which of equal axes are chosen.
+/// 3-D tetrahedron inertia tensor in terms of its vertex coordinates", J. Math. Stat. 1, 2005), computed exactly in
+/// rational numbers. Jacobi's rotations find the axes in numbers of 106 bits. Before any rounding to double, ‖J − R
+/// diag Rᵀ‖ ≤ 2⁻⁹⁰ ‖J‖ for the exact J. So a principal moment keeps its relative accuracy if it is above 2⁻³⁵ of the
+/// greatest. The vertices are turned into the body frame in these numbers and rounded once. Each vertex moves by at
+/// most 2⁻⁵³ of its distance from the centre.
 ///
-/// A defect where the density is not a positive number, or where a result would leave the range of normal doubles.
+/// The body that a scene moves is the hull of the rounded vertices. `faces` and `edges` are those of the given
+/// vertices, so a face of more than three corners is plane within `vertex_error`. The mass properties are those of the
+/// given vertices. A displacement or rotation of the given frame changes only that rounding, and the choice between
+/// equal axes.
+///
+/// Returns a defect if the density is not a positive number, or if a result would leave the range of normal doubles.
 [[nodiscard]] std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron& polyhedron,
                                                                         double density);
 
-/// Of a ball about 0: m = 4/3 π ρ R³ and I = 2/5 m R², computed in numbers of 106 bits, so within half an ulp and 2⁻⁴⁰
-/// of one. A defect as above.
+/// The mass properties of a ball about 0: m = 4/3 π ρ R³ and I = 2/5 m R². They are computed in numbers of 106 bits, so
+/// their error is at most half an ulp and 2⁻⁴⁰ of an ulp. Returns a defect if the radius or the density is not a
+/// positive number, or if a result would leave the range of normal doubles.
 [[nodiscard]] std::variant<MassProperties, ShapeDefect> sphere_mass_properties(double radius, double density);
 
 }  // namespace carom::scene

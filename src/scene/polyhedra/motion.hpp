@@ -6,7 +6,8 @@
 
 namespace carom::scene {
 
-/// A body in flight from `start` on: its centre on a parabola, turning freely. All vectors in the world, at the start.
+/// A body in flight from `start` on. Its centre moves on a parabola, and it rotates freely. All vectors are in world
+/// axes, at the start.
 struct Motion {
   Vector3<double> position{0, 0, 0};      // of the centre of mass [m]
   Vector3<double> velocity{0, 0, 0};      // [m/s]
@@ -14,15 +15,15 @@ struct Motion {
   RotationPath rotation;
   double start = 0;  // [s]
 
-  /// Until when it is known how the body turns [s].
+  /// The end of the time for which the rotation is known [s].
   [[nodiscard]] double end() const { return start + rotation.duration(); }
 };
 
-/// Where a body is at a time [s], with what that may be wrong by: the position p + s (v + s a / 2), s = time − start,
-/// is rounded eight times, and s once for the rotation. Precondition: start ≤ time ≤ end.
+/// The placement of a body at a time [s], with bounds of its errors. With s = time − start, the position p + s (v + s a
+/// / 2) is rounded eight times, and s is rounded once for the rotation. Precondition: start ≤ time ≤ end.
 [[nodiscard]] Placement placement_at(const Motion& motion, double time);
 
-/// How it turns at that time, with what that may be wrong by. Precondition: start ≤ time ≤ end.
+/// The rotation of a body at a time [s], with bounds of its errors. Precondition: start ≤ time ≤ end.
 [[nodiscard]] BoundedRotation rotation_at(const Motion& motion, double time);
 
 }  // namespace carom::scene

@@ -46,10 +46,10 @@ double time_open(const GapBound& bound, double least, double limit) {
   if (last.gap >= least) {
     return limit;
   }
-  constexpr int most_rounds = 30;  // some five, since Newton's steps come from the other side
+  constexpr int most_rounds = 30;  // about five suffice, because Newton's steps come from the other side
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // As a straight h would end within its own rounding, a chord ends a little before `least`; more so where that is
-    // not enough.
+    // If h is straight, a chord to `least` would end within the rounding error of h. So the chord ends slightly before
+    // `least`, and earlier if that is not enough.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;
@@ -62,7 +62,7 @@ double time_open(const GapBound& bound, double least, double limit) {
     }
     open = chord;
     excess = excess_there;
-    // A tangent lies above h: where it comes down to `least`, h is closed, or as good as that.
+    // A tangent lies above h. When the tangent has fallen to `least`, h is below `least`, or very nearly so.
     const double tangent = closed + (last.gap - least) / -last.slope;
     if (last.slope < 0 && tangent > open && tangent < closed) {
       const Value there = value_at(bound, tangent);

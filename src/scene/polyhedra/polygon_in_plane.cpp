@@ -24,7 +24,8 @@ PlanePolygon without_near_ones(const PlanePolygon& polygon, double slack) {
   return kept;
 }
 
-/// The part to the left of the line from `start` along `direction`, of length 1, and `slack` to its right.
+/// The part of a polygon on the left of a line, including `slack` on its right. The line starts at `start` and has the
+/// direction `direction`, of length 1.
 PlanePolygon left_part(const PlanePolygon& polygon, const PlanePoint& start, const PlanePoint& direction,
                        double slack) {
   PlanePolygon part;
@@ -66,7 +67,7 @@ PlanePolygon hull_in_plane(std::vector<PlanePoint> points, double slack) {
   } else {
     hull = std::move(points);
   }
-  // The longest diagonal, and how far the others are from it.
+  // The longest diagonal, and the greatest distance of a corner from it.
   std::pair<PlanePoint, PlanePoint> ends{hull.front(), hull.front()};
   for (const PlanePoint& x : hull) {
     for (const PlanePoint& y : hull) {

@@ -6,19 +6,20 @@
 
 namespace carom::scene {
 
-/// J = axes diag(moments) axesᵀ; the axes are the columns, right-handed.
+/// J = axes diag(moments) axesᵀ. The axes are the columns, and they are right-handed.
 struct PrincipalAxes {
   Vector3<impulse::DoubleDouble> moments;
   Matrix3<impulse::DoubleDouble> axes;
 };
 
-/// By Jacobi's rotations, each of at most an eighth of a turn, so that axes that are almost right are not exchanged;
-/// two or three sweeps converge, quadratically. Every rotation adds at most some 2⁻¹⁰⁰ ‖J‖: ‖J − axes diag axesᵀ‖ ≤
-/// 2⁻⁹⁵ ‖J‖. Precondition: symmetric, the greatest number between 2⁻¹⁰⁰ and 2¹⁰⁰.
+/// The principal axes of an inertia J by Jacobi's rotations. Each rotation is at most an eighth of a turn, so axes that
+/// are almost right are not exchanged. Two or three sweeps converge, quadratically. Every rotation adds an error of at
+/// most about 2⁻¹⁰⁰ ‖J‖, so ‖J − axes diag axesᵀ‖ ≤ 2⁻⁹⁵ ‖J‖. Precondition: J is symmetric, and its greatest number is
+/// between 2⁻¹⁰⁰ and 2¹⁰⁰.
 [[nodiscard]] PrincipalAxes principal_axes(Matrix3<impulse::DoubleDouble> inertia);
 
-/// The rotation of a right-handed frame of columns as a quaternion with its greatest component positive, each within an
-/// ulp of one.
+/// The rotation of a right-handed frame of columns as a quaternion. Its greatest component is positive, and each
+/// component is accurate to an ulp of 1.
 [[nodiscard]] Quaternion<double> quaternion_of(const Matrix3<impulse::DoubleDouble>& rotation);
 
 }  // namespace carom::scene

@@ -9,7 +9,8 @@
 
 namespace carom::scene {
 
-/// A body of a scene as it begins: its shape about its centre of mass, along its principal axes.
+/// A body at the beginning of a scene. The origin of its shape is the centre of mass, and its axes are the principal
+/// axes.
 struct RigidBody {
   ConvexShape shape;
   double mass = 1;                             // [kg]
@@ -19,15 +20,15 @@ struct RigidBody {
   Vector3<double> velocity{0, 0, 0};           // of the centre of mass [m/s]
   Vector3<double> angular_velocity{0, 0, 0};   // [rad/s]
 
-  /// At least the distance of every point from the centre of mass [m].
+  /// An upper bound of the distance of every point from the centre of mass [m].
   [[nodiscard]] double radius() const { return shape.core_radius + shape.margin; }
 };
 
-/// The body, or why its vertices and its density are none. Precondition: position and velocities are finite, the
-/// orientation is finite and not zero.
+/// The body of a polyhedron, or the defect of its vertices or its density. Preconditions: position and velocities are
+/// finite; the orientation is finite and not zero.
 [[nodiscard]] std::variant<RigidBody, ShapeDefect> rigid_body(const Polyhedron& polyhedron);
 
-/// Precondition: the sphere is valid (valid_scene.hpp).
+/// The body of a sphere. Precondition: the sphere is valid (valid_scene.hpp).
 [[nodiscard]] RigidBody rigid_body(const Sphere& sphere);
 
 }  // namespace carom::scene

@@ -10,8 +10,8 @@
 
 namespace carom::scene {
 
-/// The loop that a scene needs: of spheres alone, or of bodies that tumble. It is as both are (simulation.hpp,
-/// tumbling.hpp).
+/// The loop for a scene: Simulation if it has only spheres, otherwise Tumbling. Its functions are those of both loops
+/// (simulation.hpp, tumbling.hpp).
 class SceneLoop {
  public:
   explicit SceneLoop(Scene scene) : loop_(made_for(std::move(scene))) {}

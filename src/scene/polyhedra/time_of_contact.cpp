@@ -16,19 +16,19 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// A body at one time, with bounds for all times.
+/// The state of a body at one time, with bounds that hold at any time.
 struct Moving {
   Placement placement;
   Vector velocity;
   Vector acceleration;
   Vector rate;
   double greatest_rate;  // [rad/s]
-  double bending;        // at least the acceleration that turning gives to any vertex [m/s²]
+  double bending;        // upper bound of the acceleration of any vertex by rotation [m/s²]
   double turning;        // 1 + ‖ω'‖/‖ω‖²
   double radius;
-  double speed_error;              // of any vertex, as computed [m/s]
-  std::vector<Vector> vertices;    // from the centre
-  std::vector<Vector> velocities;  // of the vertices, by turning alone
+  double speed_error;              // of the computed velocity of any vertex [m/s]
+  std::vector<Vector> vertices;    // relative to the centre [m]
+  std::vector<Vector> velocities;  // of the vertices, by rotation alone [m/s]
 };
 
 Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
@@ -43,7 +43,7 @@ Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
   m.turning = 1 + motion.rotation.greatest_turning();
   m.radius = shape.core_radius;
   m.bending = m.radius * m.greatest_rate * m.greatest_rate * m.turning;
-  // Some 27 roundings of what a speed is the sum of, as of a gap, and the errors of orientation and rate.
+  // About 27 roundings of the terms of a speed, as for a gap, and the errors of orientation and rate.
   m.speed_error =
       0x1p-47 * (motion.velocity.norm() + elapsed * motion.acceleration.norm() + m.greatest_rate * m.radius) +
       (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
@@ -54,12 +54,12 @@ Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
   return m;
 }
 
-/// Times to look for a way out at, each a quarter of the one before.
+/// The number of times at which a way out is searched for. Each time is a quarter of the one before.
 constexpr int most_trials = 24;
 
-/// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Heights and speeds of both
-/// bodies' vertices are from B's centre, in axes that turn with n. What may be wrong of a height is taken off later
-/// (from_certified).
+/// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Heights and speeds of the
+/// vertices of both bodies are relative to B's centre, in axes that turn with n. The function from_certified later
+/// subtracts the errors of the heights.
 GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
   const Vector between = a.placement.position - b.placement.position;
   const Vector velocity = a.velocity - b.velocity;
@@ -84,8 +84,8 @@ GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& 
   return bound;
 }
 
-/// The two vertices that are foremost by more than 2⁻²⁶ of the radius, if they are two: the ends of an edge that a
-/// direction is across. `sign` 1: lowest along n, −1: highest.
+/// The edge between the two foremost vertices. None if the number of vertices within 2⁻²⁶ of the radius of the foremost
+/// one is not two. The edge is then across n, within this distance. `sign` 1: lowest along n, −1: highest.
 std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double sign) {
   double foremost = sign * n.dot(body.vertices.front());
   for (const Vector& vertex : body.vertices) {
@@ -100,7 +100,8 @@ std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double 
   return ends.size() == 2 ? std::optional<Vector>(*ends[1] - *ends[0]) : std::nullopt;
 }
 
-/// How n turns that stays across an edge of each body: n·e = 0 gives n'·e = −n·(ω × e), and n'·n = 0; Ω = n × n'.
+/// The rate Ω of a direction n that stays across an edge of each body. n·e = 0 gives n'·e = −n·(ω × e), and n'·n = 0; Ω
+/// = n × n'.
 std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const Vector& n) {
   const std::optional<Vector> of_a = foremost_edge(a, n, 1);
   const std::optional<Vector> of_b = foremost_edge(b, n, -1);
@@ -109,7 +110,7 @@ std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const
   }
   Matrix3<double> across;
   across << of_a->transpose(), of_b->transpose(), n.transpose();
-  // Of edges that are nearly parallel no direction is across both for long.
+  // If the edges are nearly parallel, no direction stays across both for long.
   if (std::abs(across.determinant()) < 0x1p-10 * of_a->norm() * of_b->norm()) {
     return std::nullopt;
   }
@@ -117,7 +118,7 @@ std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const
   return n.cross(across.inverse() * change);
 }
 
-/// Sets what is lost so that the bound begins with what is certified of the gap.
+/// Sets `lost` so that the bound begins with the certified gap.
 GapBound from_certified(GapBound bound, double certified) {
   bound.lost = 0;
   double lowest = bound.a.front().height;
@@ -132,8 +133,9 @@ GapBound from_certified(GapBound bound, double certified) {
   return bound;
 }
 
-/// Conservative advancement. `separation_at(time)` certifies, `open_for(time, separation, least, limit)` says how long
-/// a gap is certain to stay above `least`, and `opens(time, separation)` whether the shapes draw apart.
+/// Conservative advancement. `separation_at(time)` returns a certified separation. `open_for(time, separation, least,
+/// limit)` returns how long a gap is certain to stay above `least`. `opens(time, separation)` returns whether the
+/// shapes draw apart.
 template <class SeparationAt, class OpenFor, class Opens>
 TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double begin,
                       double horizon, double tolerance) {
@@ -144,7 +146,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     const Separation separation = separation_at(result.time);
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
-      // The step before this one left the gap open; what errors have grown by since closes it.
+      // The step before this one left the gap open. The growth of the errors since then closes it.
       result.approach = result.time == begin ? Approach::overlaps : Approach::undecided;
       return result;
     }
@@ -158,10 +160,11 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
       result.approach = Approach::misses;
       return result;
     }
-    // Half the time that a gap which opens is certain to stay: at the end of it nothing would be left but half the gap.
+    // For a gap that opens, half the time for which it is certain to stay open. At the end of the whole time, only half
+    // the gap might be left.
     const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
     const double step = within && whole < limit ? whole / 2 : whole;
-    // Rounded down, so that the sum is not beyond the step either.
+    // Rounded down, so that the sum does not exceed the step.
     const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
       result.approach = Approach::undecided;
@@ -173,7 +176,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   return result;
 }
 
-/// Of bodies that do not move against each other: they stay as near as they are.
+/// For bodies that do not move relative to each other: their gap stays the same.
 TimeOfContact at_rest(const Separation& separation, double begin, double horizon) {
   const bool is_apart = separation.certified > 0;
   return {is_apart ? Approach::misses : Approach::overlaps, is_apart ? horizon : begin, separation, 1};
@@ -187,8 +190,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
                 a.start, a.end(), b.start, b.end());
   CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
-  std::optional<Vector> way_out;  // how a direction turns that the shapes draw apart along
-  // Directions that stand still, or turn with what may touch: a body's face, or an edge of each.
+  std::optional<Vector> way_out;  // the rate of a direction along which the shapes draw apart
+  // Directions that do not turn, or turn with a feature that may touch: a face of a body, or an edge of each.
   const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
     use(Vector::Zero());
     if (at_b.greatest_rate > 0 && at_b.radius > 0) {
@@ -209,7 +212,7 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     const Moving at_b = moving(pair.b(), b, time);
     double longest = 0;
     for_each_turning(at_a, at_b, separation.normal, [&](const Vector& turning) {
-      // One that turns is of use for as long as it does not turn far.
+      // A turning direction is useful only until it has turned far.
       const double rate = turning.norm();
       const double own_limit = rate * limit > 0.5 ? 0.5 / rate : limit;
       if (longest < own_limit) {
@@ -229,7 +232,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
     bool does = false;
     for_each_turning(at_a, at_b, separation.normal,
                      [&](const Vector& turning) { does = does || opens_along(turning); });
-    // Faces and edges that touch in a part of themselves may need any direction: that in which they are apart soon.
+    // Faces and edges that touch with a part of themselves may need any direction. Tries those along which they are
+    // apart soon.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
       const double soon = std::min(time + later, horizon);  // the sum may be rounded up

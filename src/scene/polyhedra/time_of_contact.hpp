@@ -7,47 +7,48 @@
 namespace carom::scene {
 
 enum class Approach {
-  touches,    // within the tolerance at the time given, and not before
+  touches,    // within the tolerance at the returned time, and not before
   misses,     // certain to stay apart up to the horizon
-  overlaps,   // not certain to be apart when it begins
-  undecided,  // certain to be apart up to the time given; the tolerance is finer than the numbers can tell, or it takes
-              // too long
+  overlaps,   // not certain to be apart at the beginning
+  undecided,  // certain to be apart up to the returned time; the tolerance is below the accuracy of the numbers, or the
+              // search takes too long
 };
 
 struct TimeOfContact {
   Approach approach = Approach::misses;
   double time = 0;        // [s]
-  Separation separation;  // at that time
-  int advances = 0;       // how many separations it took
+  Separation separation;  // at the returned time
+  int advances = 0;       // the number of separations that were computed
 };
 
 /// The first time in [begin, horizon] at which two moving shapes are within the tolerance [m] of each other and do not
-/// draw apart. Up to that time, and at it, they are certain not to touch, whatever is rounded: the motion is the exact
-/// one from the numbers given, and its errors are taken off every gap.
+/// draw apart. Up to and at that time, they are certain not to touch in spite of rounding. The motion is the exact one
+/// from the given numbers, and every gap is reduced by its error bounds.
 ///
-/// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996): from a
-/// certified separation along n, time goes on as far as the gap along n is certain to stay open; then a new n is found.
-/// Mirtich's step is gap / (greatest speed of any point), of first order; here every vertex has its own velocity along
-/// n and only what velocities change by is bounded, so the steps are of second order:
+/// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) starts from a
+/// certified separation along n. It advances the time as far as the gap along n is certain to stay open, and then finds
+/// a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here every vertex has its
+/// own velocity along n, and only the changes of velocities are bounded. So the steps are of second order:
 ///
 ///     n·(x_v(s+Δ) − y_u(s+Δ)) ≥ n·(x_v − y_u) + Δ n·(ẋ_v − ẏ_u) + ½ Δ² n·(a_A − a_B) − ½ Δ² (C_A + C_B),
-///     C = r ω² (1 + a/√3),
+///     C = r ω² (1 + a/√3).
 ///
-/// with r the greatest distance of a vertex from its centre, ω the greatest rate of the whole motion and a ω²/√3 ≥ ‖ω'‖
-/// (RotationPath). The same is tried for an n that turns at a constant rate Ω: that of A or of B, so that a face of the
-/// turning body stays a face, or the one that keeps n across an edge of each. In axes that turn with n the velocity of
-/// a point x from B's centre is ẋ − Ω × x, and the second derivative has C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ + ‖Ω‖²
-/// ‖x‖ in place of what stands above. The longest step is taken; the shapes draw apart where one of these n says so.
+/// Here r is the greatest distance of a vertex from its centre, ω is the greatest rate of the whole motion, and a ω²/√3
+/// ≥ ‖ω'‖ (RotationPath). The bound is also tried for directions n that turn at a constant rate. This rate Ω may be
+/// that of A or of B, so that a face of the turning body stays a face. It may also be the rate that keeps n across an
+/// edge of each body. In axes that turn with n, the velocity of a point x relative to B's centre is ẋ − Ω × x. The
+/// bound of the second derivative is then C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ + ‖Ω‖² ‖x‖. The longest step is taken.
+/// The shapes draw apart if they do so along one of these n.
 ///
-/// A gap within the tolerance at the beginning, as after an impact, is no contact as long as the shapes draw apart; it
-/// becomes one where they do no longer; bodies that do not move against each other meet never. Preconditions: both
-/// motions start by `begin` and end no sooner than the horizon; the tolerance is positive, and is met in full only
-/// where it is above about 2⁻⁴⁴ of sizes and distance and of the errors of placements: below, the answer is
-/// `undecided`, at the last time up to which they are certain to be apart.
+/// A gap within the tolerance at the beginning, as after an impact, is no contact as long as the shapes draw apart. It
+/// becomes a contact when they no longer do. Bodies that do not move relative to each other never meet. Preconditions:
+/// both motions start at `begin` or before, and end at the horizon or later; the tolerance is positive. The tolerance
+/// is always reached only if it exceeds about 2⁻⁴⁴ of sizes and distance, and the errors of the placements. Otherwise
+/// the answer may be `undecided`, with the last time up to which the shapes are certain to be apart.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin,
                                             double horizon, double tolerance);
 
-/// The same against a half-space, which does not move.
+/// The first time of contact of a shape with a half-space, which does not move, as for two shapes.
 [[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b,
                                             double begin, double horizon, double tolerance);
 

@@ -19,15 +19,15 @@
 namespace carom::scene {
 namespace {
 
-/// Impacts at one time, more than any that ends by itself has been seen to need.
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
 constexpr unsigned long long most_at_one_instant = 10'000;
 
-/// What touches is all that is as near as this many tolerances: those of a contact, and of an edge or a face that was
-/// struck at this time before, and hangs back by less than it would have moved.
+/// Parts within this many tolerances touch. This includes the parts of a contact, and those of an edge or a face that
+/// was struck earlier at the same instant. Such a part lags by less than it would have moved.
 constexpr double flatness_in_tolerances = 4;
 
-/// Beside the speeds that meet, a least one that rounding does not turn round: a gap's speed is known to 2⁻⁴⁷ of them
-/// (time_of_contact.cpp). For where gravity gives none.
+/// The least speed after an impact, relative to the speeds that meet, for scenes in which gravity gives none. Rounding
+/// cannot reverse it, because the speed of a gap is accurate to 2⁻⁴⁷ of these speeds (time_of_contact.cpp).
 constexpr double least_speed_share = 0x1p-40;
 
 RigidBody body_of(const Scene& scene, std::size_t index) {
@@ -41,7 +41,7 @@ RigidBody body_of(const Scene& scene, std::size_t index) {
   return std::get<RigidBody>(std::move(body));
 }
 
-/// A time up to which the balls about two bodies are certain not to overlap, of the gap between them.
+/// A time up to which the balls around two bodies are certain not to overlap, from the gap between the balls.
 double balls_touch_from(const UncertainQuadratic& gap, double now) {
   if (!(gap.c0 > gap.e0)) {
     return now;
@@ -146,7 +146,7 @@ Tumbling::Outlook Tumbling::outlook_from(double begin, double known_until, const
     case Approach::undecided:
       break;
   }
-  // Apart until then: it is looked at again from there.
+  // The bodies are apart until then. The next look starts from there.
   if (found.time > begin) {
     return {found.time, false};
   }
@@ -158,7 +158,7 @@ Tumbling::Outlook Tumbling::outlook_from(double begin, double known_until, const
                          ? text_of(who, "and up to ", unknown, " m of that are not known")
                          : text_of(who, "and come nearer by more than that before the next instant that a double is"));
   }
-  // Nearer than can be told.
+  // The gap is within the tolerance and too small to be resolved, so it counts as a contact.
   return {found.time, true};
 }
 
@@ -167,7 +167,7 @@ Tumbling::Outlook Tumbling::outlook(std::size_t a, std::size_t b) {
   const Path& of_b = bodies_[b].path();
   const Beside balls(placed(of_a, now_), placed(of_b, now_), of_a.radius + of_b.radius);
   const UncertainQuadratic gap = squared_gap(balls);
-  // Balls that overlap may well recede, and the bodies in them meet.
+  // Balls that overlap may recede while the bodies in them meet.
   if (gap.c0 > gap.e0 && stay_apart(of_a, of_b, balls, now_, scene_.duration)) {
     return {};
   }
@@ -243,7 +243,7 @@ void Tumbling::look_again(const Where& where) {
 }
 
 const Event* Tumbling::advance() {
-  // Not at the event itself: where what follows cannot be found, it has happened all the same.
+  // Not at the event itself: the event has happened even if the search for the next one fails.
   for (const std::size_t body : changed_) {
     look_around(body);
   }
@@ -307,7 +307,7 @@ Collision Tumbling::collision_at(const Where& where, const Vector3<double>& norm
   Collision collision;
   collision.a = struck_body(where.first, point);
   collision.normal = normal;
-  // The lever arm of a ball lies along the normal, exactly.
+  // The lever arm of a ball lies exactly along the normal.
   if (is_sphere(scene_, where.first)) {
     collision.a.position = normal * (a.body().shape.margin / normal.norm());
     collision.normal = collision.a.position;
@@ -378,7 +378,7 @@ double Tumbling::least_speed_of(const Where& where, double restitution) const {
   if (where.kind == Kind::bodies) {
     consider(where.second);
   }
-  // A hop within the tolerance would be no hop, but the next contact.
+  // A hop within the tolerance would only be the next contact.
   const double out_of_touch = std::sqrt(2 * acceleration * flatness_in_tolerances * tolerance_of(where));
   return std::max({least_speed(scene_, acceleration, radius, restitution), out_of_touch, least_speed_share * speeds});
 }

@@ -17,28 +17,27 @@
 
 namespace carom::scene {
 
-/// Runs a scene that has polyhedra, one event at a time. All bodies fly, spheres too: nothing slides, rolls or rests.
-/// What approaches slower than least_speed.hpp says is met elastically and sent off at that speed, so what would lie
-/// still hops, no higher than that.
+/// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
+/// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact that sends the bodies off at
+/// that speed. So a body that would lie hops instead, no higher than that speed allows.
 ///
-/// A contact is where two bodies are within `contact_tolerance` and do not draw apart, found by conservative
-/// advancement (time_of_contact.hpp): up to it, and at it, they are certain not to touch. Where a body has turned by
-/// `longest_turn` it is stored as it is then, and goes on from there. Of events at one time renewals are first and
-/// planes last, and of one kind that with the lower bodies. The impulse acts at the middle of what touches where all of
-/// that approaches, else where it approaches fastest; what else of it approaches is an impact of its own, at the same
-/// time.
+/// A contact is the instant at which two bodies are within `contact_tolerance` and do not draw apart. Conservative
+/// advancement finds it (time_of_contact.hpp). Up to and at the contact, the bodies are certain not to touch. When a
+/// body has turned by `longest_turn`, a renewal stores its state, and the motion continues from there. Of events at one
+/// time renewals are first and planes last. Within one kind, the event with the lower body indices is first. The
+/// impulse acts at the middle of the contact patch if the whole patch approaches, otherwise at the corner that
+/// approaches fastest. Other corners that approach have their own impact at the same time.
 class Tumbling {
  public:
-  /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError where bodies are not certain to be
-  /// apart.
+  /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.
   explicit Tumbling(Scene scene);
 
-  /// The next event, an impact or a renewal; nothing after the scene's duration. The reference holds until the next
-  /// call. Throws SceneError where impacts at one instant do not end, or where bodies are no longer certain to be
-  /// apart, or places no longer known to the tolerance; the last event stands.
+  /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
+  /// Throws SceneError if impacts at one instant do not end, or if bodies are no longer certain to be apart. Also
+  /// throws it if positions are no longer accurate to the tolerance. The last event remains in effect.
   [[nodiscard]] const Event* advance();
 
-  /// From now on `advance` ends early, with nothing, once a stop is requested.
+  /// Makes `advance` end early and return null once a stop is requested.
   void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -48,16 +47,17 @@ class Tumbling {
   [[nodiscard]] SceneState state() const;
 
  private:
-  /// What is known of two bodies, or of one and a plane.
+  /// The known future of two bodies, or of a body and a plane.
   struct Outlook {
-    double time = never;   // [s]
-    bool touches = false;  // then; else they are apart until then, and have to be looked at again
+    double time = never;  // [s]
+    bool touches =
+        false;  // whether they touch at that time; if not, they are apart until then, and the search continues
   };
-  /// What a time is of. At one time the first of these kinds comes first.
+  /// The kinds of times. At one time the kind that is listed first comes first.
   enum class Kind : std::uint8_t { renewal, bodies, plane };
   struct Where {
     Kind kind = Kind::bodies;
-    std::size_t first = 0, second = 0;  // the second a body or a plane
+    std::size_t first = 0, second = 0;  // `second` is a body or a plane
   };
 
   void look_around(std::size_t body);
@@ -77,11 +77,12 @@ class Tumbling {
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
   [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
-  /// Whether the law's impulse is along the normal, exactly: then so is a ball's lever arm, and only rounding turns it.
+  /// Whether the impulse of the law is exactly along the normal. The lever arm of a ball is then along it too, so only
+  /// rounding would turn a ball.
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
-  /// Stores where the body is now, with these velocities; what that changes is looked for in the next step.
+  /// Stores the state of the body at this time, with these velocities. The next step searches for the consequences.
   void end_change(Change& change, const BodyVelocity<double>& velocity);
   [[nodiscard]] double tolerance_of(const Where& where) const;
   [[nodiscard]] std::string description_of(const Where& where) const;
@@ -90,12 +91,12 @@ class Tumbling {
   std::stop_token stop_;
   double now_ = 0;
   std::vector<TumblingBody> bodies_;
-  std::vector<std::size_t> changed_;             // bodies that are to be looked around anew
-  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; where they have come near
-  std::vector<Outlook> outlooks_;                // the same
-  std::vector<HalfSpace> grounds_;               // of each plane
+  std::vector<std::size_t> changed_;             // bodies whose outlooks must be found again
+  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; created once they have come near
+  std::vector<Outlook> outlooks_;                // indexed like pairs_
+  std::vector<HalfSpace> grounds_;               // one for each plane
   std::vector<Reach> reaches_;                   // of body i and plane k at i · planes + k
-  std::vector<Outlook> of_planes_;               // the same
+  std::vector<Outlook> of_planes_;               // indexed like reaches_
   Event event_;
   Counts counts_;
   unsigned long long at_this_instant_ = 0;

@@ -7,8 +7,8 @@
 namespace carom::scene {
 namespace {
 
-/// How far a rotation is worked out at first, and then twice as far each time [rad]: bodies that lie hop on long
-/// before.
+/// The angle for which a rotation is computed at first [rad]. Each extension doubles it. Bodies that lie on another hop
+/// long before they turn so far.
 constexpr double first_turn = 0.25;
 
 }  // namespace
@@ -37,7 +37,7 @@ void TumblingBody::know_beyond(double time) {
   while (known_until_ <= time && known_until_ < renewal_) {
     const double first = motion_.start + first_turn / angular_velocity_.stableNorm();
     const double further = known_until_ > motion_.start ? 2 * known_until_ - motion_.start : first;
-    // A start that is as good as the renewal is known at once.
+    // If the rounding of the time leaves no progress, the rotation is computed up to the renewal at once.
     known_until_ = further > known_until_ ? std::min(further, renewal_) : renewal_;
     motion_.rotation = RotationPath(body_.principal_inertia, rotation_state(orientation_, angular_velocity_),
                                     known_until_ - motion_.start);

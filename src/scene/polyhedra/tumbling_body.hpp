@@ -8,39 +8,40 @@
 
 namespace carom::scene {
 
-/// How near two bodies come before they are struck, beside the lesser one's radius: stored places are known a hundred
-/// times as well, up to some thousand radii from the origin.
+/// The gap at which two bodies are struck, relative to the lesser radius. Stored positions are a hundred times more
+/// accurate, up to some thousand radii from the origin.
 inline constexpr double contact_tolerance = 0x1p-30;
 
-/// How far a body turns before where it has come to is stored, and it goes on from there [rad]: an error of its rate
-/// grows by no more than e to that power, which leaves the angle known to 2⁻⁴⁰.
+/// The angle by which a body turns before its state is stored and its motion continues from there [rad]. An error of
+/// its rate grows by at most e to this power, so the angle stays accurate to 2⁻⁴⁰.
 inline constexpr double longest_turn = 8;
 
-/// A body in flight. How it turns is worked out no further than is asked for.
+/// A body in flight. Its rotation is computed only as far as it is needed.
 class TumblingBody {
  public:
-  /// A ball is not turned: its spin stays, and which way it has turned changes nothing.
+  /// The rotation of a ball is not computed: its spin is constant, and its orientation has no effect.
   TumblingBody(RigidBody body, bool is_ball);
 
-  /// From now on it moves so.
+  /// Sets the motion from `now` on.
   void set_motion(double now, const Vector3<double>& position, const Quaternion<double>& orientation,
                   const BodyVelocity<double>& velocity, const Vector3<double>& gravity);
 
-  /// Works out how it turns beyond a time, or until it is to be stored anew.
+  /// Computes the rotation beyond a time, or up to the renewal.
   void know_beyond(double time);
-  /// Up to when that is worked out [s].
+  /// The time up to which the rotation is known [s].
   [[nodiscard]] double known_until() const { return known_until_; }
-  /// When it has turned so far that it is to be stored anew [s]; `never` where it does not turn.
+  /// The time at which the body has turned so far that its state must be stored again [s]; `never` if it does not turn.
   [[nodiscard]] double renewal() const { return renewal_; }
 
   [[nodiscard]] const RigidBody& body() const { return body_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] const Quaternion<double>& orientation_at_start() const { return orientation_; }
-  /// Of the ball about it, a little wider than it is: what stays apart by it does so whatever is rounded.
+  /// The path of the ball around the body. The ball is slightly too wide, so that the paths of balls that stay apart
+  /// prove, in spite of rounding, that the bodies do.
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] Arc arc() const;
 
-  // Precondition: from the motion's start to known_until().
+  // Precondition: the time is from the motion's start to known_until().
   [[nodiscard]] Placement placement_at(double time) const;
   [[nodiscard]] Vector3<double> velocity_at(double time) const;
   [[nodiscard]] Vector3<double> angular_velocity_at(double time) const;  // world

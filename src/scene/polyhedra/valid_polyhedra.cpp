@@ -18,11 +18,11 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// In radii from the origin: up to there a place is known a hundred times as well as a contact is found
-/// (tumbling.hpp, `contact_tolerance`; motion.hpp: 2⁻⁴⁹ of all terms).
+/// In radii from the origin. Up to this distance a position is a hundred times more accurate than the tolerance of a
+/// contact (tumbling_body.hpp, `contact_tolerance`; motion.cpp: 2⁻⁴⁹ of all terms).
 constexpr double farthest = 0x1p12;
 
-/// Within the duration [rad].
+/// The greatest angle by which a body may turn within the duration [rad].
 constexpr double most_turn = 1e6;
 
 Found number_defect(const Scene& scene, std::size_t i) {
@@ -43,7 +43,7 @@ Found number_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // An instant of the last second is a double: a corner turns by less than a contact's tolerance within an ulp of it.
+  // Times are doubles. Within this limit, a corner turns by less than a contact's tolerance in one ulp of the time.
   if (!(polyhedron.angular_velocity.stableNorm() * scene.duration <= most_turn)) {
     return defect("angular_velocity",
                   text_of("expected a body that turns by at most ", most_turn, " rad within the duration"));
@@ -54,7 +54,7 @@ Found number_defect(const Scene& scene, std::size_t i) {
   return std::nullopt;
 }
 
-/// Into `bodies`, where it is one.
+/// Appends the body to `bodies` if its shape has no defect.
 Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bodies) {
   auto body = rigid_body(scene.polyhedra[i]);
   if (const auto* defect = std::get_if<ShapeDefect>(&body)) {

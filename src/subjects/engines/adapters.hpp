@@ -4,26 +4,26 @@
 #include <filesystem>
 #include <string>
 
-/// The programs that stand between Carom and engines for Node.
+/// The programs that connect Carom to engines for Node.
 namespace carom::subjects {
 
-/// Names a folder that has the adapters, and the packages that they import.
+/// The environment variable that names a folder with the adapters and the packages that they import.
 inline constexpr const char* adapters_variable = "CAROM_ENGINES";
 
-/// Where the adapters are.
+/// The folder of the adapters.
 struct Adapters {
-  std::filesystem::path directory;  // empty where there is none
-  bool is_chosen = false;           // by the environment
+  std::filesystem::path directory;  // empty if there is none
+  bool is_chosen = false;           // by the environment variable
 };
 
-/// Those of the folder that the environment names; else the nearest `share/carom/npm` above this program, which is that
-/// of its prefix, wherever that was moved to, or of its build.
+/// The folder that the environment variable names. Otherwise the nearest `share/carom/npm` above this program: the one
+/// of its installation prefix, even if that was moved, or of its build.
 [[nodiscard]] Adapters find_adapters();
 
-/// Why the adapter of this name, which imports this npm package, cannot be run, and what to type; empty where it can.
+/// The reason why this adapter of an npm package cannot run, and the command that helps. Empty if the adapter can run.
 [[nodiscard]] std::string why_absent(const Adapters& adapters, const std::string& adapter, const std::string& package);
 
-/// Where this program stands; empty where the system does not tell.
+/// The folder of this program; empty if the system does not provide it.
 [[nodiscard]] std::filesystem::path program_directory();
 
 }  // namespace carom::subjects

@@ -13,8 +13,8 @@
 #include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
-/// Poses a collision to Bullet, in the precision that BT_USE_DOUBLE_PRECISION gives btScalar. The two builds of Bullet
-/// have the same names: one program can hold one of them.
+/// Poses a collision to Bullet, in the precision of btScalar (set by BT_USE_DOUBLE_PRECISION). The two builds of Bullet
+/// share their symbol names, so a program can contain only one of them.
 namespace carom::subjects::bullet {
 
 inline std::string version() {
@@ -28,13 +28,14 @@ inline btVector3 to_bullet(const Vector3<double>& v) {
 inline Vector3<long double> from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 struct Settings {
-  btContactSolverInfo solver;  // as shipped, step 1/60 s
+  btContactSolverInfo solver;  // defaults of the engine, step 1/60 s
   bool gyroscopic = true;
   bool friction = false;
 };
 
-/// ERP, split impulse and warm start need no change: a new contact of depth 0 leaves them nothing to act on. As shipped
-/// friction has one direction, which cannot stop a slip that the normal impulse turns, and ten iterations.
+/// ERP, split impulse and warm start stay unchanged because they have no effect on a new contact of depth 0. As
+/// shipped, friction has ten iterations and one direction. One direction cannot stop a slip that the normal impulse
+/// turns.
 inline Settings settings_of(const EngineSetting& setting) {
   Settings settings;
   settings.friction = setting.model == Model::coulomb;
@@ -49,7 +50,7 @@ inline Settings settings_of(const EngineSetting& setting) {
   return settings;
 }
 
-/// An immovable body is a kinematic one: unlike a static body it may have a velocity, which enters the contact.
+/// An immovable body is kinematic. Unlike a static body, it may have a velocity, which enters the contact.
 inline btRigidBody make_body(const Body& body, const Settings& settings) {
   const auto mass = static_cast<btScalar>(body.immovable ? 0 : body.mass);
   btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, nullptr);
@@ -72,9 +73,9 @@ inline btRigidBody make_body(const Body& body, const Settings& settings) {
   return made;
 }
 
-/// Depth 0, for the protocol has none.
+/// The depth is 0 because the protocol has no depth.
 inline btManifoldPoint make_contact(const Collision& collision, const Settings& settings) {
-  const btVector3 local(0, 0, 0);  // the point in the frame of a body, which the solver does not read
+  const btVector3 local(0, 0, 0);  // the contact point in the frame of a body; the solver does not read it
   btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
   contact.m_positionWorldOnA = contact.m_positionWorldOnB = to_bullet(collision.point);
   contact.m_combinedRestitution = static_cast<btScalar>(collision.restitution);
@@ -89,7 +90,7 @@ inline BodyVelocity<long double> velocity_of(const btRigidBody& body) {
 inline Answer solve(const Collision& collision, const Settings& settings, btSequentialImpulseConstraintSolver& solver) {
   btRigidBody a = make_body(collision.a, settings);
   btRigidBody b = make_body(collision.b, settings);
-  a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE tells kinematic bodies apart by it
+  a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE identifies kinematic bodies by it
   b.setWorldArrayIndex(1);
   btPersistentManifold manifold(&a, &b, 0, 0, 0);
   manifold.addManifoldPoint(make_contact(collision, settings));

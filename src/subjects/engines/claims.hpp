@@ -9,32 +9,32 @@
 
 namespace carom::subjects {
 
-/// How an engine is posed a contact.
+/// The law and the settings of an engine's subject.
 struct EngineSetting {
   Model model;  // frictionless, or coulomb
   bool configured;
 
-  /// As the programs that speak for engines are told it.
+  /// The arguments of the programs that run engines.
   [[nodiscard]] std::vector<std::string> words() const {
     return {configured ? "configured" : "as-shipped", std::string(name_of(model))};
   }
 };
 
-/// Of the subjects of an engine, in their order.
+/// The settings of an engine's subjects, in the order of the subjects.
 inline constexpr std::array<EngineSetting, 4> engine_settings{
     {{Model::frictionless, true}, {Model::frictionless, false}, {Model::coulomb, true}, {Model::coulomb, false}}};
 
-/// What an engine is called, and what its subjects are said to be.
+/// The names and descriptions of an engine's subjects.
 struct EngineSummary {
-  std::string name;        // of the subject that is configured and frictionless; the others' begin with it
-  std::string engine;      // what it is of the engine
-  std::string configured;  // its settings
-  std::string friction;    // what its friction is in place of coulomb's
+  std::string name;        // of the configured, frictionless subject; the other names begin with it
+  std::string engine;      // the engine, and the part of it that is judged
+  std::string configured;  // the settings of the configured subjects
+  std::string friction;    // the engine's friction law in place of coulomb
 };
 
-/// The subjects of an engine, with `open` or `absent` still to be set: they are listed whether the engine is installed
-/// or not. None is expected to pass: as configured they keep J⁻¹ in world coordinates, which slender bodies show, and
-/// their friction is not the law's.
+/// The subjects of an engine, before `open` or `absent` is set. They are listed even if the engine is not installed. No
+/// subject is expected to pass. The configured ones keep J⁻¹ in world coordinates, which fails on slender bodies, and
+/// their friction is not Coulomb's law.
 [[nodiscard]] inline std::vector<Subject> engine_claims(const EngineSummary& summary, Precision precision) {
   std::vector<Subject> claims;
   for (const EngineSetting& setting : engine_settings) {

@@ -16,10 +16,10 @@ static_assert(std::is_same_v<dReal, double>, "needs the double build of ODE");
 ode::World make_world(dThreadingImplementationID threading, bool configured) {
   ode::World world(dWorldCreate());
   dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading), threading);
-  const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // a failed assertion leaks the memory of its step
+  const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // a failed assertion leaks this memory
   dWorldSetStepMemoryReservationPolicy(world.get(), &minimum);
   if (configured) {
-    dWorldSetCFM(world.get(), 0);  // ERP needs no change: a contact of depth 0 leaves it nothing to act on
+    dWorldSetCFM(world.get(), 0);  // ERP stays unchanged because it has no effect on a contact of depth 0
   }
   return world;
 }
@@ -33,7 +33,7 @@ ode::RigidBody make_body(const ode::World& world, const Body& body, bool configu
     dMass mass;
     dMassSetParameters(&mass, body.mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
     dBodySetMass(made.get(), &mass);
-    dBodySetQuaternion(made.get(), unit(body.orientation).data());  // w, x, y, z, as here
+    dBodySetQuaternion(made.get(), unit(body.orientation).data());  // w, x, y, z, as in Carom
   }
   if (configured) {
     dBodySetGyroscopicMode(made.get(), 0);
@@ -44,7 +44,7 @@ ode::RigidBody make_body(const ode::World& world, const Body& body, bool configu
   return made;
 }
 
-/// V_T⁻ = N × (V⁻ × N), of the points that touch.
+/// V_T⁻ = N × (V⁻ × N), the tangential relative velocity of the points in contact. Precondition: n has unit length.
 Vector3<double> slip(const Collision& collision, const Vector3<double>& n) {
   const auto velocity_at_point = [&](const Body& body) -> Vector3<double> {
     return body.velocity + body.angular_velocity.cross(collision.point - body.position);
@@ -52,8 +52,8 @@ Vector3<double> slip(const Collision& collision, const Vector3<double>& n) {
   return n.cross((velocity_at_point(collision.a) - velocity_at_point(collision.b)).cross(n));
 }
 
-/// As shipped, μ is a limit on the force; configured, it is one on the ratio of the impulses, along the slip and
-/// across.
+/// As shipped, μ limits the friction force. Configured, μ limits the ratio of the friction impulse to the normal
+/// impulse, along the slip and across it.
 void add_friction(dContact& contact, const Collision& collision, const Vector3<double>& n, bool configured) {
   contact.surface.mu = collision.friction;
   if (!configured) {
@@ -67,14 +67,14 @@ void add_friction(dContact& contact, const Collision& collision, const Vector3<d
   }
 }
 
-/// Depth 0, for the protocol has none; bounce_vel, which has no default, 0.
+/// The depth is 0 because the protocol has no depth. bounce_vel has no default in ODE, and is 0 here.
 dContact make_contact(const Collision& collision, const EngineSetting& setting) {
   const Vector3<double> n = unit(collision.normal);
   dContact contact{};
   contact.surface.mode = dContactBounce;
   contact.surface.bounce = collision.restitution;
   Eigen::Map<Vector3<double>>(contact.geom.pos) = collision.point;
-  Eigen::Map<Vector3<double>>(contact.geom.normal) = n;  // into the first body, A
+  Eigen::Map<Vector3<double>>(contact.geom.normal) = n;  // points into the first body, A
   if (setting.model == Model::coulomb) {
     add_friction(contact, collision, n, setting.configured);
   }
@@ -94,18 +94,18 @@ ReportedOutcome step(const Collision& collision, const EngineSetting& setting, d
   const dContact contact = make_contact(collision, setting);
   const ode::Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
   dJointAttach(joint.get(), a.get(), b.get());
-  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; configured, its length enters nothing
+  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; has no effect on the configured engine
   return {velocity_of(a), velocity_of(b)};
 }
 
 Answer solve(const Collision& collision, const EngineSetting& setting) {
   ode::enter_thread();
-  // The threading implementation that worlds have by default is one for all of them, and not safe in several threads.
+  // By default, all worlds share one threading implementation, which is not thread-safe.
   ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
   try {
     return step(collision, setting, threading.get());
   } catch (const ode::AssertionFailed& failure) {
-    static_cast<void>(threading.release());  // ODE does not let it be freed in the middle of a step
+    static_cast<void>(threading.release());  // ODE does not permit freeing it in the middle of a step
     return Refused{std::string("ODE: ") + failure.what()};
   }
 }

@@ -20,20 +20,20 @@ using World = std::unique_ptr<dxWorld, Destroy<dWorldDestroy>>;
 using RigidBody = std::unique_ptr<dxBody, Destroy<dBodyDestroy>>;
 using Joint = std::unique_ptr<dxJoint, Destroy<dJointDestroy>>;
 
-/// An assertion inside ODE that did not hold.
+/// A failed assertion inside ODE.
 class AssertionFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// ODE's own handler ends the process.
+/// Throws AssertionFailed, because ODE's own handler ends the process.
 [[noreturn]] inline void throw_assertion(int, const char* format, va_list arguments) {
   char message[256];
   std::vsnprintf(message, sizeof message, format, arguments);
   throw AssertionFailed(message);
 }
 
-/// ODE is initialised once, and told of each thread that calls it.
+/// Initialises ODE once, and registers each thread that calls it.
 inline void enter_thread() {
   [[maybe_unused]] static const int library = (dSetDebugHandler(throw_assertion), dInitODE2(0));
   [[maybe_unused]] thread_local const int thread = dAllocateODEDataForThread(dAllocateFlagBasicData);

@@ -5,8 +5,8 @@
 
 namespace carom::subjects {
 
-/// v/‖v‖ for any v ≠ 0. Engines take unit normals and quaternions. Divided by its largest component first, so that the
-/// squared length neither over- nor underflows.
+/// v/‖v‖ for any v ≠ 0. Engines take unit normals and quaternions. v is first divided by its largest component, so that
+/// the squared length neither overflows nor underflows.
 template <int Size>
 [[nodiscard]] Eigen::Matrix<double, Size, 1> unit(const Eigen::Matrix<double, Size, 1>& v) {
   return (v / v.cwiseAbs().maxCoeff()).normalized();

@@ -15,7 +15,7 @@ impulse::ContactBatch<S> batch_of(std::span<const Collision> collisions) {
   return batch;
 }
 
-/// What is asked at once is one batch.
+/// The answers to the collisions of one call, which are solved as one batch. Invalid collisions are refused.
 template <class S>
 std::vector<Answer> answers_of(std::span<const Collision> collisions, Model model) {
   std::vector<Answer> answers(collisions.size());

@@ -5,7 +5,7 @@
 
 #include <carom/subjects/methods.hpp>
 
-/// The methods by the unit that compiles them.
+/// The methods, grouped by the unit that compiles them.
 namespace carom::subjects {
 
 [[nodiscard]] std::vector<Method> float_methods();
@@ -13,17 +13,17 @@ namespace carom::subjects {
 [[nodiscard]] std::vector<Method> long_double_methods();
 [[nodiscard]] std::vector<Method> double_double_methods();
 
-/// Reflection by Eigen's decompositions that pivot.
+/// Reflection by the pivoting decompositions of Eigen.
 [[nodiscard]] std::vector<Method> pivoting_float_methods();
 [[nodiscard]] std::vector<Method> pivoting_double_methods();
 
-/// Solved in float, refined once in double.
+/// Solved in float and refined once in double.
 [[nodiscard]] std::vector<Method> refined_methods();
 
-/// Never penetrating, exactly.
+/// Methods whose exact N·V⁺ is never negative.
 [[nodiscard]] std::vector<Method> guaranteed_methods();
 
-/// Many contacts at once, in packs.
+/// Methods that solve many contacts at once, in packs.
 [[nodiscard]] std::vector<Method> batch_methods();
 
 }  // namespace carom::subjects

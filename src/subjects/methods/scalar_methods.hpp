@@ -12,7 +12,7 @@
 
 namespace carom::subjects {
 
-/// The law of a model as laws.hpp has it.
+/// The method that applies a law of laws.hpp.
 template <class S, class Inertia = impulse::PrincipalInertia<S>>
 [[nodiscard]] Method law_method(Model model, const std::string& suffix = "") {
   const impulse::Description description = impulse::description_of(model);
@@ -35,7 +35,7 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
   return method;
 }
 
-/// Those of every model that has one.
+/// The methods of every law with one exact truth.
 template <class S>
 [[nodiscard]] std::vector<Method> law_methods() {
   std::vector<Method> methods;
@@ -45,7 +45,7 @@ template <class S>
   return methods;
 }
 
-/// The same with J⁻¹ in world coordinates, as engines keep it.
+/// The methods of law_methods with J⁻¹ in world coordinates, as engines keep it.
 template <class S>
 [[nodiscard]] std::vector<Method> world_methods() {
   std::vector<Method> methods;
@@ -65,7 +65,7 @@ inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2}
 template <>
 inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
 
-/// The basis-free reflection with one of solve3.hpp, which is called `solve` in the summary.
+/// The basis-free reflection with a solve of solve3.hpp. The summary calls the solve `solve`.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(
@@ -107,12 +107,12 @@ template <class S>
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
-/// Why a solve that is stable by norms alone fails in binary32. Far from the origin, rounding the positions may take
-/// the contact off a thin body. There κ(K) u is 1 or more, and the solve loses the margin λ of K: the contact is
-/// pulled, or left as it was.
+/// The reason why a solve that is stable only by norms fails in binary32. Far from the origin, rounding of the
+/// positions may move the contact off a thin body. There, κ(K) u is 1 or more, and the solve loses the margin λ of K.
+/// The impulse then pulls the bodies together, or leaves their velocities unchanged.
 inline constexpr const char* stable_by_norms_alone = "stable by norms alone: loses the margin λ of K where κ(K) u ≥ 1";
 
-/// What every scalar type has.
+/// The methods that every scalar type has.
 template <class S>
 [[nodiscard]] std::vector<Method> scalar_methods() {
   Method llt = reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT");

@@ -27,13 +27,14 @@ template <>
 inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double",
                                                                "carom::impulse::DoubleDouble", 3};
 
-/// What a subject that computes in S claims. A pair of doubles holds all that `extended` does.
+/// The precision that a subject claims if it computes in S. The significand of DoubleDouble is longer than that of
+/// `extended`.
 template <class S>
 inline constexpr Precision claimed_precision = precision_of<S>;
 template <>
 inline constexpr Precision claimed_precision<impulse::DoubleDouble> = Precision::extended;
 
-/// The outcome by `solve`, with the collision matrix that it solved with, where it formed one.
+/// The outcome of `solve`, with the collision matrix if the solver formed one.
 template <class S, class Solve, class Input>
 [[nodiscard]] ReportedOutcome reported_by(const Solve& solve, const Input& input) {
   std::optional<Matrix3<long double>> seen;
@@ -43,8 +44,8 @@ template <class S, class Solve, class Input>
   return outcome;
 }
 
-/// A kernel that takes `solve` (input, what sees the collision matrix → outcome) from each input to the outcome in its
-/// place.
+/// A kernel that applies `solve` to each input and writes the outcome to the place of the same index. `solve` takes an
+/// input and an observer of the collision matrix, and returns an outcome.
 template <class S, class Input, class Solve>
 [[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
   struct Memory {
@@ -61,22 +62,23 @@ template <class S, class Input, class Solve>
   };
 }
 
-/// The solver of a model: "basis-free reflection by LDLᵀ".
+/// The solver of a law in words: "basis-free reflection by LDLᵀ".
 [[nodiscard]] inline std::string description_in_words(Model model) {
   const impulse::Description description = impulse::description_of(model);
   return std::string(description.law) +
          (description.solve.empty() ? std::string() : " by " + std::string(description.solve));
 }
 
-/// What is said of a method beside how it solves.
+/// The facts about a method other than its solver.
 struct MethodFacts {
   std::string name;
   std::string summary;
   Model model = Model::any;
-  bool forms_matrix = true;  // the collision matrix, where the contact collides
+  bool forms_matrix = true;  // whether it forms the collision matrix if the contact collides
 };
 
-/// A solver in S of what `lay_out` makes of a collision: (input, what sees the collision matrix) → Outcome<S>.
+/// A method with a solver in S: (input, observer of the collision matrix) → Outcome<S>. `lay_out` makes the input from
+/// a collision.
 template <class S, class LayOut, class Solve>
 [[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
@@ -102,7 +104,7 @@ template <class S, class LayOut, class Solve>
   return method;
 }
 
-/// A solver (Contact<S, Inertia>, what sees the collision matrix) → Outcome<S> as a method.
+/// A method with a solver (Contact<S, Inertia>, observer of the collision matrix) → Outcome<S>.
 template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
 [[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
   return method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);
@@ -113,7 +115,7 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
   return method;
 }
 
-/// The method, kept although it fails, for this reason.
+/// The method, marked as expected to fail. The summary gives the reason.
 [[nodiscard]] inline Method expected_to_fail(Method method, const std::string& why) {
   method.subject.expected_to_pass = false;
   method.subject.summary += "; " + why;

@@ -41,11 +41,11 @@ namespace asio = boost::asio;
 namespace process = boost::process;
 using Clock = std::chrono::steady_clock;
 
-/// How soon a request to stop is seen while waiting for the process.
+/// The interval between checks for a request to stop.
 constexpr std::chrono::milliseconds glance{50};
 
-/// What the child starts with: the signals as a program expects them, whatever this process does with them, and an end
-/// of its own when the thread that started it ends.
+/// Resets the signals of the child to their defaults, whatever this process does with them. On Linux, the child also
+/// ends if the thread that started it ends.
 struct AsProgramsExpect : process::extend::handler {
   template <class Executor>
   void on_exec_setup(Executor& /*unused*/) const {
@@ -61,7 +61,7 @@ struct AsProgramsExpect : process::extend::handler {
   }
 };
 
-/// Another child must not hold on to the ends of these pipes: their closing could then not be seen.
+/// Serialises starts. Another child must not inherit these pipes, because their closing would then not be noticed.
 std::mutex& start_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -75,7 +75,7 @@ void keep_to_this_process(process::async_pipe& pipe) {
   }
 }
 
-/// What execvp would run.
+/// The path that execvp would run.
 std::string program_path(const std::string& name) {
   if (name.find('/') != std::string::npos) {
     return name;
@@ -91,7 +91,7 @@ std::string program_path(const std::string& name) {
   throw ChildError("'" + name + "' was not found on PATH");
 }
 
-/// A child that has ended is known by its output; writing to it must not end this process.
+/// The end of a child's output shows that the child has ended. Writing to it must not end this process.
 void ignore_broken_pipes() {
   struct sigaction current {};
   sigaction(SIGPIPE, nullptr, &current);
@@ -149,7 +149,7 @@ class ChildProcess::State {
       if (const std::optional<std::string> line = next_line()) {
         --count;
         on_line(*line);
-        deadline_ = Clock::now() + limits_.timeout;  // what on_line takes is not the process's time
+        deadline_ = Clock::now() + limits_.timeout;  // time spent in on_line does not count
       } else if (output_ended_) {
         throw ChildError(how_it_ended());
       } else {
@@ -157,7 +157,7 @@ class ChildProcess::State {
         wait("wrote no line within ");
       }
     }
-    while (is_writing_) {  // replies to all of it came before all of it was read
+    while (is_writing_) {  // all replies came before the whole text was read
       wait("did not read its standard input within ");
     }
   }
@@ -188,7 +188,7 @@ class ChildProcess::State {
   }
 
   std::string standard_error() {
-    // What is there already, for the reader of an error.
+    // Waits briefly for text that was already written.
     const auto until = Clock::now() + glance;
     while (!errors_ended_ && Clock::now() < until) {
       run_one(until - Clock::now());
@@ -207,7 +207,7 @@ class ChildProcess::State {
     text_ = text;
     is_writing_ = true;
     asio::async_write(*input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
-      // A process that does not read on is known by the replies that it does not write.
+      // A process that stops reading also stops replying, so a failed write needs no error of its own.
       is_writing_ = false;
     });
   }
@@ -238,7 +238,7 @@ class ChildProcess::State {
                              });
   }
 
-  /// The next whole line of what was read.
+  /// The next whole line of the output read so far.
   std::optional<std::string> next_line() {
     const std::size_t end = unread_.find('\n', searched_);
     if (end == std::string::npos) {
@@ -262,7 +262,8 @@ class ChildProcess::State {
     return line;
   }
 
-  /// Lets one thing happen. Throws past the deadline, where nothing has happened meanwhile.
+  /// Handles one event, or waits for at most `glance`. Throws ChildError if the user asks for a stop, or if no event is
+  /// ready and the deadline has passed.
   void wait(const char* too_late, const char* after = "") {
     if (stop_.stop_requested()) {
       throw ChildError("was stopped by the user");
@@ -284,7 +285,7 @@ class ChildProcess::State {
     run_one(glance);
   }
 
-  /// Lets one thing happen, or a while pass.
+  /// Handles one event, or waits for at most `at_most`.
   void run_one(Clock::duration at_most) {
     constexpr std::chrono::milliseconds moment{1};
     context_.restart();
@@ -299,7 +300,7 @@ class ChildProcess::State {
   }
 
   std::string how_it_ended() {
-    // Its output is closed, and its end may be a moment away.
+    // The output is closed, but the process may take a moment to end.
     const auto until = Clock::now() + std::min<Clock::duration>(limits_.timeout, std::chrono::seconds(1));
     while (is_running() && Clock::now() < until) {
       run_one(std::chrono::milliseconds(1));
@@ -307,7 +308,8 @@ class ChildProcess::State {
     return is_running() ? std::string("closed its standard output") : end_of(child_.native_exit_code());
   }
 
-  /// The whole group, with what the process has started itself; and the process, which may have left its group.
+  /// Kills the process group, with all processes that the child started in it. Also kills the child itself, which may
+  /// have left the group.
   void kill() {
     std::error_code ignored;
     group_.terminate(ignored);
@@ -330,9 +332,9 @@ class ChildProcess::State {
   std::array<char, 65536> chunk_{};
   bool is_reading_ = false;
   bool output_ended_ = false;
-  std::string unread_;        // of standard output
-  std::size_t begin_ = 0;     // of the next line in it
-  std::size_t searched_ = 0;  // there is no line end before
+  std::string unread_;        // standard output that was not returned yet
+  std::size_t begin_ = 0;     // start of the next line in it
+  std::size_t searched_ = 0;  // no line end between begin_ and here
 
   std::array<char, 65536> errors_chunk_{};
   bool errors_ended_ = false;

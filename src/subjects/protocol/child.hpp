@@ -13,26 +13,26 @@
 
 namespace carom::subjects::protocol {
 
-/// What a child process may take.
+/// The limits of a child process.
 struct ChildLimits {
   std::chrono::milliseconds timeout{5000};             // for each line, and for the end of the process
   std::size_t line = std::size_t{1} << 20U;            // bytes
-  std::size_t standard_error = std::size_t{1} << 16U;  // bytes that are kept, the last ones
+  std::size_t standard_error = std::size_t{1} << 16U;  // the last bytes of standard error, which are kept
 };
 
-/// The process did not do what was expected of it; the text says what, not who.
+/// The process misbehaved. The text describes the fault, but does not name the subject.
 class ChildError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A program of its own process group that reads and writes lines. No shell is run. For one thread: the one that made
-/// it. Whatever happens to this process, the child does not outlive it (on Linux). Its environment is this process's
-/// and the mark of mark.hpp.
+/// A program in its own process group that reads and writes lines. It is run without a shell. Use it only on the thread
+/// that made it. On Linux, the child always ends with this process. Its environment is this process's environment with
+/// the mark of mark.hpp.
 class ChildProcess {
  public:
-  /// From the first one on, this process ignores SIGPIPE where it did not handle it.
-  /// Precondition: words are not empty. Throws ChildError where the program cannot be run.
+  /// From the first construction on, this process ignores SIGPIPE, unless it handles SIGPIPE already. Precondition:
+  /// `words` is not empty. Throws ChildError if the program cannot be run.
   ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop);
 
   /// Kills the process group.
@@ -40,15 +40,15 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Writes the text while it reads `count` lines, and gives each line, without its end, to `on_line`. Throws
-  /// ChildError, and what on_line throws; the process is then of no further use.
+  /// Writes the text while it reads `count` lines. Passes each line, without its line end, to `on_line`. Throws
+  /// ChildError, and exceptions of `on_line`. After an exception, the process cannot be used any more.
   void exchange(const std::string& text, std::size_t count, const std::function<void(std::string_view)>& on_line);
 
-  /// Writes the text, closes the process's standard input, and waits for its end. Throws ChildError where it writes
-  /// another line, does not end in time, or ends in anything but status 0.
+  /// Writes the text, closes the process's standard input, and waits for the process to end. Throws ChildError if the
+  /// process writes another line, does not end in time, or ends with a status other than 0.
   void finish(const std::string& text);
 
-  /// The last of what it wrote on standard error.
+  /// The last bytes that the process wrote to standard error.
   [[nodiscard]] std::string standard_error();
 
  private:

@@ -47,7 +47,8 @@ class Splitter {
     in_word_ = false;
   }
 
-  /// A backslash outside of quotes: before a line end it joins the lines, before anything else it keeps that.
+  /// A backslash outside of quotes. Before a line end it joins the lines. Before any other character it keeps that
+  /// character.
   void escaped() {
     if (at_ == text_.size()) {
       throw std::invalid_argument("a \\ stands at the end");
@@ -66,7 +67,7 @@ class Splitter {
     close('\'');
   }
 
-  /// Within double quotes a backslash keeps only what would have a meaning there.
+  /// Within double quotes, a backslash escapes only characters that are special there.
   void until_double_quote() {
     in_word_ = true;
     while (at_ < text_.size() && text_[at_] != '"') {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t longest_shown_request = 4000;  // bytes
 
-/// The program, and what was asked of it last.
+/// The program, and the last request.
 class Conversation {
  public:
   Conversation(const std::vector<std::string>& words, const ExecOptions& options)
@@ -68,7 +68,7 @@ class Conversation {
     return answer;
   }
 
-  /// The request of that place in this call.
+  /// The request at that place in this call.
   [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
     return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
@@ -107,17 +107,17 @@ class Conversation {
   Introduction introduction_;
   std::string request_;
   std::uint64_t next_id_ = 1;
-  std::optional<unsigned> spelling_;  // of every request
-  std::uint64_t call_ = 0;            // of solve()
+  std::optional<unsigned> spelling_;  // of every request; empty: it changes
+  std::uint64_t call_ = 0;            // the number of earlier calls of solve()
 };
 
-/// The conversation in which a program introduced itself, for the first session: starting an interpreter takes longer
-/// than many answers.
+/// Keeps the conversation in which a program introduced itself for the first session, because starting an interpreter
+/// takes longer than many answers.
 class FirstConversation {
  public:
   explicit FirstConversation(std::shared_ptr<Conversation> conversation) : conversation_(std::move(conversation)) {}
 
-  /// Null but for the first who asks.
+  /// The conversation for the first caller, and null for every other one.
   [[nodiscard]] std::shared_ptr<Conversation> take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(conversation_, nullptr);

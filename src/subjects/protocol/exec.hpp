@@ -14,10 +14,10 @@ namespace carom::subjects::protocol {
 
 struct ExecOptions {
   ChildLimits limits;
-  /// Ends all waiting for the program.
+  /// Ends every wait for the program.
   std::stop_token stop;
-  /// How every collision is spelt (spelling.hpp), from 0 to before spelling_count. Empty: in a way that follows from
-  /// its bits and changes from call to call, so that what is asked again is asked in other words.
+  /// The spelling of every collision (spelling.hpp), less than spelling_count. If it is empty, the spelling follows
+  /// from the collision's bits and changes from call to call, so that a repeated question has other words.
   std::optional<unsigned> spelling = {};
 };
 
@@ -29,14 +29,14 @@ struct ExecOptions {
   return options;
 }
 
-/// What stands before the words of a program in place of a subject's name.
+/// The prefix of a program's words in place of a subject's name.
 inline constexpr std::string_view exec_prefix = "exec:";
 
-/// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…": the words are split and unquoted as
-/// a POSIX shell would, and no shell is run. The program is started to ask what it is, which is also its first session,
-/// and once for each further one. Where that goes wrong the subject still stands for it, under its specification as a
-/// name, and `open` throws the reason. A session throws SessionFailure that names the request and the reason; it is
-/// then of no further use. Precondition: the specification begins with exec_prefix.
+/// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…". The words are split and unquoted as
+/// a POSIX shell does, but no shell is run. The program is started once to introduce itself, which is also its first
+/// session, and once for each further session. If the start fails, the returned subject has the specification as its
+/// name, and its `open` throws the reason. A failed session throws SessionFailure with the request and the reason, and
+/// cannot be used any more. Precondition: the specification begins with exec_prefix.
 [[nodiscard]] Subject exec_subject(const std::string& specification, const ExecOptions& options);
 
 }  // namespace carom::subjects::protocol

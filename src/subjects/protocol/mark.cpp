@@ -10,7 +10,7 @@
 namespace carom::subjects::protocol {
 
 const std::string& mark_of_children() {
-  // The name and not the value is drawn: a subject may be a program that marks its own children.
+  // The name is random, not the value, because a subject may itself be a program that marks its children.
   static const std::string mark = [] {
     std::random_device source;
     std::string name = "CAROM_CHILD";

@@ -7,12 +7,12 @@
 
 namespace carom::subjects::protocol {
 
-/// The name of the environment variable that ChildProcess sets for what it starts, and that no other run of any program
-/// sets: it is drawn at random, once for this process. What a child starts inherits it.
+/// The name of the environment variable that ChildProcess sets for its children. It is drawn at random once for this
+/// process, so that no other run of any program sets it. The descendants of a child inherit it.
 [[nodiscard]] const std::string& mark_of_children();
 
-/// Whether a process was started with that variable in its environment, itself or by inheritance. Where a process has
-/// dropped its environment, written over it, or keeps it from this user, and where there is no /proc, it bears none.
+/// Whether the process was started with that variable in its environment. The result is false if the process dropped or
+/// overwrote its environment, if this user cannot read it, or if there is no /proc.
 [[nodiscard]] bool bears_mark_of_children(pid_t process);
 
 }  // namespace carom::subjects::protocol

@@ -72,7 +72,7 @@ void require_version(const json& introduction) {
   }
 }
 
-/// The shortest text that is this number and no other, to a reader of that precision.
+/// The shortest text that a reader of this precision parses as exactly this number.
 std::string in_digits(long double number, Precision precision) {
   const auto rounded = static_cast<double>(number);
   if (!std::isfinite(number)) {
@@ -92,7 +92,7 @@ std::string motion_text(const BodyVelocity<long double>& motion, Precision preci
                      vector_text(motion.angular_velocity, precision));
 }
 
-/// The field C behind others; empty where no matrix is shown.
+/// The field C that follows other fields; empty if no matrix is shown.
 std::string matrix_text(const std::optional<Matrix3<long double>>& matrix, Precision precision) {
   if (!matrix) {
     return {};

@@ -42,7 +42,7 @@ int serve(const Subject& subject, std::istream& input, std::ostream& output) {
       return 2;
     }
     if (input.rdbuf()->in_avail() <= 0) {
-      output.flush();  // before it has to wait
+      output.flush();  // before it waits for input
     }
   }
   output.flush();

@@ -8,8 +8,8 @@
 
 namespace carom::subjects::protocol {
 
-/// The other end of the line: answers requests with the subject until `stop` or the end of the input. Returns the exit
-/// status for main: 0, or 2 after a request that could not be read, which is named on standard error. Precondition: a
+/// The subject's side of the protocol: answers requests with the subject until `stop` or the end of the input. Returns
+/// the exit status for main: 0, or 2 after an unreadable request, which is reported on standard error. Precondition: a
 /// subject that shows its collision matrix forms one for every contact that it changes.
 [[nodiscard]] int serve(const Subject& subject, std::istream& input, std::ostream& output);
 

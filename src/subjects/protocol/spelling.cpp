@@ -22,10 +22,10 @@ std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31U);
 }
 
-/// ± 0.DIGITS × 10^exponent, the shortest digits that are this number and no other.
+/// ± 0.DIGITS × 10^exponent, with the shortest digits that identify the number.
 struct Decimal {
   bool is_negative;
-  std::string digits;  // no zeros at either end, but for zero itself
+  std::string digits;  // no zeros at either end, except for zero itself
   int exponent;
 };
 
@@ -48,7 +48,7 @@ Decimal shortest_decimal(double number) {
   return {std::signbit(number), shortest, number == 0 ? 1 : exponent};
 }
 
-/// "0.0015", "15", "1500.0"; whether a whole number is to end in ".0".
+/// "0.0015", "15" or "1500.0". `with_fraction`: a whole number ends in ".0".
 std::string positional(const Decimal& decimal, bool with_fraction) {
   const auto count = static_cast<int>(decimal.digits.size());
   if (decimal.exponent <= 0) {
@@ -61,7 +61,7 @@ std::string positional(const Decimal& decimal, bool with_fraction) {
   return std::string(decimal.digits).insert(static_cast<std::size_t>(decimal.exponent), ".");
 }
 
-/// "1.5" of 1.5e-3.
+/// The "1.5" of 1.5e-3.
 std::string significand(const Decimal& decimal) {
   return decimal.digits.size() == 1 ? decimal.digits : std::string(decimal.digits).insert(1, ".");
 }
@@ -72,7 +72,7 @@ std::vector<std::string> spellings_of(double number) {
   if (!std::isfinite(number)) {
     return {std::isnan(number) ? R"("nan")" : number > 0 ? R"("inf")" : R"("-inf")"};
   }
-  constexpr int longest = 21;  // digits before a point, and zeros behind one: as JavaScript writes numbers
+  constexpr int longest = 21;  // JavaScript's limits of positional notation: digits before the point, and exponent
   constexpr int smallest = -6;
   const Decimal decimal = shortest_decimal(number);
   const int exponent = decimal.exponent - 1;
@@ -98,7 +98,7 @@ namespace {
 /// Writes one spelling of one collision.
 class Writer {
  public:
-  /// `choices` decides everything; the plain spelling chooses nothing.
+  /// `choices` determines the whole spelling. A plain spelling ignores it.
   Writer(std::uint64_t choices, bool is_plain) : state_(choices), is_plain_(is_plain) {}
 
   std::string collision(const Collision& c) {
@@ -118,7 +118,7 @@ class Writer {
 
   static bool is_zero(double x) { return x == 0 && !std::signbit(x); }
 
-  /// From 0 to before `count`; 0 where the spelling is plain.
+  /// A number from 0 to count − 1; 0 if the spelling is plain.
   std::size_t choice(std::size_t count) {
     if (is_plain_) {
       return 0;
@@ -127,7 +127,7 @@ class Writer {
     return static_cast<std::size_t>(mixed(state_) % count);
   }
 
-  /// Half of the spellings leave out what is at its default.
+  /// Half of the choices leave out a field with its default value.
   template <class Value>
   void add_unless_left_out(Fields& fields, std::string_view name, bool is_default, const Value& value) {
     if (!is_default || choice(2) == 1) {
@@ -179,7 +179,7 @@ class Writer {
     return '{' + text + '}';
   }
 
-  /// What may stand between two tokens; no line end, since a request is one line.
+  /// Blanks between two tokens. A line end is not among them, because a request is one line.
   std::string blank() {
     constexpr std::array<std::string_view, 4> blanks{"", "", " ", "\t"};
     return std::string(blanks[choice(blanks.size())]);
@@ -202,7 +202,7 @@ std::uint64_t hash_of(const Collision& collision) {
   };
   for (const Body* body : {&collision.a, &collision.b}) {
     add(hash, body->immovable ? 1 : 0);
-    if (!body->immovable) {  // what else is there is not written
+    if (!body->immovable) {  // the mass and moments of an immovable body are not written
       add(hash, body->mass);
       add_all(body->principal_inertia);
       add_all(body->orientation);

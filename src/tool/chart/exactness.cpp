@@ -18,7 +18,7 @@
 namespace carom::tool::chart {
 namespace {
 
-/// A family of which not one case in so many collides is taken to have none.
+/// The number of cases drawn for each case wanted. A family with a smaller share of collisions is taken to have none.
 constexpr std::size_t cases_drawn_for_each = 20;
 
 template <class Generate>
@@ -57,7 +57,7 @@ void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exa
   }
   const oracles::Accuracy accuracy =
       oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);
-  if (!accuracy.is_decided) {  // nothing passes by what is not known
+  if (!accuracy.is_decided) {  // an undecided outcome counts as a failure
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
   }
@@ -65,7 +65,7 @@ void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exa
   builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
 }
 
-/// A collision as the law `coulomb` answers it.
+/// A collision under the law `coulomb`.
 struct CoulombCase {
   CoulombCase(const Collision& collision, AnswersOfCoulomb asked)
       : judged({collision, false}),
@@ -73,7 +73,7 @@ struct CoulombCase {
                                                  : std::vector<oracles::CoulombAnswer>()) {}
 
   properties::JudgedCase judged;
-  std::vector<oracles::CoulombAnswer> answers;  // empty where they were left out
+  std::vector<oracles::CoulombAnswer> answers;  // empty if they were left out
 
   void add_to(report::ExactnessBuilder& builder, double digits, bool holds) const {
     if (answers.empty()) {
@@ -84,7 +84,7 @@ struct CoulombCase {
   }
 };
 
-/// All that is claimed of one outcome, without the relations to others.
+/// The claims about a single outcome, without relations to other outcomes.
 properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps) {
   oracles::Yardstick yardstick;
   yardstick.limit_ulps = limit_ulps;
@@ -138,7 +138,7 @@ std::vector<report::Exactness> measured_exactness(std::span<const subjects::Meth
     Session session = method.subject.open();
     answers.push_back(properties::answers_of(session, collisions));
   }
-  // Cases outside, methods inside: the truth of a case is worked out once.
+  // The cases are the outer loop, so that the exact truth of a case is computed once.
   std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
                                                            std::vector<report::ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;

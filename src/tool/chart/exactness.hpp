@@ -14,21 +14,23 @@
 
 namespace carom::tool::chart {
 
-/// The first `count` colliding collisions of a family; fewer where the family has none in a long row.
+/// The first `count` colliding collisions of a family. They are fewer if less than one case in 20 collides.
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed,
                                                      std::size_t count);
 
-/// The same at one quantity of a sweep.
+/// The first `count` colliding collisions of a sweep at this quantity. They are fewer if less than one case in 20
+/// collides.
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity,
                                                      std::uint64_t seed, std::size_t count);
 
-/// To find all answers of the law `coulomb` takes some milliseconds a case; its equations say whether one is lawful,
-/// and not how many digits it has.
+/// Finding all answers of the law `coulomb` takes some milliseconds a case. The equations of the law only decide if an
+/// answer is lawful, not how many digits it has.
 enum class AnswersOfCoulomb { found, left_out };
 
-/// How exact each method is on the same colliding collisions, judged against the exact truth, or the equations
-/// of a law that has none and the nearest of its answers: one for each method, without the cases that its precision
-/// cannot hold, or of which nothing is asked. So many threads at once.
+/// The accuracy of each method on the same colliding collisions, one entry for each method. An outcome is judged
+/// against the exact truth. A law without one exact truth is judged by its equations, and by the nearest of its
+/// answers. A case that the method's precision cannot represent, or about which the law demands nothing, is left out.
+/// Runs on `workers`.
 [[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                                 std::span<const Collision> collisions,
                                                                 double limit_ulps, const properties::Workers& workers,

@@ -10,10 +10,10 @@
 namespace carom::tool::chart {
 namespace {
 
-/// How long each repetition lasts at least [s].
+/// The minimum duration of each repetition [s].
 constexpr double repetition_time = 0.005;
 
-/// As many contacts as a kernel takes, the collisions over again where there are fewer.
+/// Exactly contacts_in_kernel collisions. If there are fewer, they are repeated.
 std::vector<Collision> filled(std::span<const Collision> collisions) {
   std::vector<Collision> result;
   for (std::size_t i = 0; i < contacts_in_kernel; ++i) {
@@ -22,7 +22,7 @@ std::vector<Collision> filled(std::span<const Collision> collisions) {
   return result;
 }
 
-/// Keeps the time of each repetition of each kernel, which is named by its number.
+/// Keeps the time of each repetition of each kernel. The name of a kernel is its number.
 class Times : public benchmark::BenchmarkReporter {
  public:
   Times(std::size_t kernels, int repetitions, const std::function<void(std::uint64_t, std::uint64_t)>& progress)
@@ -60,7 +60,7 @@ class Times : public benchmark::BenchmarkReporter {
 };
 
 void set_up_benchmark() {
-  // Settings that the library takes from a command line alone.
+  // The library takes these settings only from a command line.
   std::array<std::string, 2> words{"carom", "--benchmark_enable_random_interleaving=true"};
   std::array<char*, 3> pointers{words[0].data(), words[1].data(), nullptr};
   int count = 2;

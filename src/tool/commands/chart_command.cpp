@@ -68,7 +68,7 @@ struct FamilyCases {
   std::vector<Collision> collisions;
 };
 
-/// The families in which anything collides.
+/// The families with at least one collision.
 std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
   std::vector<FamilyCases> families;
   for (const properties::Family& family : properties::all_families()) {
@@ -83,7 +83,7 @@ std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
 std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments, const std::vector<Method>& methods,
                                                 const properties::Workers& workers) {
   const std::vector<FamilyCases> families = families_of(arguments);
-  // The clock first, and alone.
+  // The timings come first, while nothing else runs.
   std::vector<chart::TimedKernel> kernels;
   for (const Method& method : methods) {
     for (const FamilyCases& family : families) {
@@ -180,7 +180,7 @@ int chart_methods(const ChartArguments& arguments) {
   write_file(stage / "stability.csv", report::stability_csv(measurements));
   write_file(stage / "deadline.csv", report::deadline_csv(measurements));
   write_file(stage / "chart.json", report::chart_record(measurements).dump(1) + '\n');
-  // Where gnuplot fails, the numbers are there.
+  // If gnuplot fails, the numbers are still written.
   const std::exception_ptr undrawn = try_to_draw(pictures_of(measurements), stage);
   staged.put_in_place("chart.json");
   remove_abandoned_stages(arguments.out);

@@ -21,7 +21,7 @@
 namespace carom::tool {
 namespace {
 
-/// Of what was not expected, the command or the option that may have been meant; a line each.
+/// For each unexpected argument, a line with the command or option that may have been meant.
 std::string meant_words(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   std::vector<std::string> options;
@@ -79,10 +79,11 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   return status;
 }
 
-/// What is wrong may be told in words of a file or a program. Where it cannot be written, the exit status says it.
+/// The message may contain text of a file or a program, so it is made printable. If the message cannot be written, the
+/// exit status still reports the error.
 void complain(const std::string& what) {
   if (has_run_out_of_memory()) {
-    std::fputs(out_of_memory, stderr);  // whatever came of it
+    std::fputs(out_of_memory, stderr);  // the cause of any error that followed
     return;
   }
   constexpr std::size_t longest = 20'000;
@@ -92,7 +93,7 @@ void complain(const std::string& what) {
 }  // namespace
 
 int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
-  // Output that cannot be written is an error to tell, and not the end of a program that has reports to write.
+  // A failed write must be reported as an error. It must not end a program that has reports to write.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {

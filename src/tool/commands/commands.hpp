@@ -8,17 +8,18 @@
 
 #include <carom/report/model/exit_status.hpp>
 
-/// The commands of the program, a file each: its options, what it does, its exit status.
+/// The commands of the program, one file each, with their options, actions and exit statuses.
 namespace carom::tool {
 
 using report::exit_all_hold;
 using report::exit_usage;
 using report::exit_violated;
 
-/// The command that the command line names: it writes to standard output and returns the exit status.
+/// The command that the command line names. It writes to standard output and returns the exit status.
 using Chosen = std::function<int()>;
 
-/// Each adds a command, which sets `chosen` if it is named. Precondition: `chosen` outlives `app`.
+/// Each function adds a command, which sets `chosen` if the command line names it. Precondition: `chosen` outlives
+/// `app`.
 void add_gate(CLI::App& app, Chosen& chosen);
 void add_lists(CLI::App& app, Chosen& chosen);  // subjects, invariants, families, features
 void add_chart(CLI::App& app, Chosen& chosen);
@@ -29,8 +30,8 @@ void add_table(CLI::App& app, Chosen& chosen);
 void add_badge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 
-/// A program with these commands: its exit status, also if a command throws. Whatever is wrong stands on standard
-/// error.
+/// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
+/// standard error.
 [[nodiscard]] int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands);
 
 }  // namespace carom::tool

@@ -46,14 +46,14 @@ struct GateArguments {
   unsigned jobs = 0;        // 0: one for each core
   std::string out;          // a directory; empty for none
   std::string annotations;  // "github", or empty for none
-  std::string summary;      // a file to add to; empty for none
+  std::string summary;      // a file to append to; empty for none
   bool engines = false;
-  std::uint64_t relations_every = 0;  // 0: as GateOptions says
-  double timeout = 5;                 // of each reply of a program [s]
+  std::uint64_t relations_every = 0;  // 0: the default of GateOptions
+  double timeout = 5;                 // for each reply of a program [s]
   std::string format = "text";
   std::string baseline;                         // a report.json, or the directory that holds it; empty for none
   std::vector<std::string> deviates;            // "invariant" or "invariant@family"
-  std::optional<properties::Shard> shard = {};  // that alone is judged; empty for the whole
+  std::optional<properties::Shard> shard = {};  // the only part that is judged; empty for the whole
 };
 
 namespace fs = std::filesystem;
@@ -75,8 +75,7 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
   return families;
 }
 
-/// The subjects to judge: those named, which then all count, or all that there are, of which those count that are
-/// expected to pass.
+/// The subjects to judge. A subject counts for the exit status if it was named, or if it is expected to pass.
 struct Selection {
   std::vector<Subject> subjects;
   std::vector<bool> counts;
@@ -101,7 +100,7 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
     }
     Subject subject = subject_from_argument(word, arguments.timeout, stop);
     if (word.starts_with(subjects::protocol::exec_prefix)) {
-      // A program may call itself what it likes: what is taken, or would be taken for another's file, is numbered.
+      // A program chooses its own name. If another subject has the name, or the same file name, a number is appended.
       const std::string name = subject.name;
       for (int count = 2; !taken.insert(report::file_name_of(subject.name)).second; ++count) {
         subject.name = fmt::format("{} #{}", name, count);
@@ -147,7 +146,7 @@ std::vector<std::string> known_deviations(const GateArguments& arguments) {
   return deviates;
 }
 
-/// Has none of the subjects claim this.
+/// Adds these deviations to those of every subject, so that no subject claims them.
 void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>& deviates) {
   for (Subject& subject : subjects) {
     for (const std::string& text : deviates) {
@@ -222,7 +221,7 @@ std::string is_duration(const std::string& text) {
   return report::duration_from(text) ? std::string() : std::string("expected ") + report::duration_form;
 }
 
-/// "2/3"; none where it is not one of so many.
+/// Parses "2/3". None if the text is not I/N with 1 ≤ I ≤ N ≤ 1,000,000.
 std::optional<properties::Shard> shard_from(std::string_view text) {
   constexpr std::uint64_t most = 1'000'000;
   properties::Shard shard;
@@ -283,7 +282,7 @@ void add_gate(CLI::App& app, Chosen& chosen) {
           "--baseline", arguments->baseline,
           "An earlier report.json, or the directory that holds it: what it has violated is known, and the exit "
           "status is 0 where nothing is new")
-      ->excludes("--fail-fast");  // what comes first may be known, and hide what is new
+      ->excludes("--fail-fast");  // the first violation may be a known one, and would hide a new one
   command
       ->add_option_function<std::string>(
           "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },

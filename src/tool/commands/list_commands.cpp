@@ -35,7 +35,7 @@ json names_of(const std::vector<Model>& models) {
   return names;
 }
 
-/// The theorems of an invariant one after the other, each as `spelled`.
+/// The theorems of an invariant, each as `spelled`, separated by commas.
 template <class Spelled>
 std::string theorems_in_text(const properties::Invariant& invariant, const Spelled& spelled) {
   std::string text;
@@ -45,7 +45,7 @@ std::string theorems_in_text(const properties::Invariant& invariant, const Spell
   return text;
 }
 
-/// What it is proved of, where that is not all that it is claimed for: " of rough", else nothing.
+/// The laws that the invariant is proved for, as in " of rough". Empty if these are all laws that it is claimed for.
 std::string proved_of(const properties::Invariant& invariant) {
   const std::vector<Model> proved = invariant.proved_models();
   return proved.size() == invariant.models.size() ? "" : " of " + joined(proved);
@@ -212,7 +212,7 @@ int list_features(const std::string& format) {
   return exit_all_hold;
 }
 
-/// A list that is printed in one of the formats.
+/// Adds a command that prints a list in one of the formats.
 void add_list(CLI::App& app, Chosen& chosen, const char* name, const char* summary, std::vector<std::string> formats,
               int (*print)(const std::string& format)) {
   const auto format = std::make_shared<std::string>("text");

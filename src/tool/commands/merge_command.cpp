@@ -24,13 +24,13 @@ namespace {
 struct MergeArguments {
   std::vector<std::string> directories;  // of the shards
   std::string out;                       // a directory
-  std::string baseline;                  // as of a gate
+  std::string baseline;                  // as in `carom gate`
   std::string format = "text";
 };
 
 namespace fs = std::filesystem;
 
-/// Throws where what is written would replace what is read.
+/// Throws UsageError if the output would replace the report of a shard.
 void require_apart(const std::string& out, const std::vector<std::string>& directories) {
   for (const std::string& directory : directories) {
     std::error_code ignored;

@@ -10,7 +10,7 @@
 namespace carom::tool {
 namespace {
 
-// Below, no arithmetic passes; above, everything does.
+// Below the smallest limit no arithmetic passes. Above the largest limit every arithmetic passes.
 constexpr double smallest_limit = 1e-3;
 constexpr double largest_limit = 1e15;
 constexpr double shortest_timeout = 1e-3;  // [s]

@@ -10,10 +10,10 @@
 
 #include <carom/oracles/judge/yardstick.hpp>
 
-/// Options that several commands have.
+/// Options that several commands share.
 namespace carom::tool {
 
-/// How outcomes are judged.
+/// The yardstick that judges outcomes.
 struct YardstickArguments {
   double limit_ulps = 32;
   std::optional<int> digits;
@@ -26,14 +26,14 @@ void add_accuracy(CLI::App& command, double& limit_ulps, std::optional<int>& dig
                   const std::string& of_digits);
 void add_yardstick(CLI::App& command, YardstickArguments& arguments);
 
-/// Seconds that a program may take for each reply.
+/// Adds the option for the seconds that a program may take for each reply.
 void add_timeout(CLI::App& command, double& seconds);
 void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what);
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what);
 
-/// The complaint if the text is no integer of 64 bits; empty if it is one. CLI11 itself wraps larger ones, and minus
-/// signs.
+/// The error message if the text is not an unsigned integer of 64 bits; empty if it is one. CLI11 itself wraps larger
+/// and negative numbers.
 [[nodiscard]] std::string is_count(const std::string& text);
 
 }  // namespace carom::tool

@@ -23,7 +23,7 @@ namespace {
 
 struct PlanArguments {
   std::string file;
-  std::string law;         // the name of a model, not `any`; empty: a scene's own, else rough
+  std::string law;         // the name of a law other than `any`; empty: the scene's own, otherwise rough
   double limit_ulps = 32;  // of binary64
   std::optional<int> digits;
   bool exact_law = false;

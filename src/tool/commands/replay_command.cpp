@@ -25,13 +25,13 @@ namespace carom::tool {
 namespace {
 
 struct ReplayArguments {
-  std::string file;               // empty where a case of a family is meant
-  bool drawn = false;             // of a witness the collision that was drawn
-  std::string family;             // whose case is replayed in place of a file
+  std::string file;               // empty if a case of a family is replayed
+  bool drawn = false;             // whether to replay the drawn collision of a witness
+  std::string family;             // the family whose case is replayed in place of a file
   std::uint64_t case_number = 0;  // in the family
   std::uint64_t seed = 1;
   std::string subject;  // empty: the one that a witness names
-  double timeout = 5;   // of each reply of a program [s]
+  double timeout = 5;   // for each reply of a program [s]
   YardstickArguments judged;
   std::string format = "text";
 };
@@ -63,7 +63,7 @@ std::string joined(const std::vector<const properties::Feature*>& features) {
   return text;
 }
 
-/// The steps that all models share.
+/// The steps that are the same under every law.
 std::string contact_steps(const oracles::ExactCase& exact_case) {
   const BasicCollision<Rational>& c = exact_case.exact();
   const Outcome<Rational> before = unchanged(c);
@@ -132,7 +132,7 @@ std::string answers_steps(const oracles::ExactCase& exact_case, const std::vecto
   return text;
 }
 
-/// How near an outcome is to what the law `coulomb` answers.
+/// The number of correct digits of an outcome, compared with the nearest answer of the law `coulomb`.
 std::string nearest_answer_text(const oracles::ExactCase& exact_case, const Answer& answer,
                                 const std::vector<oracles::CoulombAnswer>& answers) {
   const auto* outcome = std::get_if<ReportedOutcome>(&answer);
@@ -176,20 +176,20 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   return text;
 }
 
-/// The case that the gate draws of the family with this seed and this number.
+/// The case that the gate draws from the family with this seed and number.
 ReadCollision numbered_case(const ReplayArguments& arguments) {
   const properties::Family& family = family_from_argument("--family", arguments.family);
   return {fmt::format("{} #{} of seed {}", family.name, arguments.case_number, arguments.seed),
           properties::drawn_case(family, arguments.seed, arguments.case_number), std::nullopt};
 }
 
-/// What is shown of one collision, as JSON and as text.
+/// The output for one collision, as JSON and as text.
 struct Shown {
   json record;
   std::string text;
 };
 
-/// The truth under each law; all answers of `coulomb` are returned. Precondition: the case is valid.
+/// Adds the truth under each law, and returns all answers of `coulomb`. Precondition: the case is valid.
 std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const properties::JudgedCase& judged_case,
                                                Shown& shown) {
   const oracles::ExactCase& exact_case = judged_case.exact();
@@ -210,7 +210,7 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
   return answers;
 }
 
-/// What the subject answers, and how that is judged.
+/// Adds the answer of the subject, and the judgement of the answer.
 void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown& shown) {
   const Subject& subject = open.subject();
   const auto& claim = open.claim();
@@ -242,7 +242,7 @@ void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown
                   judgement_text(judgement, replayed.answer, claim.yardstick.unit_roundoff));
 }
 
-/// Shows the collision; whether the subject violates something on it.
+/// Shows the collision. Returns whether the subject violates an invariant on it.
 bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, OpenSubjects& subjects) {
   const properties::JudgedCase judged_case(read.one, !arguments.judged.exact);
   Shown shown{{{"place", read.place}, {"collision", collision_to_json(read.one.collision)}},

@@ -42,16 +42,16 @@ struct SceneArguments {
   std::string file;
   std::vector<std::string> laws;        // names; empty for the scene's own
   std::string out;                      // a directory; empty for none
-  std::uint64_t judge_every = 1;        // every so many impulses; 0: none
+  std::uint64_t judge_every = 1;        // every Nth impulse is judged; 0: none
   bool check = true;                    // that nothing overlaps
-  std::optional<std::uint64_t> events;  // that end the run
+  std::optional<std::uint64_t> events;  // the most events; the run ends after them
   unsigned jobs = 0;                    // laws that run at once; 0: one for each core
   std::string format = "text";
 };
 
 namespace fs = std::filesystem;
 
-/// Of a replay: as many as a browser draws several times a second.
+/// The most bodies of a replay. A browser draws this many several times a second.
 constexpr std::size_t most_bodies_replayed = 20'000;
 
 /// A file that is written line by line while a scene runs.
@@ -97,13 +97,13 @@ std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& 
 struct Written {
   SampledLaw sampled;
   nlohmann::json record;
-  std::string text;  // where text is asked for
+  std::string text;  // empty unless the format is text
   std::exception_ptr undrawn;
   bool holds = false;
   bool has_failed = false;
 };
 
-/// How far all laws together have come, from any of their threads.
+/// The progress of all laws together, reported from any of their threads.
 class Progress {
  public:
   Progress(const scene::Scene& scene, std::size_t laws)
@@ -125,12 +125,12 @@ class Progress {
   std::vector<double> times_;
 };
 
-/// The scene under one law. It stays where it is.
+/// The scene under one law. It must not move, because callbacks refer to it.
 class LawRun {
  public:
   LawRun(scene::Scene scene, std::optional<fs::path> out) : scene_(std::move(scene)), out_(std::move(out)) {}
 
-  /// From any thread. Writes the events as they happen.
+  /// Runs the scene, on any thread, and writes the events as they happen.
   void run(const SceneArguments& arguments, const std::stop_token& stop, std::size_t number, Progress& progress) {
     SceneOptions options;
     options.judge_every = arguments.judge_every;
@@ -158,7 +158,8 @@ class LawRun {
     run_->run();
   }
 
-  /// All other files, one law after the other: it starts programs. Precondition: it has run.
+  /// Writes all other files. It starts programs, so call it for one law after the other. Precondition: run() has
+  /// returned.
   [[nodiscard]] Written write(const SceneArguments& arguments) {
     Written written{{std::string(name_of(scene_.law)), run_->samples()},
                     scene_record(*run_),
@@ -190,7 +191,8 @@ class LawRun {
   std::unique_ptr<SceneRun> run_;
 };
 
-/// Each on a thread of its own, so many at once; of what they throw, the first law's is thrown on.
+/// Runs the laws on threads, as many at once as `jobs` says. If several laws throw, rethrows the exception of the
+/// first.
 void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
              Progress& progress) {
   std::vector<std::exception_ptr> errors(runs.size());
@@ -208,7 +210,7 @@ void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& a
   }
 }
 
-/// Draws what shows all laws together, and puts the files of all of them in place.
+/// Draws the pictures that compare the laws, and puts the files of all laws in place.
 void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::vector<Written>& all) {
   if (all.size() > 1) {
     std::vector<SampledLaw> sampled;

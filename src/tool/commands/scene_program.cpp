@@ -15,7 +15,7 @@ void become_scene_program(int argc, char** argv) noexcept {
   const std::string_view command = argc > 1 ? argv[1] : "";
   const std::filesystem::path directory = subjects::program_directory();
   if (!directory.empty() && (command == "scene" || command == "plan")) {
-    execv((directory / "carom-scene").c_str(), argv);  // it returns if the program is not there
+    execv((directory / "carom-scene").c_str(), argv);  // it returns only if the program cannot be run
   }
 }
 

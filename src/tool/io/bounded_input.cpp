@@ -18,7 +18,7 @@ namespace carom::tool {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
-constexpr int glance = 50;  // between looks at the wish to stop [ms]
+constexpr int glance = 50;  // interval between checks for a request to stop [ms]
 
 [[noreturn]] void fail_to_read(const std::string& file, int error) {
   throw UsageError(fmt::format("{}: cannot be read: {}", file, std::generic_category().message(error)));
@@ -27,7 +27,7 @@ constexpr int glance = 50;  // between looks at the wish to stop [ms]
 }  // namespace
 
 BoundedInput::BoundedInput(std::string file, std::stop_token stop) : file_(std::move(file)), stop_(std::move(stop)) {
-  // Without blocking, a pipe that nobody has opened for writing is waited for where the wish to stop is seen.
+  // The open does not block. A stop is noticed even if no process has opened the pipe for writing.
   descriptor_ = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor_ < 0) {
     if (errno == ENOENT) {

@@ -7,28 +7,29 @@
 
 namespace carom::tool {
 
-/// A file of any kind, a pipe or a device without end among them, of which no more is kept than asked for. What it
-/// throws is a UsageError that names the file.
+/// A file of any kind, including a pipe or an endless device. It keeps only as many bytes as the caller asks for. Its
+/// errors are UsageErrors that name the file.
 class BoundedInput {
  public:
-  /// Throws where the file cannot be opened, or is a directory.
+  /// Throws if the file cannot be opened or is a directory.
   BoundedInput(std::string file, std::stop_token stop);
   ~BoundedInput();
   BoundedInput(const BoundedInput&) = delete;
   BoundedInput& operator=(const BoundedInput&) = delete;
 
-  /// What a read ended at. A line's end is taken from the file, and not added.
+  /// The reason why a read ended. The end of a line is consumed, but not added to the text.
   enum class End { line, file, limit };
 
-  /// Adds what follows to the text, up to the end of the line, or until the text has more than so many bytes. Throws
-  /// where it cannot be read, or the user asks for a stop while it waits.
+  /// Appends to the text up to the end of the line, or until the text has more than `most_bytes` bytes. Throws if the
+  /// file cannot be read, or if the user asks for a stop while it waits.
   End add_line(std::string& text, std::size_t most_bytes);
 
-  /// The same up to the end of the file: no line is an end.
+  /// Appends to the text up to the end of the file, or until the text has more than `most_bytes` bytes. Throws like
+  /// add_line.
   End add_all(std::string& text, std::size_t most_bytes);
 
  private:
-  /// Whether there is more. Postcondition: then next_ < buffer_.size().
+  /// Whether there is more to read. Postcondition: if there is, next_ < buffer_.size().
   bool fill();
 
   std::string file_;

@@ -7,8 +7,8 @@
 
 namespace carom::tool {
 
-/// The family that the command line names by this option. Throws UsageError, which names those there are, where there
-/// is none.
+/// The family that the command line names with this option. Throws UsageError if there is none; the message names the
+/// known families.
 [[nodiscard]] const properties::Family& family_from_argument(const std::string& option, const std::string& name);
 
 }  // namespace carom::tool

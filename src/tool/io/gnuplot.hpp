@@ -9,11 +9,11 @@
 
 namespace carom::tool {
 
-/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and lets gnuplot draw DIRECTORY/NAME.svg. Throws
-/// UsageError where gnuplot is not installed or fails.
+/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and has gnuplot draw DIRECTORY/NAME.svg. Throws UsageError
+/// if gnuplot is not installed or fails.
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory);
 
-/// The same, but for that a UsageError is returned, for whoever has yet to put the data in place; nullptr for none.
+/// Draws like draw(), but returns the UsageError, so that the caller can first put the data in place; nullptr for none.
 [[nodiscard]] std::exception_ptr try_to_draw(std::span<const report::Plot> pictures,
                                              const std::filesystem::path& directory);
 

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of what is wrong with a record, which may be megabytes of it.
+/// The longest message about a record, because a record may have megabytes [bytes].
 constexpr std::size_t longest_complaint = 4000;
 
 [[noreturn]] void fail(const std::string& place, const std::string& what) {
@@ -68,7 +68,7 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
   return facts;
 }
 
-/// The collision that stands by itself, its class beside its fields.
+/// A collision without a record around it. Its class is among its fields.
 Collision bare_collision(json record) {
   if (record.is_object()) {
     record.erase("class");

@@ -11,34 +11,34 @@
 
 namespace carom::tool {
 
-/// What a witness adds to its collision.
+/// The facts that a witness adds to its collision.
 struct WitnessFacts {
   std::string subject;  // as the command line names it
   std::string invariant;
 
-  /// Whether that speaks of invalid collisions.
+  /// Whether the invariant is about invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;
 };
 
 /// A collision read from a file.
 struct ReadCollision {
-  std::string place;  // "FILE", "FILE:7" for a line, "FILE: /3" for an element of an array
+  std::string place;  // "FILE", "FILE:7" for a line, "FILE: element 3" for an element of an array
   properties::Case one;
   std::optional<WitnessFacts> witness;
-  std::string contact_class = {};  // the field `class`; empty where there is none
+  std::string contact_class = {};  // the field `class`; empty if there is none
 };
 
-/// Whether a collision of which ε, μ or e_t is out of range, and nothing else is wrong, is read all the same.
+/// Whether a collision is read although its ε, μ or e_t is out of range, if it has no other defect.
 enum class OutOfRange { refused, kept };
 
-/// Which collision of a witness is read: that which was shrunk, or that which its family drew.
+/// The collision of a witness that is read: the shrunk one, or the one that the family drew.
 enum class OfWitness { shrunk, drawn };
 
-/// Gives each collision of the file to `visit`, in order: of a witness, a collision, an array of either, or JSON Lines
-/// of either, which are read as they are visited. Throws UsageError that names the file, the place in it, and what was
-/// expected, also where a collision is invalid; a witness that an invalid collision was answered is an exception. A
-/// collision may have the class of its contact beside its fields, or beside itself in a record that holds it: `"class":
-/// "crate on floor"`. Where drawn ones are wanted, each has to be a witness.
+/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of these, or
+/// JSON Lines of these. JSON Lines are read as they are visited. A collision may name the class of its contact, among
+/// its fields or next to it in the record that holds it: `"class": "crate on floor"`. Throws UsageError that names the
+/// file, the place, and what was expected. An invalid collision is an error too, unless it belongs to a witness about
+/// invalid collisions. If `of_witness` is `drawn`, every record must be a witness.
 void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::function<void(const ReadCollision&)>& visit,
                         OfWitness of_witness = OfWitness::shrunk);
 

@@ -13,10 +13,10 @@
 namespace carom::tool {
 namespace {
 
-/// A signal to the program and one to its group, as `timeout` and terminals send them, are one wish.
+/// `timeout` and terminals signal both the program and its group. The two signals are one request.
 constexpr std::chrono::seconds one_wish{1};
 
-/// Takes what comes of them within that time.
+/// Discards the signals that arrive within that time.
 void drop_repeats(const sigset_t& signals) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + one_wish;
@@ -43,7 +43,7 @@ std::stop_token stop_on_interrupt() {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGHUP);
-  // Blocked in every thread that is started from here on, and waited for in one: no code runs in a signal handler.
+  // Every thread that starts from here on blocks the signals. One thread waits for them, so no code runs in a handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {
     int signal = 0;
@@ -51,7 +51,7 @@ std::stop_token stop_on_interrupt() {
       source.request_stop();
     }
     drop_repeats(signals);
-    // This thread takes the next one, and the program ends as programs do.
+    // This thread receives the next signal, whose default action ends the program.
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     for (;;) {
       pause();

@@ -5,9 +5,9 @@
 
 namespace carom::tool {
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP request a stop in place of ending the program, once. What
-/// follows within a second is the same wish; a later one ends the program. So does memory that runs out
-/// (memory_reserve.hpp). To be called before any other thread is started.
+/// From the first call on, Ctrl-C, SIGTERM and SIGHUP request a stop and do not end the program. Signals within the
+/// next second belong to the same request. A later signal ends the program. Exhausted memory also requests a stop
+/// (memory_reserve.hpp). Call it before any other thread is started.
 [[nodiscard]] std::stop_token stop_on_interrupt();
 
 }  // namespace carom::tool

@@ -17,12 +17,12 @@ namespace carom::tool {
 inline constexpr std::size_t longest_line = std::size_t{16} << 20;
 inline constexpr std::size_t largest_whole = std::size_t{256} << 20;
 
-/// A file of JSON: JSON Lines, given line by line however many they are, where the first of several lines that are not
-/// blank is a whole JSON text by itself; else one text. What it throws is a UsageError that names the file and, of a
-/// line, its number.
+/// A JSON file. If its first line that is not blank is a complete JSON text and another such line follows, the file is
+/// JSON Lines of any number. Otherwise it is one text. Errors are UsageErrors that name the file and, for JSON Lines,
+/// the line.
 class JsonFile {
  public:
-  /// Reads as far as it takes to know which. Throws where the file cannot be read, or is no lines and too large.
+  /// Reads until the form is known. Throws if the file cannot be read, or is a single text that is too large.
   explicit JsonFile(const std::string& file, const std::stop_token& stop = {});
 
   [[nodiscard]] const std::string& file() const { return file_; }
@@ -32,11 +32,11 @@ class JsonFile {
     std::size_t number;  // from 1
     std::string text;
   };
-  /// The next one that is not blank; none at the end. Precondition: they are lines. Throws where it cannot be read, or
-  /// is too long.
+  /// The next line that is not blank; none at the end. Throws if the line cannot be read or is too long. Precondition:
+  /// is_lines().
   [[nodiscard]] std::optional<Line> next_line();
 
-  /// Precondition: they are no lines.
+  /// Precondition: !is_lines().
   [[nodiscard]] const std::string& whole() const {
     CAROM_EXPECTS(!is_lines_, file_);
     return whole_;
@@ -48,13 +48,13 @@ class JsonFile {
   std::string file_;
   BoundedInput input_;
   bool is_lines_ = false;
-  std::deque<Line> read_;  // ahead
+  std::deque<Line> read_;  // lines that were read ahead
   std::size_t number_ = 0;
   bool has_ended_ = false;
   std::string whole_;
 };
 
-/// The whole of a file, whatever it holds. Throws UsageError, which names it, where it cannot be read or is too large.
+/// The whole content of a file. Throws UsageError that names the file if it cannot be read or is too large.
 [[nodiscard]] std::string content_of_file(const std::string& file, const std::stop_token& stop = {});
 
 }  // namespace carom::tool

@@ -20,7 +20,7 @@
 namespace carom::tool {
 namespace {
 
-/// The reports of a gate over all families and subjects are made in a third of this.
+/// A third of this is enough for the reports of a gate over all families and subjects [bytes].
 constexpr std::size_t most_reserved = std::size_t{64} << 20U;
 
 struct Reserve {
@@ -37,7 +37,7 @@ Reserve& the_reserve() {
 
 std::atomic<bool> has_run_out = false;
 
-/// Whether it is worth trying again: for each thread once.
+/// Releases the reserve. Returns whether the allocation should be tried again, which is so once for each thread.
 bool give_free() {
   thread_local bool has_tried_again = false;
   if (has_tried_again) {
@@ -66,7 +66,7 @@ void when_new_fails() {
   _exit(report::exit_usage);
 }
 
-/// Some destructors ask for memory, and what they throw ends the program.
+/// Some destructors allocate memory. An exception from them ends the program.
 [[noreturn]] void when_nothing_catches() {
   if (has_run_out) {
     end_without_memory();
@@ -74,7 +74,7 @@ void when_new_fails() {
   std::abort();
 }
 
-/// GMP goes on with what it is given, and has nowhere to go on from an exception.
+/// GMP uses the memory without a check, and cannot recover from an exception.
 template <class Allocate>
 void* allocated_for_gmp(const Allocate& allocate) {
   void* memory = allocate();
@@ -87,7 +87,7 @@ void* allocated_for_gmp(const Allocate& allocate) {
   return memory;
 }
 
-/// Of what the limit on the program's memory leaves, so that there is enough to begin with.
+/// At most a quarter of the limit on the program's memory, so that enough is left to start.
 std::size_t reserved_size() {
   rlimit limit{};
   constexpr rlim_t part = 4;
@@ -97,7 +97,7 @@ std::size_t reserved_size() {
   return most_reserved;
 }
 
-/// Grows the stack of this thread to several times its need. A stack that cannot grow when memory ends is a crash.
+/// Grows the stack of this thread to 1 MiB, several times its need. A stack that cannot grow later would be a crash.
 void grow_stack() {
   constexpr std::size_t page = 4096;
   constexpr std::size_t pages = 256;

@@ -23,13 +23,13 @@ using nlohmann::json;
 
 constexpr const char* report_name = "report.json";
 
-/// The file itself, and not what a symbolic link stands for.
+/// The type of the file itself, even if it is a symbolic link.
 fs::file_type type_of(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored).type();
 }
 
-/// What the report lists as its witnesses; nothing where it is no report of this program.
+/// The witnesses that the report lists; none if the file is not a report of this program.
 std::vector<fs::path> listed_witnesses(const fs::path& report_file) {
   if (type_of(report_file) != fs::file_type::regular) {
     return {};
@@ -53,7 +53,7 @@ std::vector<fs::path> listed_witnesses(const fs::path& report_file) {
   return listed;
 }
 
-/// "witnesses/SUBJECT.INVARIANT.json" and no other way to write a path: what names a file elsewhere is not followed.
+/// Whether the path is "witnesses/SUBJECT.INVARIANT.json". Any other path could lead to a file elsewhere.
 bool is_witness_path(const fs::path& path) {
   const std::string invariant = path.stem().extension().string();
   return path == fs::path("witnesses") / path.filename() && path.extension() == ".json" && !invariant.empty() &&

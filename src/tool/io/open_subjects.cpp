@@ -17,7 +17,7 @@ namespace {
 
 using subjects::protocol::spelling_count;
 
-/// What the task throws becomes an error that names the subject.
+/// Turns an exception of the task into a UsageError that names the subject.
 template <class Task>
 auto in_its_name(const Subject& subject, const Task& task) {
   try {
@@ -27,12 +27,13 @@ auto in_its_name(const Subject& subject, const Task& task) {
   }
 }
 
-/// Each is a finding; what hangs is waited for each time.
+/// Limits the restarts of a failing program. Each failure is a finding, and a program that hangs takes the full
+/// timeout.
 constexpr unsigned most_failures = 100;
 
 bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
 
-/// Whether all answers are the first, as every claimed invariant of sessions has it.
+/// The verdicts of the claimed session invariants: whether all answers are the same as the first.
 std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& claim, properties::Sameness sameness,
                                                        const std::vector<ReplayedCase>& cases) {
   std::vector<properties::NamedVerdict> verdicts;

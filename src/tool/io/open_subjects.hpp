@@ -20,53 +20,54 @@
 /// The subjects that a replay judges.
 namespace carom::tool {
 
-/// What came of a collision.
+/// The result of a replayed collision.
 struct ReplayedCase {
   Answer answer;
   properties::Judgement judgement;
-  // Of a program:
-  std::size_t spellings = 0;           // in which it was asked; 0 of what is asked without a request
-  std::size_t violated_spellings = 0;  // of them
-  std::string spelt = {};              // the collision in that of the answer
+  // For a program:
+  std::size_t spellings = 0;           // number of spellings in which it was asked; 0 for a subject of this process
+  std::size_t violated_spellings = 0;  // number of spellings with a violation
+  std::string spelt = {};              // the collision in the spelling of the answer
 };
 
-/// A subject with its sessions, for all the collisions that are to be judged on it. A program is judged in a session
-/// for each spelling of a request, since a fault may lie in its reader.
+/// A subject with its sessions, for all collisions that it is judged on. A program has a session for each spelling of a
+/// request, because a fault may lie in its reader.
 class OpenSubject {
  public:
-  /// Throws UsageError where the subject cannot be run.
+  /// Throws UsageError if the subject cannot be run.
   OpenSubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
               const std::stop_token& stop);
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
   [[nodiscard]] const properties::Claim& claim() const { return claim_; }
 
-  /// In the first spelling that shows a violation, else in the first of all. Of a program, `memoryless` says whether
-  /// all spellings had the same answer. Throws UsageError.
+  /// The result in the first spelling with a violation, otherwise in the first spelling. For a program, `memoryless`
+  /// holds if the answers in all spellings are the same. Throws UsageError.
   [[nodiscard]] ReplayedCase judge(const properties::Case& one);
 
-  /// Throws UsageError where a session does not end as it should.
+  /// Throws UsageError if a session does not end properly.
   void close();
 
  private:
   Subject subject_;
   properties::Claim claim_;
-  // Sessions refer to them, and this is moved.
+  // On the heap, because sessions refer to the elements and this object may be moved.
   std::unique_ptr<std::deque<properties::Restarts>> restarts_ = std::make_unique<std::deque<properties::Restarts>>();
-  std::vector<Session> sessions_;  // of a program by spelling; else one
+  std::vector<Session> sessions_;  // one for each spelling of a program, otherwise one
 };
 
-/// Each started once.
+/// The subjects of a replay. Each one is started once.
 class OpenSubjects {
  public:
-  /// `subject`: the one that judges all; empty if each file says which. `timeout_seconds`: of each reply of a program.
+  /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply
+  /// of a program.
   OpenSubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick, std::stop_token stop);
 
-  /// The subject to judge on this collision; nullptr where there is none. Throws UsageError.
+  /// The subject that judges this collision; nullptr if there is none. Throws UsageError.
   [[nodiscard]] OpenSubject* subject_for(const ReadCollision& read);
 
-  /// Why there is none, where the file names a subject; empty elsewhere. A file starts no programs: that takes the word
-  /// of whoever runs this one.
+  /// The reason why no subject judges the collision although the file names one; otherwise empty. A file cannot start
+  /// programs. Only the user of this program can.
   [[nodiscard]] std::string why_none(const ReadCollision& read) const;
 
   void close();

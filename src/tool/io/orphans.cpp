@@ -26,11 +26,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct ProcessState {
-  char state = ' ';  // 'Z' where it has ended and was not yet waited for
+  char state = ' ';  // 'Z' if the process has ended and was not yet waited for
   pid_t parent = 0;
 };
 
-/// From /proc/PID/stat: "PID (NAME) STATE PARENT …", and a name may hold anything. None where it ended meanwhile.
+/// Parses /proc/PID/stat: "PID (NAME) STATE PARENT …". NAME may contain any character. None if the process has ended.
 std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   std::ifstream file(process / "stat");
   std::string text;
@@ -44,8 +44,8 @@ std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   return ProcessState{text[name_end + to_state], std::atoi(text.c_str() + name_end + to_parent)};
 }
 
-/// Ends the children of this process, or those alone that bear the mark. Whether there was any, or one that has ended
-/// and was not yet waited for: its own children may have been handed over since.
+/// Kills the children of this process, or only those with the mark. Returns whether there was such a child, or a child
+/// that has ended and was not yet waited for. The latter's own children may have become this process's children since.
 bool end_children(bool marked_alone) {
   bool any = false;
   std::error_code ignored;
@@ -75,7 +75,7 @@ bool has_children() {
 Orphanage::Orphanage() : has_foreign_children_(has_children()) { prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 Orphanage::~Orphanage() {
-  // Their own children are handed over as they end; a process that the system cannot end now is not waited for.
+  // A killed child hands its children over to this process. The limit is for a process that the system cannot end now.
   constexpr std::chrono::seconds patience{2};
   constexpr std::chrono::milliseconds moment{1};
   for (const auto until = Clock::now() + patience; Clock::now() < until; std::this_thread::sleep_for(moment)) {

@@ -3,18 +3,18 @@
 
 namespace carom::tool {
 
-/// While it lives, a process that this one's programs started and left behind is handed to this one, whatever group or
-/// session it is in; at the end what the subjects' programs started is ended, and waited for. On Linux; elsewhere it
-/// does nothing.
+/// While it exists, this process becomes the parent of processes that the subjects' programs started and left behind,
+/// in any group or session. The destructor ends the processes that the subjects' programs started, and waits for them.
+/// This is so on Linux; elsewhere the class does nothing.
 ///
-/// A process may have children before its program begins: the background jobs of a shell that did `exec carom`. They,
-/// and what they leave behind meanwhile, are not ended. Where there is none of them, everything that is a child at the
-/// end was started by a subject. Where there is one, only what bears the mark of the subjects' programs
-/// (subjects/protocol/mark.hpp) is ended: a process that hides it, and has left its group as well, lives on.
+/// A process may have children before its program begins: the background jobs of a shell that did `exec carom`. These,
+/// and the processes that they leave behind, are not ended. If there are no such children, every child at the end was
+/// started by a subject. Otherwise, only processes with the mark of the subjects' programs (subjects/protocol/mark.hpp)
+/// are ended. A process that hides the mark and has left its group lives on.
 class Orphanage {
  public:
   Orphanage();
-  /// Precondition: no program that this process started itself is in use any more.
+  /// Precondition: no program that this process started is still in use.
   ~Orphanage();
   Orphanage(const Orphanage&) = delete;
   Orphanage& operator=(const Orphanage&) = delete;

@@ -6,18 +6,17 @@
 
 namespace carom::tool {
 
-/// Throws the UsageError that says so of a file, with the reason that the system gives as errno.
+/// Throws the UsageError for a file that cannot be written. `error` is the errno of the reason.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
 
-/// Writes the text as the whole file. Throws UsageError, which names the file, where that cannot be done.
+/// Writes the text as the whole file. Throws UsageError that names the file if the file cannot be written.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Adds the text to the file's end; with no text it only shows that this can be done. Throws UsageError, which names
-/// the option that the file was named by, where it cannot.
+/// Appends the text to the file. An empty text only checks that this is possible. Throws UsageError that names the
+/// file's option if it is not.
 void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text);
 
-/// Makes the directory that --out names, or one below it, with its parents. Throws UsageError where that cannot be
-/// done.
+/// Makes a directory that is --out or below it, with its parents. Throws UsageError if it cannot be made.
 void make_directories(const std::filesystem::path& directory);
 
 }  // namespace carom::tool

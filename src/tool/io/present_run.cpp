@@ -23,7 +23,7 @@ std::string in_json(const nlohmann::json& record, int indent) {
   return record.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// All of them or none, and at every moment a report with the witnesses that it lists.
+/// Puts all reports in place, or none. At every moment, the report in the directory has the witnesses that it lists.
 void write_reports(const report::Run& run, const std::string& out, StagedOutput& staged) {
   const fs::path& stage = staged.stage();
   make_directories(stage / "witnesses");
@@ -53,7 +53,7 @@ void flush_output() {
 void print_run(const report::Run& run, const Presentation& presentation) {
   fmt::print("{}", presentation.format == "json" ? in_json(report::report_record(run), 2)
                                                  : report::run_text(run, presentation.out));
-  flush_output();  // before anything is said on standard error
+  flush_output();  // before anything is printed on standard error
   if (presentation.has_annotations) {
     presentation.annotate();
     fmt::print("{}", report::github_annotations(run, presentation.out));
@@ -68,7 +68,7 @@ int present_run(report::Run run, const std::optional<ReadRun>& baseline, const P
   if (baseline) {
     run.baseline = report::compare_runs(baseline->run, baseline->file, run, "this run");
   }
-  // First what lasts; and where that cannot be written, what was found is printed all the same.
+  // The files are written first. If that fails, the results are still printed.
   std::exception_ptr unwritten;
   try {
     if (staged) {

@@ -10,18 +10,18 @@
 
 namespace carom::tool {
 
-/// How a run is to be shown.
+/// The output of a run.
 struct Presentation {
   std::string out;                 // the directory of the reports and witnesses; empty for none
   std::string format = "text";     // on standard output: "text" or "json"
-  bool has_annotations = false;    // after it, as GitHub reads them
-  std::string summary;             // the file to whose end a summary in Markdown is added; empty for none
+  bool has_annotations = false;    // after the run, in GitHub's format
+  std::string summary;             // the file to which a summary in Markdown is appended; empty for none
   std::function<void()> annotate;  // called before annotations are printed; may be empty
 };
 
-/// Compares the run with its baseline where there is one, writes what is to be written, and prints it. The exit status.
-/// Throws UsageError where a file cannot be written. `staged`: where the reports are written, of the directory
-/// `presentation.out`; none where there is none. It is gone afterwards.
+/// Compares the run with its baseline, if there is one, writes the files, prints the run, and returns the exit status.
+/// Throws UsageError if a file cannot be written. `staged` is the staged output of `presentation.out`, or empty if
+/// there is none. The function resets it.
 [[nodiscard]] int present_run(report::Run run, const std::optional<ReadRun>& baseline, const Presentation& presentation,
                               std::optional<StagedOutput>& staged);
 

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `read` makes of the file. Errors of its format are told with its name, after `is_no`.
+/// The result of `read` for the content of the file. The message for an error of the format has the file's name and
+/// `is_no` in front.
 template <class Read>
 auto read_from(const std::string& file, const char* is_no, const Read& read) {
   const std::string content = content_of_file(file);
@@ -49,7 +50,7 @@ report::ReadShard read_shard(const std::string& directory) {
   for (std::size_t s = 0; s < shard.run.subjects.size(); ++s) {
     properties::SubjectResult& result = shard.report.results[s];
     for (const report::Violation& violation : shard.run.subjects[s].violations) {
-      // No path that a file names is followed.
+      // The path is not taken from the file.
       const fs::path path = report::witness_path(directory, result.subject, violation.invariant);
       result.witnesses.push_back(read_from(path.string(), "", [&](const nlohmann::json& record) {
         return report::witness_from(record, violation.invariant);

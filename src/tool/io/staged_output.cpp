@@ -35,12 +35,12 @@ bool is_stage_name(const std::string& name) {
          name.find_first_not_of("0123456789abcdef", stage_prefix.size()) == std::string::npos;
 }
 
-/// The directory itself, not what a symbolic link stands for; -1 where it cannot be opened.
+/// Opens the directory, but no symbolic link; -1 if it cannot be opened.
 int opened_directory(const fs::path& path) {
   return open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/// Whether the open directory is still what stands at the path.
+/// Whether the path still names the open directory.
 bool stands_at(int descriptor, const fs::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -56,13 +56,13 @@ void bring_to_disk(const fs::path& path) {
   const int status = fsync(descriptor);
   const int error = errno;
   close(descriptor);
-  // Of some directories and special files nothing can be brought anywhere.
+  // Some directories and special files cannot be flushed.
   if (status != 0 && error != EINVAL && error != ENOTSUP) {
     fail_to_write(path, error);
   }
 }
 
-/// Of the stage, relative to it.
+/// The files of the stage, relative to it.
 std::vector<fs::path> files_below(const fs::path& stage) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(stage)) {
@@ -74,7 +74,7 @@ std::vector<fs::path> files_below(const fs::path& stage) {
   return files;
 }
 
-/// A folder of the directory may lead to another file system, where the file is first copied beside its place.
+/// Moves a file. If a folder of the directory is on another file system, the file is first copied next to its place.
 void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_name) {
   if (std::rename(from.c_str(), to.c_str()) == 0) {
     return;
@@ -96,7 +96,7 @@ void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_n
   }
 }
 
-/// An abandoned stage, held so that nobody else takes it for one.
+/// An abandoned stage, locked so that no other process treats it as abandoned.
 class HeldStage {
  public:
   explicit HeldStage(const fs::path& path) : descriptor_(opened_directory(path)) {
@@ -123,7 +123,7 @@ class HeldStage {
 
 StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)) {
   make_directories(directory_);
-  // Whoever clears away abandoned stages may take this one for one of them until it is locked.
+  // Until the stage is locked, another process may remove it as abandoned.
   constexpr int most_tries = 100;
   for (int tries = 0; tries < most_tries; ++tries) {
     stage_ = directory_ / new_stage_name();
@@ -135,7 +135,7 @@ StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)
     if (lock_ < 0) {
       continue;
     }
-    // Where the file system knows no locks, nobody will hold a stage for abandoned either.
+    // If the file system has no locks, no process treats a stage as abandoned.
     if ((flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && stands_at(lock_, stage_)) {
       return;
     }

@@ -7,23 +7,23 @@
 
 namespace carom::tool {
 
-/// The files of a run, which come into the directory that --out names together or not at all. They are written into a
-/// stage, a directory of its own inside of it, and renamed to their places once all of them are whole. What stood there
-/// before stands until then.
+/// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage,
+/// which is a directory inside of it. Once all files are complete, they are renamed to their places. The previous files
+/// stay until then.
 class StagedOutput {
  public:
-  /// Makes the directory, with its parents, and the stage. Throws UsageError where that cannot be done.
+  /// Makes the directory, with its parents, and the stage. Throws UsageError if they cannot be made.
   explicit StagedOutput(std::filesystem::path directory);
-  /// Removes what was not put in place.
+  /// Removes the files that were not put in place.
   ~StagedOutput();
   StagedOutput(const StagedOutput&) = delete;
   StagedOutput& operator=(const StagedOutput&) = delete;
 
-  /// Where to write: "stage / x" becomes "directory / x".
+  /// The directory to write to: "stage / x" becomes "directory / x".
   [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
 
-  /// Renames every file to its place, that of this name last of all; each is on the disk before the first is renamed.
-  /// Throws UsageError where one cannot be: before the first rename, where that can be known.
+  /// Renames every file to its place, and the file `last` last. Every file is flushed to disk before the first rename.
+  /// Throws UsageError if a file cannot be renamed, and does so before the first rename if the error can be known then.
   void put_in_place(const std::string& last);
 
  private:
@@ -32,10 +32,10 @@ class StagedOutput {
   int lock_ = -1;  // the stage, open and locked for as long as its writer lives
 };
 
-/// The stages that runs which were ended have left there: those that nobody holds locked.
+/// The stages in the directory that ended runs left behind. No process holds a lock on them.
 [[nodiscard]] std::vector<std::filesystem::path> abandoned_stages(const std::filesystem::path& directory);
 
-/// Removes them. What cannot be removed stays.
+/// Removes the abandoned stages. A stage that cannot be removed stays.
 void remove_abandoned_stages(const std::filesystem::path& directory);
 
 }  // namespace carom::tool

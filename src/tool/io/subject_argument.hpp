@@ -9,15 +9,15 @@
 
 namespace carom::tool {
 
-/// What the command line means by a SUBJECT: a name, or "exec:PROGRAM ARG…". A program that cannot be run still gives a
-/// subject: opening it says why. A program is asked in that spelling, or in all of them in turn (ExecOptions). Throws
-/// UsageError where there is no such name.
+/// The subject for a SUBJECT of the command line: a name, or "exec:PROGRAM ARG…". A program that cannot be run is a
+/// subject too, and opening it throws the reason. A program is asked in this spelling, or in all of them in turn
+/// (ExecOptions). Throws UsageError if there is no subject with this name.
 [[nodiscard]] Subject subject_from_argument(const std::string& argument, double timeout_seconds,
                                             const std::stop_token& stop,
                                             std::optional<unsigned> spelling = std::nullopt);
 
-/// Whether the name is that of a subject that runs in this process: one that a file may name and have judged, where
-/// every other is a program to start. Throws UsageError where it can be neither.
+/// Whether the argument names a subject that runs in this process. A file may only choose such subjects, because every
+/// other subject is a program to start. Throws UsageError if the argument is neither.
 [[nodiscard]] bool runs_in_this_process(const std::string& argument);
 
 }  // namespace carom::tool

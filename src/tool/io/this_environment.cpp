@@ -21,7 +21,7 @@ std::string stripped(const std::string& text, const char* of) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(of) - first + 1);
 }
 
-/// What stands between the blanks, with one blank between.
+/// The words of the text, with one blank between them.
 std::string single_spaced(std::string_view text) {
   std::istringstream words{std::string(text)};
   std::string spaced;
@@ -31,7 +31,8 @@ std::string single_spaced(std::string_view text) {
   return spaced;
 }
 
-/// The value of the first line "KEY SEPARATOR VALUE" of a file, without blanks and quotes around it.
+/// The value of the first line "KEY SEPARATOR VALUE" of a file, without blanks and quotes around it; empty if there is
+/// none.
 std::string value_in(const char* file, const std::string& key, char separator) {
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {

@@ -5,7 +5,7 @@
 
 namespace carom::tool {
 
-/// Of this program, on this machine, now.
+/// The environment of this program, on this machine, at this time.
 [[nodiscard]] report::Environment this_environment();
 
 }  // namespace carom::tool

@@ -33,7 +33,7 @@ void run_on_threads(unsigned jobs, std::size_t count, const std::function<void(s
       threads.emplace_back(run);
     }
   } catch (const std::system_error&) {
-    // Those that there are do all of it.
+    // The started threads do all the work.
   }
   run();
   threads.clear();

@@ -5,8 +5,8 @@
 
 namespace carom::tool {
 
-/// So many threads, of which the caller's is one; one for each core if `jobs` is 0. If the system starts no more
-/// threads, those that there are do all of the work.
+/// Runs work on `jobs` threads, including the caller's; on one for each core if `jobs` is 0. If the system cannot start
+/// all threads, the started ones do all the work.
 [[nodiscard]] properties::Workers threads(unsigned jobs);
 
 }  // namespace carom::tool

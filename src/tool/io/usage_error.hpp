@@ -5,7 +5,7 @@
 
 namespace carom::tool {
 
-/// What the user asked for cannot be done; the text says what and why. Ends the program with exit_usage.
+/// A request of the user that cannot be fulfilled. The text says what and why. It ends the program with exit_usage.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

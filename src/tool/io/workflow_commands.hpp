@@ -5,8 +5,8 @@
 
 namespace carom::tool {
 
-/// GitHub reads commands from whatever a job prints, wherever it came from. As long as there is one of these, it reads
-/// none: neither standard output nor what a program writes to standard error can give any.
+/// GitHub reads workflow commands from everything that a job prints. While an object of this class exists, GitHub reads
+/// none, neither from standard output nor from a program's standard error.
 class WorkflowCommandsStopped {
  public:
   WorkflowCommandsStopped();
@@ -15,7 +15,7 @@ class WorkflowCommandsStopped {
   WorkflowCommandsStopped& operator=(const WorkflowCommandsStopped&) = delete;
 
  private:
-  std::string token_;  // that lets them be read again: what is printed cannot know it
+  std::string token_;  // lets commands be read again; it is random, so no program can print it
 };
 
 }  // namespace carom::tool

@@ -17,7 +17,7 @@ bool is_scene(const std::string& text) {
     const nlohmann::json json = parse_json(text);
     return json.is_object() && json.contains("duration");
   } catch (const FormatError&) {
-    return false;  // JSON Lines, or what whoever reads it says better
+    return false;  // JSON Lines, or a defect that the later reader reports better
   }
 }
 

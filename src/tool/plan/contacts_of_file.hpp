@@ -12,19 +12,20 @@
 
 namespace carom::tool::plan {
 
-/// What a plan is made for.
+/// The input of a plan.
 struct RecordedContacts {
   std::vector<properties::plan::ClassedCollision> contacts;
   std::optional<Model> law;  // of a scene
 };
 
-/// Runs the scene that a text describes: its impacts. The name of its file is for messages.
+/// Runs the scene in a text and returns its impacts. The name of the file is for messages.
 using ContactsOfScene =
     std::function<RecordedContacts(const std::string& text, const std::string& file, const std::stop_token& stop)>;
 
-/// The contacts that a file holds: collisions as `replay` reads them, each with an optional class; or the impacts of a
-/// scene, if `contacts_of_scene` is set. A collision of which only ε, μ or e_t is out of range is kept. Throws
-/// UsageError that names the file, the place in it, the field, and what was expected; or that the user stopped it.
+/// The contacts of a file. These are collisions, read as in `replay`, each with an optional class. If
+/// `contacts_of_scene` is set, they can also be the impacts of a scene. A collision is kept if its only defect is that
+/// ε, μ or e_t is out of range. Throws UsageError that names the file, the place, the field, and what was expected, or
+/// that says that the user stopped.
 [[nodiscard]] RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene& contacts_of_scene,
                                                 const std::stop_token& stop);
 

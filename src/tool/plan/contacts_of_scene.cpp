@@ -31,7 +31,7 @@ std::string class_of(const scene::Scene& scene, const scene::Event& event) {
                      scene.materials[scene.planes[event.plane].material]);
 }
 
-/// Every `stride`-th, so that they stay few: once there are twice as many as wanted, every second one is left out.
+/// Every `stride`-th contact. Whenever there are twice as many contacts as wanted, every second one is dropped.
 class Sampled {
  public:
   void add(ClassedCollision contact) {

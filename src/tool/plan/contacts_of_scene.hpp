@@ -9,11 +9,12 @@
 
 namespace carom::tool::plan {
 
-/// A scene has as many impacts as it takes. A plan is certified on at most so many of them, at equal distances.
+/// Bounds the impacts of a scene that a plan is certified on. They are fewer than twice this number, at equal
+/// distances.
 inline constexpr std::size_t most_contacts_of_scene = 10'000;
 
-/// Runs the scene: its impacts, classed by bodies and materials, and its law. Throws UsageError as contacts_of_file
-/// does.
+/// Runs the scene. Returns its impacts, classed by bodies and materials, and its law. Throws UsageError like
+/// contacts_of_file.
 [[nodiscard]] RecordedContacts contacts_of_scene(const std::string& text, const std::string& file,
                                                  const std::stop_token& stop);
 

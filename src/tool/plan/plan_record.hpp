@@ -9,18 +9,18 @@
 
 namespace carom::tool::plan {
 
-/// A plan, and what it was made of.
+/// A plan, and the input that it was made from.
 struct PlanRun {
   std::string file;
   properties::plan::Demand demand;
   properties::plan::Plan plan;
-  int repetitions = 0;  // of each timing; 0 where nothing was timed
+  int repetitions = 0;  // of each timing; 0 if nothing was timed
 
-  /// 0 something serves every contact, 1 nothing does.
+  /// 0 if a candidate serves every contact, otherwise 1.
   [[nodiscard]] int exit_status() const;
 };
 
-/// As docs/reference/schemas/plan.schema.json has it.
+/// The record of docs/reference/schemas/plan.schema.json.
 [[nodiscard]] nlohmann::json plan_record(const PlanRun& run);
 
 }  // namespace carom::tool::plan

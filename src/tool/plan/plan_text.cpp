@@ -25,7 +25,7 @@ using properties::plan::LintFinding;
 using properties::plan::Part;
 using properties::plan::Plan;
 
-/// Findings of one kind that are shown; the rest is counted.
+/// The number of findings of one kind that are shown. The rest is counted.
 constexpr std::size_t findings_shown = 5;
 
 std::string number_or_dash(const std::optional<double>& number, const char* format) {
@@ -37,7 +37,7 @@ std::string in_words(const Candidate& candidate) {
                      candidate.frame == Frame::world ? "world frame" : "body frame");
 }
 
-/// Every part, the whole last.
+/// Every class, and the whole last.
 std::vector<const Part*> parts_of(const Plan& plan) {
   std::vector<const Part*> parts;
   for (const Part& part : plan.classes) {
@@ -87,7 +87,7 @@ Table choices(const Plan& plan) {
   return table;
 }
 
-/// On how many contacts each lesser law is the one asked for.
+/// The number of contacts on which each lesser law is the requested law.
 Table laws(const Plan& plan, Model law) {
   Table table{
       "", {{"class"}, {"law"}, {"serves on"}, {fmt::format("is {} exactly on", name_of(law))}, {"because"}}, {}};
@@ -111,7 +111,7 @@ Table laws(const Plan& plan, Model law) {
   return table;
 }
 
-/// How what was chosen is called, each once.
+/// The calls of the chosen methods, each once.
 Table calls(const Plan& plan) {
   Table table{"", {{"least that serves"}, {"include"}, {"call"}}, {}};
   for (const Part* part : parts_of(plan)) {
@@ -133,7 +133,8 @@ Table calls(const Plan& plan) {
   return table;
 }
 
-/// What does not serve the whole. A law of which nothing does is one row, that of its best candidate.
+/// The candidates that do not serve the whole. If no candidate of a law serves, the law has one row, for its best
+/// candidate.
 Table failures(const Plan& plan) {
   Table table{
       "", {{"does not serve"}, {"contacts failed"}, {"worst at"}, {"since"}, {"ulps there"}, {"digits there"}}, {}};
@@ -168,7 +169,7 @@ Table failures(const Plan& plan) {
   return table;
 }
 
-/// The first of each kind, and how many more there are.
+/// The first findings of each kind, and the number of the others.
 Table findings(const Plan& plan) {
   Table table{"", {{"severity"}, {"lint"}, {"place"}, {"field"}, {"what"}}, {}};
   for (const auto lint : all_lints) {

@@ -29,7 +29,7 @@ std::string contact(const Method& method) {
 
 std::string header(std::string_view name) { return fmt::format("carom/impulse/{}.hpp", name); }
 
-/// The law in the method's scalar type, with its 3×3 solve.
+/// Spells the call of the law in the method's scalar type, with its 3×3 solve.
 void spell_law(const Method& method, Spelling& spelling) {
   const Model law = method.subject.model;
   spelling.call = fmt::format(
@@ -43,7 +43,7 @@ void spell_law(const Method& method, Spelling& spelling) {
   }
 }
 
-/// How the form of a method is spelt. What solves otherwise comes behind all 3×3 solves.
+/// Spells the call of a method's form. The forms with another solve rank after all 3×3 solves.
 void spell(const Method& method, SpelledCandidate& one) {
   Candidate& candidate = one.candidate;
   Spelling& spelling = one.spelling;

@@ -9,10 +9,10 @@
 
 namespace carom::tool::plan {
 
-/// How a built-in method is called from C++, as a program that links carom::impulse writes it.
+/// The call of a built-in method in C++, in a program that links carom::impulse.
 struct Spelling {
   std::vector<std::string> headers;  // "carom/impulse/frictionless.hpp"
-  std::string reads;                 // what the call reads, "const carom::Collision& collision"
+  std::string reads;                 // the input of the call, "const carom::Collision& collision"
   std::string call;                  // "carom::impulse::frictionless(carom::impulse::make_contact<float>(collision))"
 };
 
@@ -22,11 +22,11 @@ struct SpelledCandidate {
   Spelling spelling;
 };
 
-/// The method of this subject; none where it is not to be chosen: its basis fails near head-on, whatever a file holds.
-/// Throws std::logic_error if no method has this name.
+/// The method of this subject. None if plans never choose it, because its basis fails near head-on. Throws
+/// std::logic_error if no method has this name.
 [[nodiscard]] std::optional<SpelledCandidate> spelled(const Subject& subject);
 
-/// Every method that may be chosen.
+/// Every method that a plan may choose.
 [[nodiscard]] std::vector<SpelledCandidate> spelled_candidates();
 
 }  // namespace carom::tool::plan

@@ -4,7 +4,7 @@ import { Color, InstancedBufferAttribute, InstancedMesh, LatheGeometry, Matrix4,
 
 import { count_up_to } from "./replay_data.mjs";
 
-/** For so many seconds an arrow is seen, where the replay runs as fast as what it shows. */
+/** How long an arrow is visible [s of the scene] at speed ×1. */
 const lifetime = 0.4;
 const most = 400;
 
@@ -29,7 +29,7 @@ const fragment = /* glsl */ `
     #include <colorspace_fragment>
   }`;
 
-/** The impulses of the latest impacts. Their lengths go with the square root, for small ones would not be seen else. */
+/** The impulses of the latest impacts. Lengths grow with the square root, so that small impulses are visible. */
 export class Arrows {
   constructor(impacts, longest) {
     this.impacts = impacts;
@@ -39,7 +39,7 @@ export class Arrows {
     this.fade = new InstancedBufferAttribute(new Float32Array(most), 1);
     const shape = geometry();
     shape.setAttribute("fade", this.fade);
-    // An arrow begins at the skin of the body that it points into, so it is drawn over everything.
+    // An arrow begins at the surface of the body that it points into, so it is drawn on top of everything.
     this.material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true,
       depthTest: false, depthWrite: false, uniforms: { colour: { value: new Color() } } });
     this.mesh = new InstancedMesh(shape, this.material, most);
@@ -51,7 +51,7 @@ export class Arrows {
     this.material.uniforms.colour.value.set(colour);
   }
 
-  /** Those of the time before this one; the faster it runs, the longer that time. */
+  /** Places the arrows of the impacts just before this time. A faster replay shows a longer span of time. */
   place(time, speed) {
     const span = lifetime * speed;
     const end = count_up_to(this.impacts.length, (i) => this.impacts[i].time, time);

@@ -4,7 +4,7 @@ import { Color, DynamicDrawUsage, InstancedMesh, Matrix4, MeshPhysicalMaterial, 
 
 import { hue_of } from "./colours.mjs";
 
-/** Ivory with a stripe, poles, a spot, and opposite of it a spot with an eye: a turn about any axis is seen. */
+/** Ivory with a stripe, poles, a spot, and an opposite spot with an eye, so that a turn about any axis is visible. */
 const pattern = /* glsl */ `
   vec3 p = normalize(place);
   float soft = max(length(fwidth(p)), 1e-4);
@@ -40,10 +40,11 @@ export class Balls {
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.castShadow = true;
     this.mesh.receiveShadow = true;
-    this.mesh.frustumCulled = false; // its bounds would have to be found anew in each frame
+    this.mesh.frustumCulled = false; // its bounds would have to be computed in each frame
     this.tilts = bodies.map(({ index }, place) => {
       this.mesh.setColorAt(place, new Color(...hue_of(index)));
-      // The format says nothing of how a sphere begins. Tilted each in its own way they do not look stamped.
+      // The format has no initial orientation for a sphere. Each sphere has its own tilt, so that they do not look the
+      // same.
       return new Quaternion().setFromAxisAngle(
         new Vector3(Math.cos(index * 2.4), Math.sin(index * 2.4), 0.4).normalize(), 0.9 + index * 0.37);
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// node bundle.mjs FILE: the page without its title and its replay, all in one text; as C++ where FILE ends in .cpp.
+// node bundle.mjs FILE: writes the page without its title and its replay as one text, or as C++ if FILE ends in .cpp.
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 
@@ -14,7 +14,7 @@ async function built(entry) {
     charset: "utf8",
     target: ["es2021"],
     format: entry.endsWith(".css") ? undefined : "iife",
-    // The licence of three.js asks that its notice stays.
+    // The licence of three.js requires its notice.
     legalComments: "inline",
     write: false,
   });
@@ -25,7 +25,7 @@ function digest(text) {
   return `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 }
 
-/** Puts a text where its mark stands, which has to be once. */
+/** Replaces a mark by a text. Throws if the mark does not occur exactly once. */
 function filled(page, mark, text) {
   const parts = page.split(mark);
   if (parts.length !== 2) {
@@ -57,14 +57,14 @@ std::string_view replay_page() { return {reinterpret_cast<const char*>(bytes), s
 `;
 }
 
-// Neither may end its element; esbuild writes "<\\/script" for it in strings, and this makes sure.
+// Neither may end its element. esbuild writes "<\\/script" in strings, and this check makes sure.
 const script = await built("replay.mjs");
 const style = await built("replay.css");
 if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) {
   throw new Error("what is bundled would end its element");
 }
 let page = await readFile(new URL("page.html", import.meta.url), "utf8");
-// Nothing runs but what was bundled, nothing is loaded from anywhere.
+// Only the bundled script runs, and nothing is loaded.
 page = filled(page, "{{policy}}",
   `default-src 'none'; script-src ${digest(script)}; style-src ${digest(style)}; base-uri 'none'; form-action 'none'`);
 page = filled(page, "{{style}}", style);

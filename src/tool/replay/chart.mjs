@@ -6,16 +6,16 @@ import { prefix_of, quantity } from "./units.mjs";
 const names = { kinetic: "kinetic", spin: "of which rotation", potential: "potential", lost: "lost", total: "total" };
 const margin = { left: 40, right: 10, top: 16, bottom: 20 };
 
-/** Energy over time, with a cursor at the present one, and the values there. */
+/** Energy over time, with a cursor at the present time, and the values at that time. */
 export class Chart {
-  /** @param seek called with the time that is pointed at */
+  /** @param seek called with the time at the pointer */
   constructor(element, table, replay, seek) {
     this.element = element;
     this.duration = replay.duration;
     const { t, kinetic, potential, lost, spin } = replay.series;
     this.t = t;
     this.series = { total: t.map((_, i) => kinetic[i] + potential[i] + lost[i]), spin, potential, lost, kinetic };
-    // What is stored is rounded by some 10⁻¹⁵ of the energy: less than this is none.
+    // The stored values have a rounding error of about 10⁻¹⁵ of the energy. A value below this limit is shown as 0.
     this.rounding = 1e-12 * Object.values(this.series).flat().reduce((most, y) => Math.max(most, Math.abs(y)), 0);
     this.rows = Object.keys(names).map((name) => {
       const row = table.tBodies[0].insertRow();

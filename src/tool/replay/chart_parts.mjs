@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 
-/** Round numbers from least to greatest, about so many. */
+/** Round numbers from `least` to `greatest`. There are about `about` of them. */
 export function ticks(least, greatest, about) {
   const span = greatest - least;
   if (!(span > 0)) {
@@ -16,8 +16,8 @@ export function ticks(least, greatest, about) {
 }
 
 /**
- * The path of a series: where more than one point falls on a column of the screen, the first, the least, the greatest
- * and the last of these, which look the same as all.
+ * The path of a series. If several points are in one column of the screen, it has only the first, the least, the
+ * greatest and the last of them. The picture is the same.
  */
 export function path_of(t, y, x_of, y_of) {
   const points = [];
@@ -43,7 +43,7 @@ export function path_of(t, y, x_of, y_of) {
   return points.map((i, n) => `${n ? "L" : "M"}${x_of(t[i]).toFixed(2)} ${y_of(y[i]).toFixed(2)}`).join("");
 }
 
-/** The value of a series at a time, in a straight line between its points; of two at one time, the later. */
+/** The value of a series at a time, interpolated linearly. Of two points at one time, the later one counts. */
 export function value_at(t, y, time) {
   let low = 0;
   let high = t.length;

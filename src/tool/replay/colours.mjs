@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 
-/** A hue of its own for each body, by the golden angle, all about equally bright: OKLCH to linear red, green, blue of 0 to 1. */
+/** A hue for each body, by the golden angle, at about equal brightness: linear red, green, blue in [0, 1]. */
 export function hue_of(index) {
   const angle = (0.62 + index * 0.3819660112501051) * 2 * Math.PI;
   return from_oklch(0.62 + 0.07 * ((index * 0.7548776662466927) % 1 - 0.5), 0.15, angle);

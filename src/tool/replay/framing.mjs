@@ -3,7 +3,7 @@ import { Vector3 } from "three";
 
 import { radius_of } from "./replay_data.mjs";
 
-/** What has to be seen, as [least, greatest]: the room, or where the bodies get to. */
+/** The box that must be visible, as [least, greatest]: the room, or the box that the bodies move in. */
 export function box_of(replay) {
   if (replay.room) {
     return [replay.room.least, replay.room.greatest];
@@ -26,15 +26,15 @@ export function corners_of([least, greatest]) {
     ...[0, 1, 2].map((axis) => ((bits >> axis) & 1 ? greatest[axis] : least[axis]))));
 }
 
-/** Against gravity; z where there is none. */
+/** The unit vector against gravity; z if there is no gravity. */
 export function up_of({ gravity }) {
   const strength = Math.hypot(...gravity);
   return strength > 0 ? gravity.map((x) => -x / strength || 0) : [0, 0, 1];
 }
 
 /**
- * Puts the camera where all of the corners are seen and fill the picture, from this direction. The target is moved with
- * it, for what is nearer takes more of the picture than what is behind the box's middle.
+ * Places the camera in this direction, so that all corners are visible and fill the picture. The target moves with the
+ * camera, because the near half of the box takes more of the picture than the far half.
  */
 export function frame(camera, target, corners, direction) {
   camera.position.copy(target).add(direction);
@@ -47,8 +47,8 @@ export function frame(camera, target, corners, direction) {
   const wide = tall * camera.aspect;
   const places = corners.map((corner) => corner.clone().sub(target))
     .map((from) => ({ nearness: from.dot(toward), sideways: [from.dot(right), from.dot(upward)] }));
-  // With the camera at `shift` aside and `distance` away, |sideways - shift| ≤ half · (distance - nearness) has to hold
-  // on both sides, and does with the least distance where it is an equation on both.
+  // Let the camera be `shift` aside and `distance` away. Then |sideways − shift| ≤ half · (distance − nearness) must
+  // hold on both sides. At the least distance, both sides are equal.
   const fits = [wide, tall].map((half, axis) => {
     const high = Math.max(...places.map(({ sideways, nearness }) => sideways[axis] + half * nearness));
     const low = Math.min(...places.map(({ sideways, nearness }) => sideways[axis] - half * nearness));

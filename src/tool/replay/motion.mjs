@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 import { Orientations, at } from "./orientation.mjs";
 
-/** Numbers of an arc: t, position, velocity, acceleration, angular velocity, its rate; then the phase. */
+/** The numbers of an arc: t, position, velocity, acceleration, angular velocity, its rate. The phase follows them. */
 const numbers = 16;
 
 export const phases = ["flying", "sliding", "rolling", "spinning", "resting"];
 
-/** One body's arcs, and where it is at a time. */
+/** The arcs of one body, and its state at a time. */
 export class Motion {
   constructor(arcs, duration) {
     this.count = arcs.length;
@@ -30,9 +30,9 @@ export class Motion {
     return this.numbers[index * numbers];
   }
 
-  /** The last arc that has begun at this time; the first one before its start. */
+  /** The last arc that has begun at this time; the first arc if none has begun. */
   arc_at(time) {
-    // From one frame to the next it is the same or the next one.
+    // From one frame to the next, it is the same arc or the next one.
     for (let index = this.latest; index < Math.min(this.latest + 2, this.count); ++index) {
       const ends = index + 1 < this.count ? this.start_of(index + 1) : Infinity;
       if (this.start_of(index) <= time && time < ends) {
@@ -54,7 +54,7 @@ export class Motion {
     return low;
   }
 
-  /** Where it is at this time, how it moves, and in which phase. */
+  /** The position, orientation, velocities and phase at this time. */
   at(time) {
     const index = this.arc_at(time);
     const n = this.numbers.subarray(index * numbers, (index + 1) * numbers);
@@ -69,7 +69,7 @@ export class Motion {
     };
   }
 
-  /** The least box that its centre stays in, as [least, greatest]. */
+  /** The smallest box that the body's centre stays in, as [least, greatest]. */
   extent(duration) {
     const least = [Infinity, Infinity, Infinity];
     const greatest = [-Infinity, -Infinity, -Infinity];

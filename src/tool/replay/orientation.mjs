@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 import { cross, normalized, product, turn } from "./quaternion.mjs";
 
-/** What one arc may be off by, in radians: a hundredth of a pixel on a ball that fills the screen. */
+/** The permitted error of one arc [rad]: a hundredth of a pixel on a ball that fills the screen. */
 const tolerance = 1e-5;
 
 /**
- * In how many equal steps `turned` goes through an arc of this length, on which the angular velocity is w + b s.
- * Magnus' series, broken off after the term of order h³, leaves |w|³ |b| h⁵ / 720 a step, and that many steps add up.
- * Half a radian a step is well within where the series converges.
+ * The number of equal steps that `turned` takes through an arc of this duration, with the angular velocity w + b s.
+ * The Magnus series, truncated after the term of order h³, has an error of |w|³ |b| h⁵ / 720 a step. The errors add up.
+ * A step of half a radian is well within the radius of convergence.
  */
 export function steps_of(w, b, duration) {
   const sideways = Math.hypot(...cross(w, b));
   if (sideways === 0) {
-    return 1; // about one axis the first step is exact
+    return 1; // a turn about one axis is exact in one step
   }
   const greatest = Math.max(Math.hypot(...w), Math.hypot(...w.map((x, i) => x + b[i] * duration)));
   const angle = greatest * duration;
@@ -20,7 +20,7 @@ export function steps_of(w, b, duration) {
   return Math.max(1, Math.ceil(angle * 2), Math.ceil((angle ** 3 * change / (720 * tolerance)) ** 0.25));
 }
 
-/** The orientation q, turned for a duration by the angular velocity w + b s, both in the world's frame. */
+/** The orientation q, turned for a duration with the angular velocity w + b s. Both are in the world's frame. */
 export function turned(q, w, b, duration, steps = steps_of(w, b, duration)) {
   const h = duration / steps;
   let result = q;
@@ -34,18 +34,18 @@ export function turned(q, w, b, duration, steps = steps_of(w, b, duration)) {
   return normalized(result);
 }
 
-/** After so many steps an orientation is kept, so that a frame has few to go from there. */
+/** An orientation is kept after this many steps, so that a frame takes few steps from there. */
 const steps_between_knots = 24;
 
 /**
- * The orientation of a body over all its arcs, from the times, angular velocities and their rates at the arcs' starts.
- * Arcs of which the orientation is given start from that; the others go on from the arc before.
+ * The orientation of a body over its arcs, from the time, the angular velocity and its rate at the start of each arc.
+ * An arc with a given orientation starts from that. Any other arc continues the previous one.
  */
 export class Orientations {
   /** @param arcs [{ start, end, w, b, q or undefined }] */
   constructor(arcs) {
     this.arcs = arcs;
-    this.knots = []; // of each arc: orientations at equal distances in time
+    this.knots = []; // for each arc, orientations at equal distances in time
     let q = [1, 0, 0, 0];
     for (const { start, end, w, b, q: given } of arcs) {
       q = given ? normalized(given) : q;
@@ -63,7 +63,7 @@ export class Orientations {
     }
   }
 
-  /** At a time within the arc of this index. */
+  /** The orientation at a time within the arc of this index. */
   at(index, time) {
     const { start, w, b } = this.arcs[index];
     const { knots, length } = this.knots[index];
@@ -73,7 +73,7 @@ export class Orientations {
   }
 }
 
-/** The angular velocity so long after an arc's start. */
+/** The angular velocity at the time `since` after an arc's start. */
 export function at(w, b, since) {
   return w.map((x, i) => x + b[i] * since);
 }

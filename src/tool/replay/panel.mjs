@@ -8,9 +8,9 @@ function counted(count, one, many) {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** What the scene is made of, how many bodies are in which phase, and how one of them moves. */
+/** The contents of the scene, the number of bodies in each phase, and the motion of one body. */
 export class Panel {
-  /** @param changed called where another body is chosen */
+  /** @param changed called when another body is chosen */
   constructor(replay, changed) {
     this.replay = replay;
     const table = by_id("counts");

@@ -4,15 +4,15 @@ import { count_up_to } from "./replay_data.mjs";
 
 const speeds = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
-/** The time, and what moves it: the slider, the buttons, the keys and the clock. */
+/** The time, and its controls: the slider, the buttons, the keys and the clock. */
 export class Player {
-  /** @param changed called where the time or what goes with it is another one */
+  /** @param changed called when the time, the speed or the playback changes */
   constructor(replay, changed) {
     this.replay = replay;
     this.changed = changed;
     this.time = 0;
     this.is_playing = false;
-    // A scene that is over in a blink is shown slowly.
+    // A short scene is shown in slow motion.
     this.speed = speeds.find((speed) => replay.duration / speed <= 5) ?? 1;
     this.speed = Math.min(this.speed, 1);
     const speed = by_id("speed");
@@ -46,12 +46,12 @@ export class Player {
     this.changed();
   }
 
-  /** To the next impact, or the previous one. */
+  /** Seeks the next impact (sign > 0) or the previous one. */
   step(sign) {
     this.pause();
     const { impacts } = this.replay;
     const time_of = (i) => impacts[i].time;
-    // Impacts at one time, and those that no clock tells apart, are one step.
+    // Impacts at the same time, or closer than `slack`, are one step.
     const slack = this.replay.duration * 1e-9;
     const index = sign > 0 ? count_up_to(impacts.length, time_of, this.time + slack)
       : count_up_to(impacts.length, time_of, this.time - slack) - 1;
@@ -103,7 +103,7 @@ export class Player {
   /** One frame of the browser's clock, in milliseconds. */
   advance(now) {
     if (this.is_playing) {
-      // Where the page was hidden for a while, it goes on where it was.
+      // After the page was hidden, the replay continues where it was: a frame advances it by at most 100 ms.
       const since = this.latest === undefined ? 0 : Math.min(now - this.latest, 100);
       this.latest = now;
       this.time += since / 1000 * this.speed;

@@ -5,14 +5,14 @@ import { BufferGeometry, Color, EdgesGeometry, Float32BufferAttribute, Group, Li
 import { hue_of } from "./colours.mjs";
 import { cross, dot } from "./quaternion.mjs";
 
-/** Flat faces, in three shades by turns, so that a turn is seen. */
+/** Flat faces in three alternating shades, so that a turn is visible. */
 function geometry_of({ vertices, faces }) {
   const positions = [];
   const shades = [];
   faces.forEach((face, which) => {
     const corners = face.map((index) => vertices[index]);
     const side = (n) => corners[n].map((x, i) => x - corners[0][i]);
-    // Seen from outside, whichever way round the face is given: the centre of mass lies within.
+    // Orients the face outward, whatever the order of its corners. The centre of mass, at the origin, is inside.
     const outward = dot(cross(side(1), side(2)), corners[0]) >= 0;
     for (let n = 1; n + 1 < corners.length; ++n) {
       for (const corner of outward ? [0, n, n + 1] : [0, n + 1, n]) {

@@ -11,10 +11,10 @@ export function normalized(q) {
   return length > 0 ? q.map((component) => component / length) : [1, 0, 0, 0];
 }
 
-/** The turn about a vector by its length. */
+/** The turn about a vector by its length [rad]. */
 export function turn(vector) {
   const angle = Math.hypot(...vector);
-  // sin(x/2)/x, which is 1/2 at 0; x²/24 of that is below the last digit where the series is taken.
+  // sin(x/2)/x, whose limit at 0 is 1/2. For x ≤ 10⁻⁸, the relative error x²/24 of the limit is below the last digit.
   const share = angle > 1e-8 ? Math.sin(angle / 2) / angle : 0.5;
   return [Math.cos(angle / 2), ...vector.map((component) => component * share)];
 }

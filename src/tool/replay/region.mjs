@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSL-1.0
 import { cross, dot } from "./quaternion.mjs";
 
-// The space that planes and the room leave to the bodies: the points x with normal · x ≥ offset for each half-space.
+// The space that planes and the room leave to the bodies, as half-spaces: the points x with normal · x ≥ offset.
 
 function unit(vector) {
   const length = Math.hypot(...vector) || 1;
   return vector.map((x) => x / length);
 }
 
-/** Two unit vectors that span the plane of this normal; the first is level where that is possible. */
+/** Two unit vectors that span the plane of this normal. The first one is level. */
 export function spanning(normal, up) {
   const level = cross(up, normal);
   const first = unit(Math.hypot(...level) > 1e-6 ? level : cross(Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], normal));
   return [first, cross(normal, first)];
 }
 
-/** The half-spaces of a scene: its planes, the room where it has one, and else the box as borders that are not real. */
+/** The half-spaces of a scene: its planes, and its room. Without a room, the box is a border that is not real. */
 export function half_spaces(planes, room, box) {
   const all = planes.map(({ normal, point }) => {
     const n = unit(normal);
@@ -38,8 +38,8 @@ export function half_spaces(planes, room, box) {
 }
 
 /**
- * The face of a half-space in the region: its corners in order, each with the half-space behind the edge to the next
- * one; fewer than three where the region does not reach it.
+ * The face of a half-space in the region, as its corners in order. Each corner has the half-space behind the edge to
+ * the next corner. There are fewer than three corners if the region does not reach the face.
  */
 export function face_of(index, spaces, size, up) {
   const { normal, offset } = spaces[index];
@@ -75,14 +75,14 @@ function clipped(corners, { normal, offset }, other, slack) {
   return kept;
 }
 
-/** 1, 2 or 5 times a power of ten, for about so many cells in this length. */
+/** 1, 2 or 5 times a power of ten, for about `cells` cells in this length. */
 export function grid_step(length, cells) {
   const raw = length / cells;
   const power = 10 ** Math.floor(Math.log10(raw));
   return [1, 2, 5, 10].map((x) => x * power).find((x) => x >= raw * (1 - 1e-9));
 }
 
-/** The lines of a grid within a face, as pairs of points; its edges are none of them. */
+/** The lines of a grid within a face, as pairs of points. The face's edges are excluded. */
 export function grid_on(corners, normal, step, up) {
   const pairs = [];
   const axes = spanning(normal, up);
@@ -108,7 +108,7 @@ export function grid_on(corners, normal, step, up) {
   return pairs;
 }
 
-/** By how much one looks down, as the tangent: into a room from aside, onto what is flat from further above. */
+/** The tangent of the angle at which the camera looks down: small into a room, larger onto a flat box. */
 export function steepness([least, greatest], up) {
   const sides = least.map((low, axis) => greatest[axis] - low);
   const height = dot(sides, up.map(Math.abs));

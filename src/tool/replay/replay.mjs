@@ -14,7 +14,7 @@ function report(text) {
   by_id("picture").hidden = true;
 }
 
-/** The view, or nothing where there is no WebGL: what is not the picture works all the same. */
+/** The view, or null if there is no WebGL. Everything except the picture still works then. */
 function view_of(replay, changed) {
   try {
     const view = new View(by_id("picture"), replay, changed);
@@ -32,7 +32,7 @@ function view_of(replay, changed) {
   }
 }
 
-/** The colours of the page's style, light or dark, for what is drawn by WebGL. */
+/** The colours of the page's style, light or dark, for the WebGL picture. */
 function colours() {
   const style = getComputedStyle(document.documentElement);
   const of = (name) => style.getPropertyValue(`--${name}`).trim();
@@ -48,7 +48,7 @@ function start() {
     by_id("law").lastElementChild.textContent = replay.law;
   }
 
-  // Of so many they hide the bodies.
+  // More rings would hide the bodies.
   by_id("rings").checked = replay.bodies.length <= 2000;
   let is_due = false;
   const draw = (now) => {
@@ -88,7 +88,7 @@ function start() {
   let size = "";
   const resize = () => {
     const { clientWidth, clientHeight } = by_id("stage");
-    // A canvas that is given its size waits for all that is still being drawn, so only where it is another one.
+    // Setting the size of a canvas waits for all pending drawing, so it is only set if it changed.
     const now = [clientWidth, clientHeight, devicePixelRatio].join(" ");
     if (now === size) {
       return;
@@ -96,7 +96,7 @@ function start() {
     size = now;
     view?.resize(Math.max(clientWidth, 1), Math.max(clientHeight, 1), devicePixelRatio);
     chart.resize();
-    // At once, for a resized canvas is empty until it is drawn.
+    // A resized canvas is empty, so it is drawn at once.
     draw(performance.now());
   };
   to_fragment();

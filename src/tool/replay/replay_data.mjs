@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 import { Motion } from "./motion.mjs";
 
-/** The replay as the page holds it, made ready: motions that can be asked, impacts in the order of time. */
+/** Reads the page's replay, with a Motion for each body, and the impacts in the order of time. */
 export function read(text) {
   const raw = JSON.parse(text);
   const duration = Math.max(Number(raw.duration) || 0, 1e-12);
@@ -25,17 +25,17 @@ export function read(text) {
   };
 }
 
-/** The radius of the least ball about a body's centre that holds it. */
+/** The radius of the smallest ball about a body's centre that contains the body [m]. */
 export function radius_of(body) {
   return body.kind === "sphere" ? body.radius : Math.max(...body.vertices.map((v) => Math.hypot(...v)));
 }
 
-/** The median of the bodies' radii; infinite where there are none. */
+/** The median of the bodies' radii [m]; infinite if there are no bodies. */
 export function typical_radius(bodies) {
   return bodies.map(radius_of).sort((a, b) => a - b)[bodies.length >> 1] ?? Infinity;
 }
 
-/** How many of these ascending numbers are at most x. */
+/** The count of numbers, out of `count` ascending ones, that are at most x. */
 export function count_up_to(count, number_at, x) {
   let low = 0;
   let high = count;

@@ -24,7 +24,7 @@ function filled(corners, material) {
   return new Mesh(geometry, material);
 }
 
-/** Floors with a grid and the shadows on them, walls as edges and a breath of colour. */
+/** Floors with a grid and shadows. Walls are drawn as edges and a faint colour. */
 export class Surroundings {
   constructor(replay, box, up) {
     this.group = new Group();
@@ -45,7 +45,7 @@ export class Surroundings {
         return;
       }
       const meets = ({ behind }) => behind >= 0 && spaces[behind].real;
-      // A wall that stands alone is seen from behind by its outline.
+      // A wall that stands alone gets an outline, so that it is visible from behind.
       const is_alone = Math.abs(dot(normal, up)) < 0.3 && !corners.some(meets);
       corners.forEach((corner, i) => {
         const { point } = corner;

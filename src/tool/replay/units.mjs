@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 const prefixes = [["p", 1e-12], ["n", 1e-9], ["µ", 1e-6], ["m", 1e-3], ["", 1], ["k", 1e3], ["M", 1e6], ["G", 1e9]];
 
-/** The prefix that makes a number of this size one of 1 to 1000, as [letter, factor]. */
+/** The prefix with which a number of this size is from 1 to 1000, as [letter, factor]. */
 export function prefix_of(size) {
   const fitting = prefixes.filter(([, factor]) => Math.abs(size) >= factor * 0.9995);
   return size === 0 ? ["", 1] : fitting.at(-1) ?? prefixes[0];
 }
 
-/** 2e+2 as 200. */
+/** Writes 2e+2 as 200. */
 function plain(text) {
   return text.includes("e") ? String(Number(text)) : text;
 }
 
-/** A number with its unit, to so many digits. */
+/** A number with its unit, to `digits` significant digits. */
 export function quantity(value, unit, digits = 4) {
   if (!Number.isFinite(value)) {
     return "–";

@@ -13,9 +13,9 @@ import { typical_radius } from "./replay_data.mjs";
 import { Rings } from "./rings.mjs";
 import { Surroundings } from "./surroundings.mjs";
 
-/** The picture of a replay in space. Throws where the browser has no WebGL. */
+/** The 3D picture of a replay. Throws if the browser has no WebGL. */
 export class View {
-  /** @param changed called where the picture has to be drawn anew */
+  /** @param changed called when the picture must be redrawn */
   constructor(canvas, replay, changed) {
     this.replay = replay;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -68,7 +68,7 @@ export class View {
     this.scene.add(sun, sun.target);
   }
 
-  /** A level direction, to the right and in front of who looks. */
+  /** A level direction, to the right and in front of the viewer. */
   aside(up) {
     const axis = new Vector3(...up);
     const level = Math.abs(axis.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);

@@ -12,7 +12,7 @@
 namespace carom::tool {
 namespace {
 
-/// What each of these letters is written as, and all others as they are.
+/// The text with each of the `letters` replaced by its counterpart in `written`.
 std::string with_letters_as(std::string_view text, std::string_view letters,
                             std::initializer_list<std::string_view> written) {
   std::string result;
@@ -28,8 +28,8 @@ std::string with_letters_as(std::string_view text, std::string_view letters,
   return result;
 }
 
-/// JSON that a script element can hold. Only "<" could end the element or begin a comment in it, and outside of its
-/// strings JSON has none.
+/// JSON that is safe inside a script element. Only "<" could end the element or begin a comment in it. JSON has "<"
+/// only in its strings.
 std::string embedded(const nlohmann::json& replay) {
   const std::string text = replay.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return with_letters_as(text, "<", {"\\u003c"});

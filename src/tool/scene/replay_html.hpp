@@ -8,13 +8,12 @@
 
 namespace carom::tool {
 
-/// Whether the program was built with the page of replays: src/tool/replay had its packages of npm then.
+/// Whether the program was built with the page of replays, because src/tool/replay had its npm packages.
 [[nodiscard]] bool has_replay();
 
-/// A scene to look at: one page that needs nothing else and loads nothing, and runs the script that it contains alone.
-/// `replay` is as docs/reference/replay.md says. Whatever stands in it and in `title`, it adds no element to the page;
-/// what is no UTF-8 becomes U+FFFD.
-/// Throws std::logic_error where has_replay() is false.
+/// The replay of a scene as one page. It loads nothing, and runs only the script that it contains. `replay` has the
+/// format of docs/reference/replay.md. No content of `replay` or `title` adds an element to the page. Bytes that are
+/// not UTF-8 become U+FFFD. Throws std::logic_error if has_replay() is false.
 [[nodiscard]] std::string replay_html(std::string_view title, const nlohmann::json& replay);
 
 }  // namespace carom::tool

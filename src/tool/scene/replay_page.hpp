@@ -5,8 +5,8 @@
 
 namespace carom::tool {
 
-/// The page that src/tool/replay/bundle.mjs makes, with {{title}} and {{replay}} where these belong; empty where the
-/// program was built without it.
+/// The page that src/tool/replay/bundle.mjs makes, with the marks {{title}} and {{replay}}; empty if the program was
+/// built without it.
 [[nodiscard]] std::string_view replay_page();
 
 }  // namespace carom::tool

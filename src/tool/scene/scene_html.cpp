@@ -94,7 +94,7 @@ Document order_part(const SceneRun& run) {
   return {std::move(facts)};
 }
 
-/// The files beside the page.
+/// The files next to the page.
 List files_beside(bool has_replay) {
   List list;
   for (const char* file :

@@ -7,8 +7,8 @@
 
 namespace carom::tool {
 
-/// report.html of a scene, in the way of the gate's: one page, without script or network, well-formed XML as well. It
-/// links replay.html, where that is beside it, and shows the pictures that are.
+/// The report.html of a scene, in the style of the gate's report: one page without script or network, which is
+/// well-formed XML too. If `has_replay_beside`, it links replay.html. It links the pictures next to it.
 [[nodiscard]] std::string scene_html(const SceneRun& run, bool has_replay_beside);
 
 }  // namespace carom::tool

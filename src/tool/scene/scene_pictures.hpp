@@ -11,17 +11,17 @@
 
 namespace carom::tool {
 
-/// What a picture shows of one run.
+/// The data of one run for a picture.
 struct SampledLaw {
   std::string law;
   std::vector<Sample> samples;
 };
 
-/// Energy over time: of one law its parts and what is lost, of several the whole of each.
+/// Energy over time [J]. One law: its parts and the lost energy. Several laws: the total of each law.
 [[nodiscard]] report::Plot energy_picture(std::span<const SampledLaw> laws);
-/// The components of the momentum, or of several laws its size.
+/// Momentum over time [N s]. One law: its components. Several laws: the magnitude of each law.
 [[nodiscard]] report::Plot momentum_picture(std::span<const SampledLaw> laws);
-/// Energy of rotation.
+/// The mean of ‖w‖ over the bodies [rad/s], for each law.
 [[nodiscard]] report::Plot spin_picture(std::span<const SampledLaw> laws);
 
 }  // namespace carom::tool

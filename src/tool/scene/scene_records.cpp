@@ -32,7 +32,7 @@ json energies_json(const properties::Energies& energies) {
           {"potential", static_cast<double>(energies.potential)}};
 }
 
-/// How often a body that tumbles is shown where it is, rather than turning at a constant rate.
+/// The longest arc of a tumbling body in a replay. On an arc, the replay takes the angular velocity as linear in time.
 constexpr double longest_replayed_arc = 1.0 / 60;  // [s]
 
 json arc_json(const scene::Arc& arc) {
@@ -49,7 +49,8 @@ json arc_json(const scene::Arc& arc) {
   return row;
 }
 
-/// A polyhedron's arc in pieces, each with its orientation: within them its angular velocity is taken as linear.
+/// Adds a polyhedron's arc in pieces, each with its orientation. On a piece, the angular velocity is taken as linear in
+/// time.
 void add_tumbling_arcs(json& arcs, const scene::Arc& arc, const Quaternion<double>& orientation,
                        const Vector3<double>& principal_inertia, double end) {
   const double span = std::max(0.0, end - arc.path.start);
@@ -132,8 +133,8 @@ std::string count_text(unsigned long long count, const char* one, const char* ma
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Of polyhedra: what follows from their shapes, and how the axes that events.csv has the orientations of lie in their
-/// own frames.
+/// For each polyhedron, the properties that follow from its shape, and its principal axes in its own frame. The
+/// orientations in events.csv are those of the principal axes.
 json bodies_json(const SceneRun& run) {
   json bodies = json::array();
   for (const scene::Polyhedron& polyhedron : run.scene().polyhedra) {

@@ -10,11 +10,11 @@ namespace carom::tool {
 namespace {
 
 constexpr std::size_t sample_count = 400;
-constexpr std::uint64_t events_of_a_check = 100'000;  // so many are held at once
-/// What all rounding together may be of the energy, of a scene in double.
+constexpr std::uint64_t events_of_a_check = 100'000;  // the most events that are kept for a check
+/// The limit of the total rounding error relative to the scale of the energy, for a scene in binary64.
 constexpr double rounding_limit_in_double = 1e-12;
 
-/// What is stored is a double: an impulse computed in more is judged by that.
+/// The states are stored in binary64, so an impulse of a higher precision is judged as binary64.
 Precision judged_precision(const scene::Scene& scene) { return std::min(scene.precision, Precision::binary64); }
 
 oracles::Yardstick yardstick_of(Precision precision) {

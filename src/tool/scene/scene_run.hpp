@@ -19,19 +19,19 @@
 namespace carom::tool {
 
 struct SceneOptions {
-  std::uint64_t judge_every = 1;  // every so many impulses; 0: none
+  std::uint64_t judge_every = 1;  // every Nth impulse is judged; 0: none
   bool check = true;              // that nothing overlaps
   std::optional<std::uint64_t> most_events;
-  std::uint64_t most_replayed = 100'000;  // events that a replay holds, which ends there; 0: no replay
+  std::uint64_t most_replayed = 100'000;  // most events of a replay, which is cut there; 0: no replay
   std::stop_token stop;
   std::function<void(const scene::Event&)> on_event;  // empty for none
-  std::function<void(double)> on_progress;            // of the time that is simulated; empty for none
+  std::function<void(double)> on_progress;            // called with the simulated time [s]; empty for none
 };
 
-/// A scene, run, and what came of it. What it holds refers to itself: it stays where it is.
+/// A scene, and the result of its run. It cannot be moved, because its members refer to each other.
 class SceneRun {
  public:
-  /// Precondition: the scene is valid. Throws SceneError where bodies overlap at the beginning.
+  /// Precondition: the scene is valid. Throws SceneError if bodies overlap at the start.
   SceneRun(const scene::Scene& scene, const SceneOptions& options);
   SceneRun(const SceneRun&) = delete;
   SceneRun& operator=(const SceneRun&) = delete;
@@ -39,36 +39,37 @@ class SceneRun {
   SceneRun& operator=(SceneRun&&) = delete;
   ~SceneRun() = default;
 
-  /// To its end, or until it is stopped. Call it once.
+  /// Runs the scene to its end, or until it is stopped. Call it once.
   void run();
 
   [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }
   [[nodiscard]] const scene::SceneLoop& simulation() const { return simulation_; }
   [[nodiscard]] const properties::Ledger& ledger() const { return ledger_; }
   [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
-  /// Where it was checked.
+  /// Empty if it was not checked.
   [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
   [[nodiscard]] const std::vector<Sample>& samples() const { return series_.samples(); }
-  /// Where it began.
+  /// The state at the start.
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
-  /// The events of a replay; none where there is to be none.
+  /// The events of a replay; empty if there is no replay.
   [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
-  /// Up to when these are all that happened: the present, or where they had become too many.
+  /// The time until which the replay has every event [s]: the present, or the first event that it leaves out.
   [[nodiscard]] double replayed_until() const { return cut_ ? *cut_ : simulation_.time(); }
   [[nodiscard]] bool is_replay_cut() const { return cut_.has_value(); }
-  /// Bodies that an event has ever given another w, by a bit, or a changing one.
+  /// The number of bodies whose angular velocity an event changed, even by one bit, or whose arc before an event had an
+  /// angular acceleration.
   [[nodiscard]] std::size_t spins_changed() const;
-  [[nodiscard]] double seconds() const { return seconds_; }  // of wall time, with all that was judged
-  /// Why the duration was not reached; empty where it was.
+  [[nodiscard]] double seconds() const { return seconds_; }  // wall time, including the judgement [s]
+  /// The reason why the duration was not reached; empty if it was reached.
   [[nodiscard]] const std::string& ended_early() const { return ended_early_; }
-  /// Whether it could not go on, rather than being stopped.
+  /// Whether the scene could not continue, as opposed to being stopped.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
-  /// All rounding together beside the scale of the energy, and what is allowed of it.
+  /// The total rounding error relative to the scale of the energy, and its limit.
   [[nodiscard]] double relative_rounding() const;
   [[nodiscard]] double rounding_limit() const;
   [[nodiscard]] bool is_closed() const { return relative_rounding() <= rounding_limit(); }
-  /// Whether nothing was found to be wrong.
+  /// Whether no fault was found.
   [[nodiscard]] bool holds() const;
 
  private:

@@ -9,25 +9,25 @@
 
 namespace carom::tool {
 
-/// A scene at one time.
+/// The state of a scene at one time.
 struct Sample {
   double time = 0;                       // [s]
   double translation = 0, rotation = 0;  // kinetic energy [J]
-  double potential = 0;                  // −m g·x, 0 where it began [J]
+  double potential = 0;                  // −m g·x, relative to the start [J]
   Vector3<double> momentum{0, 0, 0};     // [N s]
-  double mean_spin = 0;                  // of ‖w‖ [rad/s]
+  double mean_spin = 0;                  // mean of ‖w‖ over the bodies [rad/s]
 
   [[nodiscard]] double total() const { return translation + rotation + potential; }
 };
 
-/// Samples at equal distances of time, for pictures.
+/// Samples at equal intervals of time, for pictures.
 class Series {
  public:
-  /// From where a scene begins; the scene that the state refers to stays.
+  /// Begins at the start of a scene. Precondition: the scene that the state refers to outlives this object.
   Series(const scene::SceneState& state, std::size_t count);
 
   void record(const scene::Event& event);
-  /// Nothing more happens until then.
+  /// Samples up to `time`. Precondition: no event happens until then.
   void close(double time);
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 

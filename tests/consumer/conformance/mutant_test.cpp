@@ -3,7 +3,7 @@
 
 #include "textbook.hpp"
 
-/// The textbook's solver, with the restitution added twice.
+/// The textbook's solver with a defect: it adds the restitution twice.
 struct Mutant {
   carom::Outcome<double> operator()(carom::impulse::Contact<double> contact) const {
     contact.restitution += contact.restitution;

@@ -3,8 +3,8 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// A stranger's solver with a defect that README.md's property finds: whether bodies approach is looked up in the
-/// velocities of their centres, and what turns towards the contact is missed.
+/// A user's solver with a defect that README.md's property finds: it decides from the velocities of the centres
+/// whether the bodies approach, and ignores their rotation.
 inline carom::Outcome<double> my_solver(const carom::Collision& c) {
   carom::Outcome<double> after = carom::unchanged(c);
   const double of_a = c.a.immovable ? 0 : 1 / c.a.mass;

@@ -7,7 +7,7 @@
 inline carom::Outcome<double> textbook(const carom::impulse::Contact<double>& contact) {
   using Vector = Eigen::Vector3d;
   const auto& [a, b, normal, restitution, friction, tangential_restitution] = contact;
-  static_cast<void>(friction + tangential_restitution);  // a textbook of smooth bodies
+  static_cast<void>(friction + tangential_restitution);  // a textbook's bodies are smooth
   carom::Outcome<double> after{{a.velocity, a.angular_velocity}, {b.velocity, b.angular_velocity}};
   const Vector velocity_of_a = a.velocity + a.angular_velocity.cross(a.lever_arm);
   const Vector velocity_of_b = b.velocity + b.angular_velocity.cross(b.lever_arm);

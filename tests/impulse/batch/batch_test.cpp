@@ -16,12 +16,13 @@
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/properties/families/family.hpp>
 
-/// Each instruction set that the machine has gives the bits of the scalar solvers, wherever the arrays start and
-/// however many contacts there are.
+/// Each available instruction set gives the same bits as the scalar solvers, for any alignment of the arrays and any
+/// number of contacts.
 namespace carom::impulse {
 namespace {
 
-/// Cases of every family in turn, so that neighbours in a pack differ: colliding, separating, both immovable, extreme.
+/// Cases of every family in turn, so that neighbours in a pack differ: colliding, separating, both immovable,
+/// extreme.
 std::vector<Collision> mixed_collisions(std::size_t count) {
   const auto families = properties::all_families();
   std::vector<Collision> collisions;
@@ -50,7 +51,7 @@ Outcome<S> solved_alone(const Contact<S>& contact, Model model) {
   return outcome;
 }
 
-/// Equal bits, where NaN is equal to NaN.
+/// Bitwise equality; any NaN equals any other NaN.
 template <class S>
 bool same_bits(S x, S y) {
   return (x == y && std::signbit(x) == std::signbit(y)) || (std::isnan(x) && std::isnan(y));
@@ -105,7 +106,8 @@ TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
   }
 }
 
-/// Arrays of `length` numbers in memory of their own, `offset` numbers into it, between numbers that must not change.
+/// Arrays of `length` numbers in separate memory, starting `offset` numbers into it. The numbers before and after
+/// must not change.
 template <class S>
 struct Guarded {
   static constexpr S guard = S(12345);
@@ -176,7 +178,7 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-/// A law of one's own, in packs of the instruction set that this is compiled for.
+/// A user's own law, in packs of the instruction set that this file is compiled for.
 TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
@@ -205,7 +207,7 @@ TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   }
 }
 
-/// Where rounding has made a pivot NaN, a pack must not make a number of it where the scalar solver does not.
+/// If rounding makes a pivot NaN, a pack must not replace it by a number unless the scalar solver does.
 TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
   using S = TypeParam;
   constexpr S nan = std::numeric_limits<S>::quiet_NaN();
@@ -248,8 +250,8 @@ TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
   }
 }
 
-/// The numbers of one contact and of its outcome, which are read and written together, lie on different lines of a
-/// page.
+/// The numbers of one contact and its outcome are read and written together, so they lie in different cache lines of
+/// a page.
 TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   constexpr std::uintptr_t page = 4096;
   for (const std::size_t size : {1U, 64U, 256U, 1000U, 4096U}) {

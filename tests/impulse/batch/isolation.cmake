@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSL-1.0
 # cmake -DNM=… -DOBJECTS=… -P isolation.cmake
-# The linker keeps one of many copies of an inline function. Where the copy comes from a unit compiled for a wide
-# instruction set, a machine without that set ends at it. So all that such a unit may define for others are the functions
-# of its own namespace, carom::impulse::avx2 or ::avx512, and inline functions of packs that are as wide: no unit for a
-# narrower set refers to those.
+#
+# The linker keeps one of many copies of an inline function. If the copy comes from a unit compiled for a wide
+# instruction set, the program crashes on a machine without that set. So such a unit may define only two kinds of
+# functions for other units. The first kind is in its own namespace, carom::impulse::avx2 or ::avx512. The second kind
+# is an inline function of packs of the same width, because no unit for a narrower set refers to it.
 
 set(own "(T _ZN5carom7impulse(4avx2|6avx512)|[WV] .*simd_abi.*(_VecBuiltinILi32E|_VecBltnBtmskILi64E))")
 foreach(object IN LISTS OBJECTS)
@@ -13,8 +14,8 @@ foreach(object IN LISTS OBJECTS)
   endif()
   string(REGEX MATCHALL "[^\n]+" lines "${symbols}")
   foreach(line IN LISTS lines)
-    # What is local is spelt in small letters, but for what is unique in the program. The reference to the handler of
-    # exceptions is data.
+    # nm prints lower-case letters for local symbols, except for unique global symbols. The reference to the exception
+    # handler is data.
     if(line MATCHES " [A-Ziu] " AND NOT line MATCHES " ${own}" AND NOT line MATCHES " V DW.ref.__gxx_personality_v0$")
       message(FATAL_ERROR "another unit could be linked with what ${object} defines: ${line}")
     endif()

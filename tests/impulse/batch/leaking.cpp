@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What isolation.cmake is there to find: an inline function of the standard library compiled in this unit.
+// isolation.cmake must find this: an inline function of the standard library compiled in this unit.
 #include <algorithm>
 
 namespace carom::impulse::avx2 {

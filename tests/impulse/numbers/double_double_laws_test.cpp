@@ -7,8 +7,8 @@
 
 namespace carom::unit {
 
-/// Rounded, without a bound: no law here takes more than twelve operations on either side, each good to 15u² and a
-/// little of its terms, u² = 2⁻¹⁰⁶ (the header's bounds).
+/// A rounded type without a bound. Each law here has at most twelve operations on either side. Each operation is
+/// accurate to 15u², plus a small part of its terms, with u² = 2⁻¹⁰⁶ (the header's bounds).
 template <>
 struct NumberType<impulse::DoubleDouble> {
   using T = impulse::DoubleDouble;

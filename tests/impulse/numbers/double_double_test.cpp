@@ -20,7 +20,7 @@ const Rational u2 = Rational(std::ldexp(1.0, -106));
 
 Rational size(const Rational& x) { return x < 0 ? -x : x; }
 
-/// Between 2⁻²⁰ and 2²⁰ in size, all 106 bits drawn, of either sign.
+/// A number between 2⁻²⁰ and 2²⁰ in size, of either sign, with all 106 bits random.
 DoubleDouble draw(properties::Stream& stream) {
   const double high = stream.between(1, 2) * stream.power_of_two(-20, 20) * (stream.chance(2) ? 1 : -1);
   // A low part of at most half an ulp of high.
@@ -34,7 +34,7 @@ void for_each_pair(const F& f) {
     const DoubleDouble x = draw(stream);
     const DoubleDouble y = draw(stream);
     f(x, y);
-    f(x, -(x + y * DoubleDouble(std::ldexp(1.0, -60))));  // nearly −x: cancels
+    f(x, -(x + y * DoubleDouble(std::ldexp(1.0, -60))));  // nearly −x, so the sum cancels
   }
 }
 
@@ -52,7 +52,7 @@ TEST(DoubleDouble, KeepsTheBoundsOfThePaper) {
     EXPECT_LE(size(exact(x / y) - quotient), 16 * u2 * size(quotient));
     inexact += exact(x * y) != product && exact(x / y) != quotient ? 1 : 0;
   });
-  EXPECT_GT(inexact, 3000);  // the pairs do use the bits
+  EXPECT_GT(inexact, 3000);  // the pairs do use the low bits
 }
 
 TEST(DoubleDouble, KeepsTheLowPartBelowHalfAnUlp) {
@@ -70,7 +70,7 @@ TEST(DoubleDouble, ComparesByBothParts) {
   EXPECT_TRUE(DoubleDouble(-2) < one && DoubleDouble(2) > more);
 }
 
-/// |√x − r| ≤ e r, e = 25/8 u², by the squares of r (1 ± e).
+/// The computed root r satisfies |√x − r| ≤ e r with e = 25/8 u². The test checks it by the squares of r (1 ± e).
 TEST(DoubleDouble, TakesSquareRootsAsThePaperSays) {
   const Rational most = u2 * Rational(25, 8);
   for_each_pair([&](const DoubleDouble& x, const DoubleDouble&) {

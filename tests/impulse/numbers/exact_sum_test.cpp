@@ -16,12 +16,12 @@ namespace {
 using unit::Rational;
 using unit::sign_of;
 
-/// Any finite double, subnormal ones among them, of exponents from `least` to `most`.
+/// A random finite double, possibly subnormal, with an exponent from `least` to `most`.
 double draw(properties::Stream& stream, int least, int most) {
   return std::ldexp(stream.between(-1, 1), stream.integer(least, most));
 }
 
-/// Sums of products, and the same less most of themselves, against ℚ.
+/// Compares sums of products, and the same sums minus most of their value, with ℚ.
 void compare(int least, int most) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     properties::Stream stream = properties::case_stream(unit::seed, "exact_sum", i);

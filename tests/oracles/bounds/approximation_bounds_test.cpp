@@ -8,7 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// The constants of oracles/numbers/approximation.hpp: what its inequalities (1) to (4) lose in binary64.
+/// Checks the constants of oracles/numbers/approximation.hpp: the rounding error of its inequalities (1) to (4) in
+/// binary64.
 namespace carom::bounds {
 namespace {
 
@@ -16,18 +17,18 @@ namespace approximation = oracles::approximation;
 using oracles::Approximation;
 using oracles::Rational;
 
-/// More than one, so that no product with it is exact; what was computed before does not count.
+/// An input with a rounding error. It is not one, so no product with it is exact. Earlier roundings do not count.
 const RoundingCount any_radius = RoundingCount::input(3);
 
-/// The last product, by `up`, is one of the roundings; so is the sum with `least`.
+/// The last product, by `up`, is one of the roundings. The sum with `least` is another.
 TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
   const int of_product =
       approximation::radius_of_product(any_radius, any_radius, any_radius, any_radius, any_radius).roundings();
-  // By (4) |x̂ / ŷ| ≤ (1 + u) |q|: one more.
+  // By (4) |x̂ / ŷ| ≤ (1 + u) |q|, which adds one.
   const int of_quotient =
       approximation::radius_of_quotient(any_radius, any_radius, any_radius, any_radius).roundings() + 1;
-  // By (5) ẑ ≤ (1 + u) √x̂: one more.
+  // By (5) ẑ ≤ (1 + u) √x̂, which adds one.
   const int of_root = approximation::radius_of_root(any_radius, any_radius).roundings() + 1;
   const int of_size = approximation::above(any_radius, any_radius).roundings();
   const int most = std::max({of_sum, of_product, of_quotient, of_root, of_size});
@@ -36,15 +37,15 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));
 }
 
-/// Each operation on a bound may lose half the least number, and no formula has more of them than a product has
-/// terms; where one of these is divided by, what was lost is there to be divided.
+/// Each operation on a bound may lose half the least number, and no formula has more operations than a product. A
+/// quotient adds `least_number` before it divides, because the division enlarges the loss.
 TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
   constexpr int operations = 8;
   EXPECT_GE(approximation::least, operations * 0x1p-1074 / 2);
   EXPECT_GE(approximation::least_number, 0x1p-1074);
 }
 
-/// |x / y − q| ≤ radius for all x, y within their own.
+/// Checks |x / y − q| ≤ radius for all x and y within their radii.
 testing::AssertionResult contains_quotients(const Approximation& x, const Approximation& y) {
   const Approximation q = x / y;
   for (const int of_x : {-1, 1}) {
@@ -61,7 +62,7 @@ testing::AssertionResult contains_quotients(const Approximation& x, const Approx
   return testing::AssertionSuccess();
 }
 
-/// A divisor that is hardly known, at the end of the range: |q| r_y underflows, and is then divided by 2⁻¹⁰⁴⁰.
+/// A divisor with a large relative error, at the end of the range: |q| r_y underflows, and is then divided by 2⁻¹⁰⁴⁰.
 TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   int tried = 0;
   for (int k = 1; k <= 40; ++k) {
@@ -78,7 +79,7 @@ TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   EXPECT_GT(tried, 700);
 }
 
-/// (1) to (4) by the letter: each operation on numbers at the ends of their radii.
+/// (1) to (4), checked directly: each operation on numbers at the ends of their radii.
 TEST(ApproximationBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(51);
   for (int i = 0; i < 4000; ++i) {

@@ -8,14 +8,14 @@
 
 #include "support/exact.hpp"
 
-/// The bounds of a collision agree with ℚ, and with the known answers of some collisions.
+/// The bounds of a collision agree with ℚ, and with the known values of some collisions.
 namespace carom::bounds {
 namespace {
 
 using oracles::BoundedCase;
 using oracles::Rational;
 
-/// A body of unit mass with equal moments against a wall, struck at `arm` from its centre.
+/// A body of unit mass with equal moments that hits a wall at `arm` from its centre.
 Collision against_a_wall(const Vector3<double>& arm, double moment) {
   Collision c;
   c.b.immovable = true;
@@ -34,7 +34,7 @@ Rational condition_bound(const Collision& c) {
   return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
 }
 
-/// The bound is rounded a few times, so a thousandth about the threshold is left out.
+/// The bound itself is rounded, so the test skips a thousandth around the threshold.
 TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   properties::Stream stream = properties::stream_from(77);
   int well = 0;
@@ -57,8 +57,9 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// Two bodies that spin about z, with all places and arms along y and the normal along x: no product of components is
-/// less than that of the lengths, and the bound is the sum itself, ‖N‖ Σ ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + the extent).
+/// Two bodies that spin about z, with all positions and lever arms along y and the normal along x. Then each product
+/// of components equals the product of the lengths. So the bound is the sum itself, ‖N‖ Σ ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ +
+/// the extent).
 TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
   Collision c;
   c.normal = {3, 0, 0};
@@ -82,17 +83,18 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   c.a.velocity = {0, 0, 1};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
   EXPECT_EQ(BoundedCase(c).normal_velocity()->value, 1);
-  // Exactly zero: no radius is less than a share of nothing.
+  // N·V is exactly zero, with a radius of zero.
   c.a.velocity = {1, 0, 0};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
-  // All but a part of 2⁻⁴⁰ cancels: binary64 keeps four digits, an enclosure twenty.
+  // Everything except a part of 2⁻⁴⁰ cancels: binary64 keeps four digits, an enclosure twenty.
   c.b.velocity = {0, 0, 1};
   c.a.velocity = {0, 0, 1 + 0x1p-40};
   ASSERT_TRUE(BoundedCase(c).normal_velocity());
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
 }
 
-/// r along the long axis of a needle: r·r / I₁ is large, and K sees nothing of it. Rounding may hide K's own norm.
+/// r lies along the long axis of a needle. r·r / I₁ is large, but cancels in K. Rounding errors may exceed K's own
+/// norm.
 TEST(BoundedCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
   Collision c = against_a_wall({1, 0, 0}, 1);  // K = diag(1, 2, 2), of norm 3
   c.a.principal_inertia = {0x1p-21, 1, 1};

@@ -10,7 +10,7 @@
 #include "normalised_collision.hpp"
 #include "support/exact.hpp"
 
-/// The constants of oracles/filters/case_bounds.hpp, by its inequalities.
+/// Checks the constants of oracles/filters/case_bounds.hpp by its inequalities.
 namespace carom::bounds {
 namespace {
 
@@ -22,7 +22,7 @@ constexpr double ten_to_minus_6 = 1e-6;
 TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   const int n = oracles::normal_velocity_before(normalised_collision<RoundingCount>()).roundings();
   EXPECT_EQ(case_bounds::roundings_of_normal_velocity, n);
-  // S itself is rounded by less than a thousandth.
+  // The relative rounding error of S is less than a thousandth.
   EXPECT_TRUE(covers(ten_to_minus_6, n * u / (1 - n * u) * 1.001 / case_bounds::known_share_of_normal_velocity, 8));
   EXPECT_TRUE(covers(ten_to_minus_6, case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
@@ -33,7 +33,7 @@ TEST(BoundedCase, LeaveRoomForTheRoundingOfTheGrazingBand) {
   EXPECT_GE(case_bounds::factor_for_grazing * (1 - roundings * u), 1 + roundings * u);
 }
 
-/// Masses and moments as inputs of differentiation.
+/// The collision with masses and moments as inputs of differentiation.
 template <class S, class Convert>
 BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracles::Dual<S, 8>> c,
                                                            const Convert& convert) {
@@ -71,7 +71,7 @@ TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   }
 }
 
-/// Σ over masses and moments of the errors of ‖∂K/∂x_j‖_F |x_j|, in u, where ‖r‖ and min I are one.
+/// Σ over masses and moments of the errors of ‖∂K/∂x_j‖_F |x_j|, in u, for ‖r‖ = 1 and min I = 1.
 double error_of_matrix_sensitivity() {
   using T = oracles::Dual<RoundingCount, 8>;
   const Matrix3<T> k = oracles::response_matrix(

@@ -10,15 +10,16 @@
 #include "covers.hpp"
 #include "normalised_collision.hpp"
 
-/// The constants of oracles/filters/closeness_bounds.hpp, by its inequalities (3) to (6); (1) is closeness_test's.
+/// Checks the constants of oracles/filters/closeness_bounds.hpp by its inequalities (3) to (6). closeness_test checks
+/// (1).
 namespace carom::bounds {
 namespace {
 
 namespace closeness = oracles::closeness_bounds;
 using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
-/// By how many u ‖∂g/∂ŷ_k‖ may be off as it is computed, of a normalised collision and velocities of one at most: the
-/// length of the errors of the derivatives, and the roundings of the norm.
+/// The largest rounding error of ‖∂g/∂ŷ_k‖, in u, for a normalised collision and velocities of at most one. It covers
+/// the length of the errors of the derivatives and the roundings of the norm.
 template <class OneEquation>
 PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wall = false) {
   BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
@@ -47,10 +48,10 @@ PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wal
   return errors;
 }
 
-/// The roundings of a norm: of six squares at most, their sum and the root; relative to the norm.
+/// The roundings of a norm of at most six components: the squares, their sum and the root; relative to the norm.
 constexpr double roundings_of_norm = 6;
 
-/// (3): relative to slopes of one or more: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
+/// (3): relative to slopes of at least one: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
 TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   namespace equation = oracles::equation;
   double most = 0;
@@ -84,7 +85,8 @@ TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   }
 }
 
-/// (5): the slopes' rounding, the noise by both ways to compute the scale, the roundings of the sums and the products.
+/// (5): the rounding of the slopes, the noise in both ways to compute the scale, and the roundings of the sums and
+/// products.
 TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   constexpr double of_noise = closeness::share_for_noise * (1 + 4 * closeness::share_for_noise);
   constexpr double of_sums = 32 * u;
@@ -92,10 +94,10 @@ TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   EXPECT_TRUE(covers(closeness::set_aside, closeness::rounding_of_slope + of_noise + of_sums, 4));
 }
 
-/// (6)
+/// Inequality (6).
 TEST(ClosenessBounds, LeaveAScaleThatTheJudgeTakes) {
   EXPECT_GE(oracles::least_slope_of_moderate * closeness::least_size, oracles::smallest_scale);
-  // Of the energy, what noise has made of it and all.
+  // The scale of the energy, reduced by its noise.
   EXPECT_GE(closeness::least_scale_of_energy * (1 - 2 * closeness::share_for_noise), oracles::smallest_scale);
   EXPECT_LE(oracles::largest_scale_of_moderate, oracles::largest_scale);
 }

@@ -11,8 +11,9 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// The constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. The errors of
-/// double-double arithmetic rest on a cited theorem, which is held against ℚ here; what is composed of them is counted.
+/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. The errors of
+/// double-double operations come from a cited theorem, which is compared with ℚ here. Errors of composed operations
+/// are counted.
 namespace carom::bounds {
 namespace {
 
@@ -23,7 +24,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// What is doubled by (2) to (4) is rounded up twice, by above(x) and by `up`, and is counted from there on.
+/// (2) to (4) round a doubled term up twice, by above(x) and by `up`. Counting starts after that.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -32,7 +33,7 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
           .roundings();
   const int of_quotient = enclosure::radius_of_quotient(any_part, any_part, any_part, any_part, any_part).roundings();
   const int of_root = enclosure::radius_of_root(any_part, any_part, any_part).roundings();
-  // q itself comes as a sum rounded up: its roundings count against a factor of its own.
+  // q itself is a sum rounded up. Its roundings count against a separate factor.
   const int of_size = enclosure::above(any_part, any_part, any_part).roundings();
   EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_root, of_size}) * u, 8));
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
@@ -44,29 +45,29 @@ TEST(EnclosureBounds, CoverTheRoundingOfDoubleDouble) {
   EXPECT_TRUE(covers(enclosure::rounding, of_product / (1 - of_product) / (1 - 4 * u), 4));
 }
 
-/// What operations may lose to underflow: the least number for each of fewer than 2⁶ operations of a product, or of the
-/// two products of a quotient.
+/// The largest loss by underflow: the least number for each operation of a product, or of the two products of a
+/// quotient. There are fewer than 2⁶ operations.
 TEST(EnclosureBounds, HaveALeastThatCoversUnderflow) {
   EXPECT_GE(enclosure::least, 0x1p6 * 0x1p-1074);
-  // And an extended number that large has its last bit in the range of binary64.
+  // An extended number of that size has its last bit in the range of binary64.
   EXPECT_GE(enclosure::least, 0x1p-1074 * 0x1p64);
 }
 
-/// Numbers that bring double-double arithmetic near its bounds: high parts of all ones, just above a power of two, or
-/// random; low parts at half an ulp, short of it, or random.
+/// Numbers that bring double-double arithmetic near its bounds. The high parts are all ones, just above a power of
+/// two, or random. The low parts are half an ulp, slightly less, or random.
 DoubleDouble adversarial(properties::Stream& stream) {
   const std::array<double, 5> highs{1 + 0x1p-52, 2 - 0x1p-52, 1 + 0x1p-26, 1.5 - 0x1p-52, stream.between(1, 2)};
   const std::array<double, 5> lows{0x1p-53 * (1 - 0x1p-53), -0x1p-53 * (1 - 0x1p-52), 0x1p-54 * (2 - 0x1p-51), 0,
                                    0x1p-53 * stream.between(-1, 1)};
   const double high = highs[static_cast<std::size_t>(stream.integer(0, 4))] * (stream.chance(2) ? 1 : -1);
   const double low = lows[static_cast<std::size_t>(stream.integer(0, 4))];
-  // Half an ulp below a power of two is half of one above: the sum in double-double has the right parts.
+  // Half an ulp below a power of two differs from half an ulp above. The sum in double-double has the right parts.
   return (DoubleDouble(high) + DoubleDouble(low)) * DoubleDouble(stream.power_of_two(-30, 30));
 }
 
 Rational exact(const DoubleDouble& x) { return Rational(x.high()) + Rational(x.low()); }
 
-/// Without a radius.
+/// The enclosure of x without a radius.
 Enclosure enclosed(const DoubleDouble& x) { return Enclosure(x.high()) + Enclosure(x.low()); }
 
 Rational exact(const Enclosure& x) { return Rational(x.middle()) + Rational(x.lower_part()); }
@@ -85,7 +86,7 @@ Worst worst_errors(const Make& make) {
     properties::Stream stream = properties::case_stream(unit::seed, "double-double bounds", i);
     const DoubleDouble first = adversarial(stream);
     const DoubleDouble drawn = adversarial(stream);
-    // Nearly −x at times, so that the sum cancels.
+    // Sometimes nearly −x, so that the sum cancels.
     const DoubleDouble second =
         i % 3 == 0 ? -first * (DoubleDouble(1) + DoubleDouble(stream.power_of_two(-100, -40))) : drawn;
     const T x = make(first);
@@ -113,7 +114,7 @@ TEST(EnclosureBounds, KeepToTheTheoremOnDoubleDouble) {
   EXPECT_LE(by_splitting.quotient, enclosure::rounding / (u * u));
 }
 
-/// (1) to (3) by the letter: each operation on numbers at the ends of their radii.
+/// (1) to (3), checked directly: each operation on numbers at the ends of their radii.
 TEST(EnclosureBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(52);
   for (int i = 0; i < 4000; ++i) {

@@ -12,7 +12,7 @@
 #include "covers.hpp"
 #include "normalised_collision.hpp"
 
-/// What of the judge's constants does not stand in a header of bounds: stage.hpp, yardstick.hpp, sensitivity.hpp.
+/// Checks the judge's constants that are not in a header of bounds: stage.hpp, yardstick.hpp, sensitivity.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -42,20 +42,21 @@ TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
   EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
 }
 
-/// The allowance times three sensitivities and one, as the relation `homogeneous` adds them.
+/// The allowance times the sum of three sensitivities and another one, as in the relation `homogeneous`.
 TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   for (const double largest : {oracles::largest_scale_of_moderate, oracles::largest_sensitivity_of_moderate}) {
     EXPECT_LE(oracles::largest_allowance_for_bounds * (3 * largest + largest), std::numeric_limits<double>::max());
   }
 }
 
-/// Each square of a component's derivative by a number loses half the least number; up to twelve make a norm. That of
-/// an orientation or of the normal, three of the quantities, is multiplied by up to 2 D, of the other 18 by up to 3 M.
+/// The square of a component's derivative by a number loses at most half the least number, and a norm has up to
+/// twelve. The norm is multiplied by up to 2 D for an orientation or the normal (three quantities), and by up to 3 M
+/// for the other 18.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
   const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
                       (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);
   EXPECT_TRUE(covers(oracles::least_sum_by_squares, lost / oracles::ten_digits, 0x1p10));
-  // A norm whose squares overflow is at least 2^511, and ‖q‖ is zero or 1/D at least.
+  // If squares overflow, the norm is at least 2^511. ‖q‖ is zero or at least 1/D.
   EXPECT_LE(oracles::largest_sum_by_squares, 0x1p511 * oracles::smallest_moderate_direction);
   EXPECT_TRUE(covers(1e-10, oracles::ten_digits, 2));
 }

@@ -9,8 +9,8 @@
 #include "covers.hpp"
 #include "moderate_collisions.hpp"
 
-/// The constants of oracles/filters/moderate.hpp, by the inequalities (1) to (5) of is_moderate: the laws run over
-/// collisions whose every number is at the edge.
+/// Checks the constants of oracles/filters/moderate.hpp by the inequalities (1) to (5) of is_moderate. The laws run
+/// over collisions whose numbers are all at the edge.
 namespace carom::bounds {
 namespace {
 
@@ -39,7 +39,7 @@ void for_each_law(const Collision& c, const Visit& visit) {
   visit(equation::Energy{});
 }
 
-/// Those of second and fourth degree in the velocities after.
+/// Calls visit for the laws of second and fourth degree in the velocities after the impact.
 template <class Visit>
 void for_each_law_of_friction(const Collision& c, const Visit& visit) {
   namespace equation = oracles::equation;
@@ -86,7 +86,7 @@ Magnitude scale_at(const Equation& equation, const Collision& c) {
   return scale;
 }
 
-/// (2), (4).
+/// Inequalities (2) and (4).
 TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -102,8 +102,9 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// (2), (4) of friction: the scale is a number that the judge takes, and nothing overflows where both sides are
-/// evaluated. On the way to the scale a square may: then it is not in range, and is found in extended.
+/// (2), (4) for friction: the scale is a number that the judge accepts, and evaluating both sides does not overflow.
+/// A square in the scale's computation may overflow. Then binary64 does not suffice, and the scale is computed in
+/// extended.
 TEST(ModerateBounds, CoverTheScaleOfFriction) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -128,8 +129,8 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
                                       [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
-/// (1), (3), (4), of the linear laws; `rough` is made of two of them, and case_bounds.hpp has the rest. Masses and
-/// moments are in denominators alone, and so the smallest.
+/// (1), (3), (4) for the linear laws. `rough` combines two of them, and case_bounds.hpp covers the rest. Masses and
+/// moments occur only in denominators, so the smallest ones suffice.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -140,7 +141,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
     const auto inputs = differentiated(collision_at(corner));
     for (const Model model : oracles::linear_models) {
       Magnitude::forget();
-      // (1): N·K N ≥ N·N / M, where one component of N has this size.
+      // (1): N·K N ≥ N·N / M, if one component of N has this size.
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
       const oracles::Truth<MagnitudeDual> truth =
           oracles::colliding_truth(inputs.collision, model, oracles::Branch::only);
@@ -165,7 +166,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   EXPECT_LE(std::log2(oracles::largest_on_the_way_of_moderate), std::numeric_limits<double>::max_exponent - 1);
 }
 
-/// (4): Cramer's rule as binary64 computes it, det K ≥ λ³.
+/// (4): Cramer's rule as computed in binary64, with det K ≥ λ³.
 TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   for (const Corner& corner : corners()) {
     if (!corner.is_light) {
@@ -183,7 +184,7 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// (5): slopes are multiples of a power of two, but for those with an inertia tensor, of at least its largest moment.
+/// (5): slopes are multiples of a power of two. Those with an inertia tensor are at least its largest moment.
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;

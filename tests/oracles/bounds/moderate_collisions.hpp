@@ -11,13 +11,13 @@
 
 #include "support/magnitude.hpp"
 
-/// Collisions whose every number is at the edge of `moderate`, to run the laws over with Magnitudes. The binary
-/// logarithm of what is computed is convex in those of the inputs, sums being maxima but for a constant and products
-/// sums, so that its maximum over all moderate collisions is at a corner.
+/// Collisions whose numbers are all at the edge of `moderate`. The tests run the laws over them with Magnitudes. The
+/// binary logarithm of each result is convex in the logarithms of the inputs: up to a constant, sums become maxima,
+/// and products become sums. So its maximum over all moderate collisions is at a corner.
 namespace carom::bounds {
 
-/// A corner: the size of what stands in numerators is the largest; masses, moments, and directions, whose lengths are
-/// divided by, have either.
+/// A corner of the moderate domain. Numbers in numerators have the largest size. Masses, moments, and directions,
+/// which are divided by their lengths, have the largest or the smallest size.
 struct Corner {
   bool is_light;  // masses and moments are the smallest, else the largest
   double orientation_a;
@@ -69,7 +69,7 @@ struct Corner {
   return c;
 }
 
-/// Of a direction only one component is known to have the size, the others have at most that.
+/// Only one component of a direction is known to have the full size. The others are at most that size.
 template <class Direction>
 void leave_one_component(Direction& direction) {
   for (int i = 1; i < direction.size(); ++i) {
@@ -83,7 +83,7 @@ void leave_one_component(Direction& direction) {
   leave_one_component(inputs.collision.a.orientation);
   leave_one_component(inputs.collision.b.orientation);
   leave_one_component(inputs.collision.normal);
-  // A body may be as large as a moderate number, whatever its mass and its moments are.
+  // A body may be as large as a moderate number, for any mass and moments.
   std::size_t first = 0;
   for_each_number(
       [&](const FieldPath& path, const double&) {
@@ -98,12 +98,12 @@ void leave_one_component(Direction& direction) {
   return inputs;
 }
 
-/// Every number as large as a moderate outcome's.
+/// An outcome whose numbers are all as large as a moderate outcome's.
 [[nodiscard]] inline Outcome<double> largest_outcome() {
   return map_outcome<double>(Outcome<double>{}, [](double) { return oracles::largest_moderate_outcome; });
 }
 
-/// A vector's length.
+/// The length of the vector.
 [[nodiscard]] inline Magnitude length(const Vector3<Magnitude>& v) { return sqrt(v.squaredNorm()); }
 
 }  // namespace carom::bounds
@@ -112,8 +112,8 @@ namespace carom::oracles {
 
 using MagnitudeDual = Dual<bounds::Magnitude, collision_inputs>;
 
-/// Cramer's rule gives no bound worth having, the theorem λI ⪯ K does (ExactCase::is_definite): ‖K⁻¹ b‖ ≤ ‖b‖ / λ, and
-/// with K x = b differentiated, ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M.
+/// Cramer's rule itself gives no useful bound, but the theorem λI ⪯ K does (ExactCase::is_definite): ‖K⁻¹ b‖ ≤ ‖b‖ /
+/// λ. Differentiating K x = b gives ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M.
 template <>
 inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>& k, const Vector3<MagnitudeDual>& b) {
   using bounds::Magnitude;

@@ -9,7 +9,7 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// The constants of oracles/numbers/norm.hpp and norm_bounds.hpp, by the inequalities (1) to (3) of the latter.
+/// Checks the constants of oracles/numbers/norm.hpp and norm_bounds.hpp by the inequalities (1) to (3) of the latter.
 namespace carom::bounds {
 namespace {
 
@@ -18,7 +18,7 @@ using oracles::Approximation;
 using oracles::Enclosure;
 using oracles::Rational;
 
-/// What two sides of a law miss each other by has no more components.
+/// The largest number of components of a law's residual.
 constexpr std::size_t most_components = oracles::Components<double>::capacity;
 
 RoundingCount six_squares() {
@@ -40,24 +40,25 @@ TEST(NormBounds, RoundByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(norm_bounds::rounding, std::max(by_squares, of_root) * u, 64));
 }
 
-/// (1), (2): a hypotenuse of the C library is good to an ulp, 2u, or to the least number; then two roundings.
+/// (1), (2): the C library's hypot has an error of at most one ulp, 2u, or the least number. Two roundings follow.
 TEST(NormBounds, RoundByMoreThanHypotenuses) {
   EXPECT_TRUE(covers(norm_bounds::rounding, (2 * most_components + 2) * u, 64));
   EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most_components + 1) * 0x1p-1074, 4));
 }
 
-/// A square loses at most_components half the least number: less than a rounding of what it is compared with.
+/// A square loses at most half the least number, for each component. The sum is less than a rounding of the other
+/// side.
 TEST(NormBounds, CoverWhatSquaresLose) {
   constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
   EXPECT_GE(norm_bounds::lost_by_root, std::sqrt(squares_lose));
   EXPECT_LT(norm_bounds::largest_by_squares * norm_bounds::largest_by_squares, 0x1p+1023);
-  // Of matrices, nine.
+  // A matrix has nine components.
   EXPECT_GE(oracles::smallest_sum_of_squares * u, 9 * 0x1p-1074);
   EXPECT_LT(oracles::largest_sum_of_squares, 0x1p+1023);
 }
 
-/// Whether it was decided.
+/// Returns whether it was decided.
 template <class T>
 bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   const std::array<T, 3> known{T(vector[0]), T(vector[1]), T(vector[2])};
@@ -70,8 +71,8 @@ bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   return decided.has_value();
 }
 
-/// Wherever the bound lies: in the range of squares, beyond, and among the last subnormal numbers, where a hypotenuse
-/// of (1, 1) is 1.
+/// Bounds of all sizes: in the range of squares, beyond it, and among the last subnormal numbers, for which the
+/// hypotenuse of (1, 1) is 1.
 TEST(NormBounds, DecideAsRationalsDo) {
   properties::Stream stream = properties::stream_from(61);
   for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -540, -401, -399, 0, 399, 401, 900}) {

@@ -8,7 +8,7 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// The constants of src/impulse/normal_velocity.hpp and guaranteed.hpp, by its inequalities (1) to (4).
+/// Checks the constants of src/impulse/normal_velocity.hpp and guaranteed.hpp by its inequalities (1) to (4).
 namespace carom::bounds {
 namespace {
 
@@ -16,7 +16,7 @@ using impulse::DoubleDouble;
 using oracles::Rational;
 namespace detail = impulse::detail;
 
-/// No number a power of two, so that no product is exact.
+/// A collision without powers of two, so that no product is exact.
 Collision any_collision() {
   Collision c;
   for (Body* body : {&c.a, &c.b}) {
@@ -43,12 +43,13 @@ Counted counted_normal_velocity() {
   return counted;
 }
 
-/// (1)
+/// Inequality (1).
 TEST(NormalVelocityBounds, CountTheRoundingsOfATerm) {
   EXPECT_EQ(detail::roundings_of_normal_velocity, counted_normal_velocity().value.roundings());
 }
 
-/// (2), (3): T is summed in double, after a conversion from S, multiplied by 16 ρ, and added to what may underflow.
+/// (2), (3): T is summed in double, after a conversion from S. It is multiplied by 16 ρ and added to the bound of
+/// underflow.
 TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   const Counted counted = counted_normal_velocity();
   const int roundings_of_terms = counted.terms.roundings() + 3;
@@ -59,19 +60,19 @@ TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   }
 }
 
-/// 7 u² is what the product of DoubleDouble loses at most (enclosure_bounds_test), and its sum loses less.
+/// A product in DoubleDouble loses at most 7 u² (enclosure_bounds_test), and a sum loses less.
 TEST(NormalVelocityBounds, KnowTheRoundingOfDoubleDouble) {
   EXPECT_EQ(detail::unit_roundoff_of_double_double, 7 * u * u);
   EXPECT_GT(detail::unit_roundoff_of_double_double, 3 * u * u / (1 - 4 * u));
 }
 
-/// (4): of DoubleDouble a product is four of double.
+/// (4): a product in DoubleDouble takes four products in double.
 TEST(NormalVelocityBounds, CoverUnderflow) {
   constexpr double products = 24 * 4;
   EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
 }
 
-/// What is known is within 2⁻⁵⁰ of itself: the share of the bound that can be an error, and a rounding to double.
+/// A known value is accurate to 2⁻⁵⁰: the largest share of the bound that is error, and one rounding to double.
 TEST(NormalVelocityBounds, KnowTwelveDigits) {
   const double share =
       static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;
@@ -87,7 +88,8 @@ TEST(NormalVelocityBounds, CoverTheRoundingOfASlope) {
   EXPECT_TRUE(covers(detail::rounding_of_slope, of_slope * u / (1 - (of_slope + of_size) * u), 2));
 }
 
-/// The bound itself, against ℚ: numbers of all sizes, cancelling, and at the end of the range.
+/// The largest ratio of the error, against ℚ, to the bound. Covers numbers of all sizes, cancellation, and the end of
+/// the range.
 template <class S>
 double worst_share_of_bound(double rounding, int exponents) {
   double worst = 0;
@@ -122,7 +124,7 @@ TEST(NormalVelocityBounds, HoldAgainstTheExactNumber) {
     EXPECT_GT(worst_share_of_bound<double>(detail::unit_roundoff_of_double, exponents), 0x1p-8);
     EXPECT_GT(worst_share_of_bound<DoubleDouble>(detail::unit_roundoff_of_double_double, exponents), 0x1p-10);
   }
-  // Down to where every product is below the range.
+  // Down to exponents at which every product underflows.
   const auto at_the_end = [](auto scalar, double rounding) {
     return worst_share_of_bound<decltype(scalar)>(rounding, 540);
   };

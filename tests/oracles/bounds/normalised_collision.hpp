@@ -5,12 +5,12 @@
 
 #include "support/rounding_count.hpp"
 
-/// A collision to count roundings over: masses, moments, quaternions, lever arms and the normal of length one at most,
-/// which no law's relative error depends on.
+/// A collision for counting roundings. Masses, moments, quaternions, lever arms and the normal have a length of at
+/// most one. No law's relative error depends on these lengths.
 namespace carom::bounds {
 
-/// T(x) for each number x. The bodies stand at the origin, so that P is the lever arm r = P − X with its one rounding,
-/// whatever P and X cancel.
+/// T(x) for each number x. The bodies are at the origin, so P is the lever arm r = P − X. It has one rounding, and
+/// any cancellation of P and X is covered.
 template <class T>
 [[nodiscard]] BasicCollision<T> normalised_collision() {
   BasicCollision<T> c;

@@ -9,8 +9,8 @@
 
 #include "support/exact.hpp"
 
-/// The bits that relations leave free (properties/invariants/relations.cpp): what is added to a collision, and what it
-/// is multiplied by, is so exactly.
+/// Checks the bits that relations leave free (properties/invariants/relations.cpp): additions to and multiplications
+/// of a collision's numbers are exact.
 namespace carom::bounds {
 namespace {
 
@@ -28,7 +28,7 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
   return exactly(x) - exactly(y);
 }
 
-/// 48 bits and an offset as large: sums have at most 49, and two more for 3/4 of a power of two.
+/// 48 bits and an offset of the same size: sums have at most 49 bits, and two more for 3/4 of a power of two.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> moving = asked_by("galilean", one.collision);
@@ -55,7 +55,7 @@ TEST(RelationBounds, MultiplyVelocitiesByThree) {
   }
 }
 
-/// 20 bits of a normal, and as many thirty places below.
+/// 20 bits of a normal, and the same number thirty places below.
 TEST(RelationBounds, AddATangentialVelocity) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     if (one.collision.a.immovable && one.collision.b.immovable) {

@@ -22,7 +22,7 @@ ExactMatrix symmetric(const Rational& m00, const Rational& m10, const Rational& 
 
 ExactMatrix diagonal(const Rational& x, const Rational& y, const Rational& z) { return symmetric(x, 0, y, 0, 0, z); }
 
-/// L D Lᵀ with a unit lower triangular L: by Sylvester's law of inertia as definite as D.
+/// L D Lᵀ with a unit lower triangular L. By Sylvester's law of inertia it has the definiteness of D.
 ExactMatrix congruent_to(const ExactMatrix& d, properties::Stream& stream) {
   ExactMatrix l = ExactMatrix::Identity();
   for (const auto& [row, column] : {std::pair{1, 0}, std::pair{2, 0}, std::pair{2, 1}}) {
@@ -43,7 +43,7 @@ Matrix3<Enclosure> enclosed(const ExactMatrix& matrix) {
   return result;
 }
 
-/// All 27 signs of the three pivots, each under many congruences: definiteness is known from the signs.
+/// All 27 combinations of signs of the three pivots, each under many congruences. The signs determine definiteness.
 TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
   properties::Stream stream = properties::stream_from(11);
   for (int x = -1; x <= 1; ++x) {
@@ -68,26 +68,27 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
 TEST(Definiteness, IsDecidedByEnclosuresWhereNoMinorVanishes) {
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, 3, 1, 1, 2))), true);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, -3, 1, 1, 2))), false);
-  // Singular by 1/3 · 3 = 1, which no enclosure can know.
+  // Singular because 1/3 · 3 = 1, which no enclosure can prove.
   const Rational third = ratio(1, 3);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(third, third, third, 0, 0, 1))), std::nullopt);
 }
 
 TEST(PositiveSemidefinite, IsNotFooledByLeadingMinorsThatVanish) {
-  // Leading minors 0, 0, 0 each, and a negative direction.
+  // All leading minors are 0, and there is a negative direction.
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 0, -1)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, -1, 0)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 1, -1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 0, 1, 1, 0, 1)));
-  // Leading minors 1, 0, 0, and 1, 0, -0: y and z couple to a vanishing pivot.
+  // Leading minors 1, 0, 0, and 1, 0, -0: y and z couple to a pivot that is zero.
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 0, 1, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 1, 1, 0)));
-  // Nonnegative diagonal, indefinite off it.
+  // The diagonal is nonnegative, but the matrix is indefinite.
   EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 1, 0, 0, 0, 0)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 2, 1, 0, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 2, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 0, 2, 1)));
-  // All 2×2 minors positive, the determinant negative: eigenvalues 1 + 2c = −1/5 and twice 1 − c, with c = −3/5.
+  // All 2×2 minors are positive, but the determinant is negative: eigenvalues 1 + 2c = −1/5 and twice 1 − c, with
+  // c = −3/5.
   const Rational c = ratio(-3, 5);
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, c, 1, c, c, 1)));
 }

@@ -29,7 +29,7 @@ Rational scaled(const Rational& p, int exponent) {
 
 Rational integer(const char* digits) { return Rational(digits); }
 
-/// Against integers: p/q and r/s with every one of the few values of each.
+/// Compares with integers: all fractions p/q and r/s of a few values.
 TEST(Rational, IsTheFieldOfFractions) {
   const auto fraction = [](long p, long q) { return Rational(static_cast<int>(p), static_cast<int>(q)); };
   for (long p = -3; p <= 3; ++p) {
@@ -44,7 +44,7 @@ TEST(Rational, IsTheFieldOfFractions) {
           if (r != 0) {
             EXPECT_EQ(x / y, fraction(p * s, q * r));
           }
-          const long difference = (p * s - r * q) * q * s;  // its sign
+          const long difference = (p * s - r * q) * q * s;  // has the sign of the difference
           EXPECT_EQ(x <=> y, difference <=> 0L);
           EXPECT_EQ(x == y, difference == 0);
           EXPECT_EQ(x <=> static_cast<int>(r), (p - r * q) * q <=> 0L);
@@ -125,7 +125,7 @@ TEST(Lift, IsExactForExtendedNumbers) {
   EXPECT_EQ(lift(LongLimits::min()), scaled(1, LongLimits::min_exponent - 1));
   EXPECT_EQ(lift(LongLimits::denorm_min()), scaled(1, LongLimits::min_exponent - digits));
   EXPECT_EQ(lift(3 * LongLimits::denorm_min()), scaled(3, LongLimits::min_exponent - digits));
-  // The largest subnormal: ones in all places but the first.
+  // The largest subnormal number: ones in all places except the first.
   EXPECT_EQ(lift(LongLimits::min() - LongLimits::denorm_min()),
             scaled(scaled(1, digits - 1) - 1, LongLimits::min_exponent - digits));
   // 64 bits whose leading 53 round up.
@@ -137,7 +137,7 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
   for (int i = 0; i < 5000; ++i) {
     const std::uint64_t bits = stream.bits();
     const int exponent = stream.integer(-16445, 16319);
-    // ldexp rounds where bits fall below the smallest subnormal: keep those that do not.
+    // ldexp rounds bits below the smallest subnormal. Only numbers without such bits are tested.
     const long double number = std::ldexp(static_cast<long double>(bits), exponent);
     if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
       continue;
@@ -177,7 +177,7 @@ TEST(NearestDouble, IsExactForDoubles) {
   }
 }
 
-/// The mean of two neighbours goes to the even one; a hair beside it to the nearer one.
+/// The mean of two neighbours rounds to the even one. A number next to it rounds to the nearer neighbour.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
   SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;
@@ -202,7 +202,7 @@ TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
   for (int k = 0; k < 20; ++k) {
     ASSERT_NO_FATAL_FAILURE(expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0));
   }
-  // The last subnormal number is odd, the first normal one even.
+  // The last subnormal number is odd, the first normal number is even.
   expect_ties_to_even(Limits::min() - least, Limits::min(), false);
 }
 
@@ -238,7 +238,7 @@ TEST(IsFinite, SeesEachComponent) {
       }
     }
   }
-  // Beyond binary64, but a number.
+  // Beyond binary64, but finite.
   outcome.b.velocity[1] = LongLimits::max();
   EXPECT_TRUE(is_finite(outcome));
 }

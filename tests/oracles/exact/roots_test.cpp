@@ -72,7 +72,7 @@ TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
   expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
 }
 
-/// A root of both is on no side, however near the sides are.
+/// A common root of both lies on neither side, even if the sides are close.
 TEST(PositiveRoots, LieOnThePositiveSide) {
   const Rational near = Rational(2) - Rational(1).times_power_of_two(-200);
   const Coefficients polynomial = with_roots({Rational(1), Rational(2), Rational(4)});
@@ -82,7 +82,7 @@ TEST(PositiveRoots, LieOnThePositiveSide) {
   expect_positive_roots({}, polynomial, {Rational(-1), Rational(0)});
 }
 
-/// √2 within 2⁻²⁰⁰ of itself: (√2 (1 ± 2⁻²⁰⁰))² surrounds 2.
+/// √2 accurate to 2⁻²⁰⁰: (√2 (1 ± 2⁻²⁰⁰))² surrounds 2.
 TEST(PositiveRoots, AreAsNearAsAsked) {
   constexpr int bits = 200;
   const std::vector<Rational> roots = positive_roots({Rational(-2), Rational(0), Rational(1)}, everywhere, bits);

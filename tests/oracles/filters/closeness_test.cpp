@@ -16,8 +16,8 @@
 namespace carom::oracles {
 namespace {
 
-/// Every equation that is affine in the outcome, speaks of this collision and is satisfied by the truth of the model:
-/// visit(relation, equation).
+/// Calls visit(relation, equation) for every equation that is affine in the outcome, applies to this collision and is
+/// satisfied by the truth of the model.
 template <class Visit>
 void for_each_affine_equation(const ExactCase& exact_case, Model model, const Visit& visit) {
   const Collision& c = exact_case.collision();
@@ -78,7 +78,7 @@ Outcome<Rational> small_outcome(properties::Stream& stream) {
           {unit::exact_eighths3(stream, 9), unit::exact_eighths3(stream, 9)}};
 }
 
-/// What the theorem rests on: g(y + d) + g(y − d) = 2 g(y), and the truth satisfies every law exactly.
+/// The assumptions of the theorem: g(y + d) + g(y − d) = 2 g(y), and the truth satisfies every law exactly.
 TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
   for (const auto& [family, one] : unit::valid_cases(4)) {
@@ -100,7 +100,7 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   }
 }
 
-/// g(y + d) + g(y − d) ≥ 2 g(y) for E⁺ − W, and it is at most E⁻ at the truth of the frictionless law.
+/// g(y + d) + g(y − d) ≥ 2 g(y) for E⁺ − W, and at the truth of the frictionless law it is at most E⁻.
 TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   properties::Stream stream = properties::stream_from(42);
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
@@ -139,7 +139,7 @@ PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exa
   return slopes;
 }
 
-/// Those of the scale are the same to 2⁻⁴⁰, but for r × N, which may cancel.
+/// The slopes of the scale agree to 2⁻⁴⁰, except for those with r × N, which may cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   int moderate = 0;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -174,8 +174,8 @@ struct Shown {
   int energies = 0;
 };
 
-/// The outcome that is the truth rounded to binary64, with each vector moved by up to `times` the allowance of its
-/// size: whatever closeness shows of it holds by the exact judge.
+/// The truth rounded to binary64, with each vector moved by up to `times` the allowance of its size. If closeness
+/// shows a law for this outcome, the law also holds by the exact judge.
 Shown expect_shown_to_hold(double times, double least_shown, properties::Stream& stream) {
   Shown counts;
   Yardstick yardstick;
@@ -224,8 +224,8 @@ TEST(Closeness, ShowsOnlyWhatHolds) {
   EXPECT_LT(beyond.shown, beyond.laws / 2);
 }
 
-/// Two spheres that only spin, with both lever arms along the normal: r × N = 0, and rounding is all that is left of
-/// the scale of N·V⁺.
+/// Two spheres that only spin, with both lever arms along the normal. Then r × N = 0, so the scale of N·V⁺ consists
+/// of rounding errors alone.
 TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   Collision c;
   c.normal = {0.1, 0.3, 0.7};
@@ -241,7 +241,7 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
 }
 
-/// An equation that the model's truth does not satisfy is not shown by it, however close the outcome.
+/// Closeness does not show an equation that the model's truth violates, even for an outcome close to the truth.
 TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   const ExactCase exact_case(unit::case_of("elastic", 0).collision);
   const PerVector<double> no_error{};
@@ -257,13 +257,13 @@ TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   EXPECT_FALSE(reflection.shows_energy());
 }
 
-/// By the derivatives themselves: an equation speaks of a vector where its slope is not zero for some collision.
+/// Compares with the derivatives: an equation involves a vector if its slope is not zero for some collision.
 TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
   for (const Equation& equation : affine_equations) {
     PerVector<bool> speaks_of{};
     for (const auto& [family, one] : unit::valid_cases(3)) {
       if (one.collision.a.immovable || one.collision.b.immovable) {
-        continue;  // not all of them speak of it
+        continue;  // some collisions have no such equation
       }
       const PerVector<double> slopes = slopes_of(equation, one.collision);
       for (const OutcomeVector k : all_outcome_vectors) {

@@ -20,13 +20,13 @@ namespace {
 
 using unit::ratio;
 
-/// The exact outcome rounded to the precision, with one vector moved by so many times what is allowed of it, so that
-/// the verdicts come out both ways and close.
+/// The exact outcome rounded to the precision, with one vector moved by a multiple of its allowance. Both verdicts
+/// occur, many of them close.
 ReportedOutcome perturbed(const ExactCase& exact_case, Model model, double allowance, properties::Stream& stream) {
   ReportedOutcome outcome =
       map_outcome<long double>(exact_case.nearest_truth(model), [](double x) { return static_cast<long double>(x); });
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
-  // 0.01 to 1000, evenly by its logarithm.
+  // 0.01 to 1000, uniform in its logarithm.
   const double times = std::pow(10.0, stream.between(-2, 3));
   const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(model, allowance)[k]);
   *vectors(outcome)[k] += step.cast<long double>();
@@ -38,9 +38,9 @@ struct Counts {
   int violated = 0;
 };
 
-/// What is printed of a violation is rounded from enclosures where these decide. They are known to 2^-100 of the terms,
-/// and a violation is above 32 ulps of extended of them, 2^-59 where that has 64 bits: they agree to twice the quotient
-/// of the residual, and to an ulp.
+/// The printed numbers of a violation come from enclosures, if these decide. Enclosures are accurate to 2^-100 of the
+/// terms. A violation exceeds 32 ulps of extended of the terms, which is 2^-59 for 64 bits. So the numbers agree to
+/// twice that quotient of the residual, and to an ulp.
 void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
   constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
   if (filtered != exact) {
@@ -113,7 +113,7 @@ TEST_P(Filter, DecidesAsExactArithmeticDoes) {
   EXPECT_GT(pairs, 4000);
   for (const auto& [name, count] : counts) {
     EXPECT_GT(count.holds, 20) << name;
-    EXPECT_GT(count.violated, 5) << name;  // a push is missed only where there is hardly one
+    EXPECT_GT(count.violated, 5) << name;  // a push is violated only if there is hardly any
   }
   EXPECT_EQ(counts.size(), 10U);
 }
@@ -135,7 +135,8 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
       EXPECT_EQ(by_filter.allowed, by_rationals.allowed) << family << ' ' << i;
       for (const OutcomeVector k : all_outcome_vectors) {
         ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
-        // For print: where the filter decides, each component is known to a thousandth of itself or of what is allowed.
+        // These numbers are only printed. If the filter decides, each component is accurate to a thousandth of itself
+        // or of the allowance.
         EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
                     0x1p-9 * (by_rationals.error[k] + filtered.allowance() * by_filter.sensitivity[k]))
             << family << ' ' << i;
@@ -149,7 +150,7 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
 INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-/// A ball that rests beside a wall: what is allowed of the restitution is known by hand.
+/// A ball at rest beside a wall. The allowance of the restitution is known by hand.
 TEST(Compare, AllowsWhatTheScaleSays) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -158,9 +159,9 @@ TEST(Compare, AllowsWhatTheScaleSays) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
   yardstick.limit_ulps = 32;
-  // g = N·V⁺ + ε N·V⁻ with N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0), ε = 1. Terms |∂g/∂x||x|: of N (V⁺ + εV⁻
-  // along y) d, of ε and of v_A⁻ 1 each; of the outputs ‖∂g/∂v_A⁺‖ (‖v_A⁺‖ + ‖v_A⁻‖) = 2 + d; of w nothing, the lever
-  // arm is zero. The scale is 4 + 2d.
+  // g = N·V⁺ + ε N·V⁻ with N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0), ε = 1. The terms |∂g/∂x||x| are: d for
+  // N (V⁺ + εV⁻ along y), 1 for ε, and 1 for v_A⁻. The outputs contribute ‖∂g/∂v_A⁺‖ (‖v_A⁺‖ + ‖v_A⁻‖) = 2 + d. w
+  // contributes nothing, because the lever arm is zero. The scale is 4 + 2d.
   const double allowed = yardstick.allowance() * 4;
   for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
                                                                              {allowed * 0.99, true},
@@ -213,13 +214,13 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
   }
 }
 
-/// A valid collision whose fields have exponents up to `most`, each its own.
+/// A valid collision whose fields each have their own exponent, up to `most`.
 Collision extreme_collision(properties::Stream& stream, int most) {
   const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
   return equality::scaled_fields(c, most, stream);
 }
 
-/// Judges so many collisions with exponents up to `most`, and leaves with 0 if the filter made no difference.
+/// Judges collisions with exponents up to `most`, and exits with 0 if the filter made no difference.
 void judge_extreme_collisions(int most) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -231,7 +232,7 @@ void judge_extreme_collisions(int most) {
                                                          [](double x) { return static_cast<long double>(x); }));
     expect_same_verdicts(exact_case, outcome, yardstick, counts);
     for (const Model model : models_with_truth) {
-      // Exact derivatives in ℚ(√s), of numbers with thousands of digits, take seconds.
+      // Exact derivatives in ℚ(√s) of numbers with thousands of digits take seconds.
       if (model == Model::rough && i % 12 != 0) {
         continue;
       }
@@ -245,14 +246,14 @@ void judge_extreme_collisions(int most) {
   std::exit(testing::Test::HasFailure() ? 1 : 0);
 }
 
-/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
 TEST(Judge, SurvivesEveryValidCollision) {
   for (const int most : {50, 150, 300, 600, 1000}) {
     EXPECT_EXIT(judge_extreme_collisions(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
   }
 }
 
-/// A slip along each axis, and a lever arm off the normal along each.
+/// A slip along each axis, and a lever arm off the normal along each axis.
 TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
   for (const bool filtered : {true, false}) {
     for (int normal = 0; normal < 3; ++normal) {
@@ -275,7 +276,8 @@ TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
   }
 }
 
-/// (3) of first_order_is_blind: w, r and N are parallel, so no single quantity changes N·V⁻ by as much as its products.
+/// (3) of first_order_is_blind: w, r and N are parallel. A change of one quantity changes N·V⁻ by less than products
+/// of changes do.
 TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
   Collision c;
   c.normal = {0, 0, 1};
@@ -297,8 +299,8 @@ TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
 }
 
-/// The ball turns round by 2 m/s, so an outcome off by 2 · 10⁻³ is off by exactly 10⁻³; the next number of extended
-/// precision is not within it, though both round to the same relative error.
+/// The ball rebounds with a change of 2 m/s, so an outcome wrong by 2 · 10⁻³ has an error of exactly 10⁻³. The next
+/// extended number is not within it, although both round to the same relative error.
 TEST(Accuracy, HasDigitsUpToTheLastBit) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -320,7 +322,7 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
 }
 
 TEST(Accuracy, CountsUlpsAndDigits) {
-  // A unit mass meets a wall head-on at ε = 1: Δ = (0, 2, 0) for A; the outcome is off by 2^-20.
+  // A unit mass hits a wall head-on at ε = 1: Δ = (0, 2, 0) for A. The outcome has an error of 2^-20.
   Collision c;
   c.a.velocity = {0, -1, 0};
   c.b.immovable = true;
@@ -361,7 +363,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
   }
 }
 
-/// A spin of binary32 that underflows is off by half of η, the least number, however small it is itself.
+/// A spin of binary32 that underflows has an error of half of η, the least number, regardless of its own size.
 TEST(Yardstick, KnowsWhatUnderflowTakes) {
   constexpr long double least = std::numeric_limits<float>::denorm_min();
   Collision c;
@@ -370,7 +372,7 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
   ReportedOutcome outcome;
   outcome.a.velocity = {least, 0, 0};
   outcome.b.velocity = {-least, 0, 0};
-  outcome.a.angular_velocity = {0, 0, 2 * least};  // of r × m Δv = (0, 0, η)
+  outcome.a.angular_velocity = {0, 0, 2 * least};  // from r × m Δv = (0, 0, η)
   for (const bool filtered : {false, true}) {
     Yardstick yardstick;
     yardstick.filtered = filtered;
@@ -388,7 +390,7 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
   }
 }
 
-/// limit · u of binary32, times a scale that is a number, is none: neither judge has anything to decide by.
+/// limit · u of binary32 times a finite scale overflows, so neither judge can decide.
 TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   Collision c;
   c.a.mass = 0x1p500;
@@ -426,7 +428,7 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   }
 }
 
-/// The same at the other end, where the product loses its digits or is zero.
+/// At the other end of the range the product loses its digits or is zero.
 TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
@@ -443,8 +445,8 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
-/// A ball that slides along a wall and approaches it by less than rounding: sticking stops the slip or leaves it, and
-/// both are open; an outcome between the two is not.
+/// A ball that slides along a wall and approaches it by less than rounding. Sticking stops the slip or leaves it, and
+/// both outcomes are accepted. An outcome between the two is not.
 TEST(Accuracy, TakesEitherOfTwoAnswers) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -476,7 +478,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
   }
 }
 
-/// An outcome that is one of the two answers exactly is told by that one, though the other passes too.
+/// If an outcome equals one of the two answers exactly, that answer is reported, although the other also passes.
 TEST(Accuracy, IsThatOfTheNearerAnswer) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -493,8 +495,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
       0);
 }
 
-/// A body that moves with a driven wall: the energy that the wall gives has no slope, and the rounding of its velocity
-/// is far more than what the impulse changes.
+/// A body that moves with a driven wall. The energy from the wall has no slope. The rounding of its velocity is far
+/// more than the change by the impulse.
 TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;
@@ -517,9 +519,9 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
 }
 
 /// A ball keeps its velocity of length 5 and gains d across the normal: F = m (d, 0, 0), g = ‖N × F‖² = (N m d)² and
-/// N·F = 0. What is allowed, over (N m)², is a times this sum: 10 d for v⁻, and 20 d for v⁺, which is known to the sum
-/// of both lengths; for m and for N 2 d² each, which is nothing beside these; and for the square of what F is known to
-/// a 10² (1 + μ²). With μ = 7, d² ≤ a (30 d + 5000 a) says d ≤ 87.3 a.
+/// N·F = 0. The allowance divided by (N m)² is a times a sum of four terms. v⁻ contributes 10 d. v⁺ contributes 20 d,
+/// because its uncertainty is the sum of both lengths. m and N contribute 2 d² each, which is negligible. The square
+/// of the uncertainty of F contributes a 10² (1 + μ²). With μ = 7, d² ≤ a (30 d + 5000 a) gives d ≤ 87.3 a.
 TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -546,10 +548,10 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
-/// A ball slips a little: F = (d, 0, 2), and ‖N × F‖ = d is below an ulp of binary64 of its velocity v. With
-/// μ N·F = d − t a both sides are apart by 2 d t a − (t a)². What is allowed is a times 2 d (‖v⁺‖ + 2 ‖v⁻‖) for the
-/// velocities, a times 4 d for N, and 7.3 a² for the square of what F is known to: 12.5 d a in all, as a = d / 16. So
-/// t ≤ 8.5 passes.
+/// A ball slips a little: F = (d, 0, 2), and ‖N × F‖ = d is below an ulp of binary64 of its velocity v. With μ
+/// N·F = d − t a the two sides differ by 2 d t a − (t a)². The allowance is the sum of three terms: a times 2 d (‖v⁺‖
+/// + 2 ‖v⁻‖) for the velocities; a times 4 d for N; 7.3 a² for the square of the uncertainty of F. Since a = d / 16,
+/// the sum is 12.5 d a. So t ≤ 8.5 passes.
 TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::extended);

@@ -14,16 +14,16 @@
 
 #include "support/known_collisions.hpp"
 
-/// The judge's numbers for a few collisions. The allowance is a promise to those who gate on it: an outcome that passes
-/// today has to pass tomorrow. If a number changes on purpose, known_values.txt changes with it, and the changelog says
-/// so. The other tests say why the numbers are right.
+/// The judge's numbers for a few collisions. Users gate on the allowance, so an outcome that passes today must pass
+/// tomorrow. A deliberate change of a number also changes known_values.txt and the changelog. The other tests show
+/// why the numbers are right.
 namespace carom::oracles {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// Of binary32 and of binary64, and one whose square is no small part of it.
+/// The allowances of binary32 and binary64, and one whose square is not negligible.
 constexpr std::array allowances{0x1p-6, 0x1p-19, 0x1p-48};
 
 Yardstick yardstick_of(double allowance) {
@@ -40,7 +40,7 @@ void append(std::vector<double>& numbers, const PerVector<double>& more) {
   numbers.insert(numbers.end(), more.begin(), more.end());
 }
 
-/// The velocities as before, each with so many times a vector of its own added.
+/// The velocities before the impact, each with a multiple of a fixed vector added.
 ReportedOutcome moved(const Collision& c, double times) {
   Outcome<double> outcome = unchanged(c);
   const std::array<Vector3<double>, 4> by{Vector3<double>{5, 16, -3}, {2, -7, 1}, {-6, -11, 4}, {8, 3, -1}};
@@ -80,8 +80,8 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// The residual of each equation and its allowance, for an outcome that is far off, for the opposite one, and for one
-/// that is hardly off.
+/// The residual of each equation and its allowance for three outcomes: one far from the truth, the opposite one, and
+/// one close to the truth.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const double times : {1.0, -1.0, 0x1p-12}) {

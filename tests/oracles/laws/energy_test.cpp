@@ -11,8 +11,8 @@
 
 #include "support/exact.hpp"
 
-/// What the laws do to the kinetic energy, exactly (mathematics 3.6). ΔE is what the movable bodies gain less the work
-/// of a driven wall.
+/// The exact effect of the laws on kinetic energy (mathematics 3.6). ΔE is the energy gained by the movable bodies
+/// minus the work of a driven wall.
 namespace carom::oracles {
 namespace {
 
@@ -25,7 +25,7 @@ Rational energy_change(const BasicCollision<Rational>& c, const Outcome<Rational
   return sides.left[0] - sides.right[0];
 }
 
-/// Colliding or not: the formulas hold for the answer to N·V⁻ of either sign.
+/// Colliding or not: the formulas hold for N·V⁻ of either sign.
 std::vector<BasicCollision<Rational>> collisions() {
   std::vector<BasicCollision<Rational>> result;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -40,7 +40,7 @@ std::vector<BasicCollision<Rational>> collisions() {
   return result;
 }
 
-/// ΔE = ½ F·(V⁻ + V⁺): the work of the impulse at the mean velocity of the contact, for any impulse at all.
+/// ΔE = ½ F·(V⁻ + V⁺): the work of any impulse at the mean velocity of the contact.
 TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
   for (const auto& c : collisions()) {
     for (const Model model : linear_models) {
@@ -51,7 +51,7 @@ TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
   }
 }
 
-/// ½ m v² + ½ wᵀ J w before and after, by their definition.
+/// ½ m v² + ½ wᵀ J w before and after, by definition.
 TEST(Energy, GainIsTheDifferenceOfTheEnergies) {
   for (const auto& c : collisions()) {
     const Truth<Rational> truth = colliding_truth(c, Model::reflection, Branch::only);
@@ -78,8 +78,8 @@ TEST(Energy, IsLostByTheFrictionlessLawAsTheFormulaSays) {
   }
 }
 
-/// Reflection: with A = K⁻¹, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] of the basis {N, T0, T1}; free of the
-/// basis and of the length of N, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻) NᵀAV_T/(N·N).
+/// Reflection: with A = K⁻¹, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N, T0, T1}. Independent of
+/// the basis and of the length of N, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻) NᵀAV_T/(N·N).
 TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   for (const auto& c : collisions()) {
     const ExactVector n = c.normal;
@@ -95,7 +95,8 @@ TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   }
 }
 
-/// At ε = 1 the formula is odd in V_T: of two contacts that slide opposite ways one creates what the other loses.
+/// At ε = 1 the formula is odd in V_T. If two contacts slide in opposite directions, one gains the energy that the
+/// other loses.
 TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
   int created = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
@@ -107,7 +108,7 @@ TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
     EXPECT_EQ(energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome), -change);
     created += change != 0 ? 1 : 0;
   }
-  EXPECT_GT(created, 90);  // general bodies: N is an eigenvector of K, or V_T = 0, by chance alone
+  EXPECT_GT(created, 90);  // for general bodies, N is an eigenvector of K, or V_T = 0, only by chance
 }
 
 int creations(const char* family, int cases) {
@@ -119,12 +120,13 @@ int creations(const char* family, int cases) {
   return count;
 }
 
-/// By the symmetry above half of all contacts if V_T is as likely as −V_T, which independent velocities make nearly
-/// true. Of 1000 then 500, with a standard deviation of √(1000/4) = 15.8; five of them either way.
+/// By this symmetry, half of all contacts create energy if V_T is as likely as −V_T. Independent velocities make this
+/// nearly true. Of 1000 contacts the expectation is 500, with a standard deviation of √(1000/4) = 15.8. The test
+/// allows five standard deviations.
 TEST(Energy, IsCreatedByReflectionInAboutHalfOfElasticContacts) { EXPECT_NEAR(creations("elastic", 1000), 500, 79); }
 
-/// ΔE is linear in ε between the ends but for the factor 1 + ε > 0, and what favours creation, −2 v_n v_t A₀₁, does not
-/// depend on ε: who creates energy at ε = 0 creates it at 1.
+/// Except for the factor 1 + ε > 0, ΔE is linear in ε. The term that favours creation, −2 v_n v_t A₀₁, does not
+/// depend on ε. So a contact that creates energy at ε = 0 also creates it at ε = 1.
 TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   int created = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -138,9 +140,9 @@ TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   EXPECT_GT(created, 0);
 }
 
-/// At ε = 0 it is created wherever 2 v_t A₀₁ > |v_n| A₀₀: so in fewer than at ε = 1, and how many is a matter of the
-/// distribution. In the family `inelastic` it is a quarter, by count: of 1000 then 250, with a standard deviation of
-/// √(1000·3/16) = 13.7; five of them either way.
+/// At ε = 0 energy is created if 2 v_t A₀₁ > |v_n| A₀₀, which is rarer than at ε = 1 and depends on the distribution.
+/// In the family `inelastic` the counted share is a quarter. Of 1000 contacts the expectation is 250, with a standard
+/// deviation of √(1000·3/16) = 13.7. The test allows five standard deviations.
 TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
   EXPECT_NEAR(creations("inelastic", 1000), 250, 68);
 }
@@ -153,8 +155,8 @@ TEST(Energy, IsLostByStickingWithoutRestitution) {
   }
 }
 
-/// Of given N·V⁻ the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so that ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)): never
-/// positive where ε² (NᵀAN) (NᵀKN) ≤ (N·N)², and by the slip for which it is attained positive elsewhere.
+/// For given N·V⁻ the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)). This is never
+/// positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it positive.
 TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
@@ -163,7 +165,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
     const Rational length = n.dot(n);
     const Rational product = n.dot(impulse::Ldlt::solve<Rational>(k, n)) * n.dot(ExactVector(k * n));
     const ExactVector v = unit::velocity_before(c);
-    // The slip of least energy, V⁻ along K N: what the frictionless law takes away.
+    // The slip of least energy has V⁻ along K N, the change by the frictionless law.
     const ExactVector least = k * n * Rational(n.dot(v) / n.dot(ExactVector(k * n)));
     (c.a.immovable ? c.b : c.a).velocity += (c.a.immovable ? Rational(-1) : Rational(1)) * ExactVector(least - v);
     const Rational change = energy_change(c, colliding_truth(c, Model::sticking, Branch::only).outcome);
@@ -174,7 +176,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   EXPECT_GT(can_create, 0);
 }
 
-/// What of `energy` and of `push` holds of sticking, counted: both are violated by general bodies, none by spheres.
+/// Counts the violations of `energy` and `push` by sticking: general bodies violate both, spheres violate neither.
 TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
     int creates = 0;
@@ -192,8 +194,8 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   }
 }
 
-/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich), and κ ≤ 16 for convex uniform bodies, as for all that
-/// are star-shaped from the contact point: none for ε ≤ 8/17.
+/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich). κ ≤ 16 for convex uniform bodies, and for any uniform body
+/// that is star-shaped from the contact point. So no energy is created for ε ≤ 8/17.
 TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);

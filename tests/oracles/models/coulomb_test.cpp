@@ -8,7 +8,7 @@
 
 #include "support/exact.hpp"
 
-/// The answers of the law `coulomb`, counted.
+/// The number and the properties of the answers of the law `coulomb`.
 namespace carom::oracles {
 namespace {
 
@@ -39,7 +39,7 @@ TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
 }
 
-/// The impulse of an answer satisfies what defines the law, to what its slip resistance is isolated to.
+/// The impulse of an answer satisfies the definition of the law, up to the width of its isolated slip resistance.
 void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   const BasicCollision<Rational> c = lift(collision);
   const Vector3<Rational>& f = answer.truth.impulse;
@@ -59,7 +59,7 @@ void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
 }
 
-/// There always is one, whatever the bodies: the theorem above coulomb_answers.
+/// Every collision has an answer, by the theorem above coulomb_answers.
 TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   int slides = 0;
   int several = 0;

@@ -16,7 +16,7 @@
 #include "support/exact.hpp"
 #include "support/forward_differentiation.hpp"
 
-/// The truth of the law `rough`: what certifies it, and what it is on paper.
+/// The truth of the law `rough`: its certificate, and its values computed by hand.
 namespace carom::oracles {
 namespace {
 
@@ -29,7 +29,7 @@ Collision ball_on_a_plane() { return unit::ball_on_a_plane(0.4, 0); }
 TEST(Rough, SticksWhereFrictionSuffices) {
   Collision c = ball_on_a_plane();
   c.a.principal_inertia.setConstant(0.5);  // K = diag(3, 1, 3), D = (1, 0, 0)
-  c.friction = 0.25;                       // of 6, the normal impulse: 3/2
+  c.friction = 0.25;                       // times 6, the normal impulse: 3/2
   c.tangential_restitution = 0.5;
   const ExactCase exact_case(c);
   EXPECT_EQ(exact_case.branch(Model::rough), Branch::inside_cone);
@@ -53,7 +53,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
 }
 
-/// The parts by elimination, which shares no formula with them; the share from the outcome itself.
+/// Elimination computes the parts without any formula of the truth. The share comes from the outcome itself.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -74,7 +74,7 @@ TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   EXPECT_GT(inside, 100);
 }
 
-/// Certified, each case: residuals of what defines it are zero in ℚ(√s).
+/// Certifies each case: the residuals of its definition are zero in ℚ(√s).
 TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   int on_cone = 0;
   int irrational = 0;
@@ -94,7 +94,7 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   EXPECT_GT(irrational, 100);
 }
 
-/// What `certify_rough` rejects: each of its four demands on its own.
+/// Inputs that `certify_rough` rejects: each of its four requirements is violated separately.
 class CertifiedRough : public testing::Test {
  protected:
   CertifiedRough() {
@@ -108,7 +108,7 @@ class CertifiedRough : public testing::Test {
   [[nodiscard]] Outcome<Rational> after(const Vector3<Rational>& impulse) const {
     return sum(unchanged(exact), response<Rational>(exact, impulse));
   }
-  /// What is said of the outcome of an impulse.
+  /// The error that `certify_rough` reports for the outcome of an impulse.
   [[nodiscard]] std::string said_of(const Vector3<Rational>& impulse) const {
     try {
       certify_rough(exact, after(impulse), parts);
@@ -148,8 +148,8 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
             "the truth does not satisfy the angular momentum of A");
 }
 
-/// A body whose contact slips with (1, 0, 0) and approaches by the rounding of its own spin: V⁻ = (1, −2⁻⁵³, 0), and D
-/// = (−5/8, 3/8, 0) but for that, in the cone from μ = 5/3 on.
+/// A body whose contact slips with (1, 0, 0) and approaches by the rounding of its own spin: V⁻ = (1, −2⁻⁵³, 0). Up
+/// to that rounding D = (−5/8, 3/8, 0), which is in the cone from μ = 5/3 on.
 Collision approached_by_rounding(double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -198,7 +198,7 @@ TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
   EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
 }
 
-/// F lies on the surface exactly, at μ = 1/4: what either side is sensitive to is allowed.
+/// At μ = 1/4, F lies exactly on the surface. The sensitivity there is the larger of both sides.
 TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   const auto sensitivity_at = [](double friction) {
     Collision c = ball_on_a_plane();
@@ -207,7 +207,7 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
     c.tangential_restitution = 0.5;
     return ExactCase(c).sensitivity(Model::rough, of_binary64().allowance());
   };
-  constexpr double beside = 0x1p-20;  // further than rounding, and too near for the sensitivities to change
+  constexpr double beside = 0x1p-20;  // larger than rounding, and too small to change the sensitivities
   const Sensitivity inside = sensitivity_at(0.25 * (1 + beside));
   const Sensitivity on_cone = sensitivity_at(0.25 * (1 - beside));
   const Sensitivity at_surface = sensitivity_at(0.25);
@@ -218,7 +218,7 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   }
 }
 
-/// μ = 0: P_II is not asked, though it turns the body, nor is the cone.
+/// At μ = 0, P_II and the cone have no influence, although P_II turns the body.
 TEST(Rough, IsFrictionlessWithoutFriction) {
   Collision c = ball_on_a_plane();
   c.tangential_restitution = 0.5;
@@ -245,7 +245,7 @@ TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
   EXPECT_FALSE(cone_distance(c).is_within(0x1p-10));
 }
 
-/// |μ N·F − ‖N × F‖|, rounded once.
+/// The distance |μ N·F − ‖N × F‖|, rounded once.
 double exact_distance(const Collision& collision) {
   const BasicCollision<Rational> c = lift(collision);
   const detail::RoughImpulses<Rational> of(c, nullptr);
@@ -256,7 +256,7 @@ double exact_distance(const Collision& collision) {
   return std::abs(to_double(Radical(limit - Radical::root_of(cone.left[0]))));
 }
 
-/// The width of the band with the whole law differentiated.
+/// The width of the band by forward differentiation of the whole law.
 double band_by_forward_differentiation(const Collision& collision) {
   using T = unit::EnclosedDual;
   const auto inputs = unit::enclosed_inputs(collision);
@@ -270,8 +270,9 @@ double band_by_forward_differentiation(const Collision& collision) {
          unit::sensitivity_above({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities);
 }
 
-/// By implicit differentiation in both arithmetics, and with the whole law differentiated: the width of the band to the
-/// thousandth to which sensitivities are asked for; the distance to the digits that enclosures leave where κ(K) < 2²⁰.
+/// Compares implicit differentiation in both arithmetics with forward differentiation of the whole law. The width of
+/// the band agrees to a thousandth, the required accuracy of sensitivities. The distance agrees to the digits that
+/// enclosures keep for κ(K) < 2²⁰.
 TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -288,7 +289,7 @@ TEST(ConeDistance, IsTheSameBothWays) {
     const double exact = exact_distance(one.collision);
     for (const double distance : {quick.distance, enclosed.distance}) {
       EXPECT_LE(distance, exact) << family;
-      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp), and enclosures leave 2⁻¹⁰⁰ κ(K).
+      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp), and enclosures have an error of 2⁻¹⁰⁰ κ(K).
       EXPECT_GE(distance, (1 - 0x1p-47) * exact - 0x1p-80 * band) << family;
     }
     ++compared;
@@ -316,7 +317,7 @@ TEST(Radical, IsAFieldWithAnOrder) {
   EXPECT_EQ(to_text(x), "3 + -2 √(2)");
 }
 
-/// 665857/470832 misses √2 by 1.6 × 10⁻¹²: the digits that cancel are not lost.
+/// 665857/470832 differs from √2 by 1.6 × 10⁻¹². The digits that cancel are not lost.
 TEST(Radical, IsRoundedWithoutCancellation) {
   const Radical near = Radical::root_of(Rational(2)) - Radical(ratio(665857, 470832));
   const Rational product = near.rational_part() * near.rational_part() - Rational(2);

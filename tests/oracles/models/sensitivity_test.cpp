@@ -24,10 +24,10 @@ namespace {
 
 using ExactDual = Dual<Radical, collision_inputs>;
 
-/// The branch that answers, as if the contact collided.
+/// The branch that the law takes, as if the contact collided.
 Branch branch_of(const Collision& collision, Model model) { return ExactCase(collision).branch(model); }
 
-/// The law's answer with its exact derivatives, and the inputs that they are by.
+/// The law's answer with its exact derivatives, and their inputs.
 struct Differentiated {
   Differentiated(const Collision& collision, Model model)
       : truth(colliding_truth(
@@ -41,7 +41,8 @@ struct Differentiated {
         collision);
   }
 
-  /// Σ_j degree(path_j) x_j ∂y/∂x_j: by Euler d · y, where y is homogeneous of degree d under x_j → k^degree x_j.
+  /// Σ_j degree(path_j) x_j ∂y/∂x_j. By Euler this is d · y, if y is homogeneous of degree d under x_j → k^degree
+  /// x_j.
   template <class Degree>
   [[nodiscard]] Radical euler_sum(const ExactDual& y, const Degree& degree) const {
     Radical sum(0);
@@ -67,7 +68,7 @@ std::vector<Collision> binary64_collisions() {
   return result;
 }
 
-/// Σ_j degree x_j ∂y/∂x_j = d y for each component y, d the degree of velocities and that of angular velocities.
+/// Σ_j degree x_j ∂y/∂x_j = d y for each component y. d is the degree of velocities or that of angular velocities.
 template <class Degree>
 void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_velocity) {
   for (const Collision& collision : binary64_collisions()) {
@@ -119,7 +120,7 @@ TEST(Derivatives, SumToNothingOverTheLengthOfAnOrientation) {
                      0);
 }
 
-/// The length of a quantity, by its definition: positions of movable bodies have the extent besides.
+/// The length of a quantity by definition. For positions of movable bodies it includes the extent.
 double length_by_definition(const Collision& collision, const FieldPath& of, const std::vector<double>& numbers) {
   double squares = 0;
   for (const double x : numbers) {
@@ -135,7 +136,7 @@ double length_by_definition(const Collision& collision, const FieldPath& of, con
   return std::sqrt(squares) + std::sqrt(std::max(least, 0.0) / (2 * body.mass));
 }
 
-/// Sensitivity by its definition: exact derivatives, each norm and the sum rounded.
+/// The sensitivity by definition: exact derivatives, with each norm and the sum rounded.
 Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
   const Differentiated differentiated(collision, model);
   const Outcome<double> before = unchanged(collision);
@@ -161,8 +162,8 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
   return result;
 }
 
-/// In binary64 the sums lose κ(K) u per operation: κ < 2^20 there, and fewer than 2^7 operations follow one another, so
-/// they are good to 2^(20 + 7 − 53).
+/// In binary64 each operation loses κ(K) u. Here κ < 2^20, and fewer than 2^7 operations depend on one another, so
+/// the sums are accurate to 2^(20 + 7 − 53).
 TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   constexpr double relative = 0x1p-26;
   std::vector<Collision> all = binary64_collisions();
@@ -187,7 +188,7 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   EXPECT_GT(colliding, 5);
 }
 
-/// By the whole law differentiated, in enclosures.
+/// By forward differentiation of the whole law, in enclosures.
 Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, Model model, Branch branch) {
   const auto inputs = unit::enclosed_inputs(collision);
   const auto truth = colliding_truth(inputs.collision, model, branch);
@@ -199,8 +200,8 @@ Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, M
   return result;
 }
 
-/// Implicit differentiation and the whole law differentiated, to what binary64 may lose where κ(K) < 2^20, and where
-/// spins of slender bodies cancel.
+/// Compares implicit differentiation with forward differentiation of the whole law. The tolerance is the loss of
+/// binary64 for κ(K) < 2^20 and for cancelling spins of slender bodies.
 TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   constexpr double relative = 0x1p-24;
   std::size_t compared = 0;
@@ -248,8 +249,8 @@ double growth(const Collision& c) {
   return 1 + arms / lambda;
 }
 
-/// Double-double arithmetic loses fewer than 2⁹ of its roundings, 2⁻¹⁰² each, times their growth; and binary64 eight
-/// for the sum. The radii alone tell less.
+/// Double-double arithmetic has fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight for
+/// the sum. The radii alone give a weaker bound.
 TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   std::size_t compared = 0;
   std::size_t unknown_by_radii = 0;
@@ -277,7 +278,7 @@ TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   EXPECT_GT(unknown_by_radii, 2U);
 }
 
-/// Thin bodies, of which less and less is known.
+/// Thin bodies, for which fewer and fewer digits are known.
 TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   Collision c;
   c.a.orientation = {3, 1, 2, 1};
@@ -291,8 +292,8 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   }
 }
 
-/// On the cone's surface D = P_II − P_I cancels, and with it the divisor of κ. Double-double arithmetic keeps less than
-/// a thousandth here, though κ(K) is 2⁶⁴ alone.
+/// On the cone's surface D = P_II − P_I and the divisor of κ cancel. Double-double arithmetic does not keep a
+/// thousandth here, although κ(K) is only 2⁶⁴.
 TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   Collision c;
   c.a.principal_inertia = {4.8104236488202286e-20, 1, 1.25};
@@ -310,7 +311,7 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   EXPECT_FALSE(enclosed_sensitivity(c, Model::rough, Branch::on_cone, true));
 }
 
-/// Masses times 2⁶⁰⁰ and velocities times 2³⁰⁰ are other units.
+/// Masses times 2⁶⁰⁰ and velocities times 2³⁰⁰ correspond to other units.
 TEST(Sensitivity, HasNoUnits) {
   const auto named = [](const std::string& name) {
     for (const unit::KnownCollision& one : unit::known_collisions()) {
@@ -327,7 +328,7 @@ TEST(Sensitivity, HasNoUnits) {
       const Sensitivity of_plain = plain.sensitivity(model, allowance);
       const Sensitivity of_huge = huge.sensitivity(model, allowance);
       for (const OutcomeVector k : all_outcome_vectors) {
-        // A thousandth is what is asked of a sensitivity.
+        // A sensitivity must be accurate to a thousandth.
         EXPECT_NEAR(of_huge[k], std::ldexp(of_plain[k], 300), 0x1p-10 * of_huge[k])
             << name_of(model) << ' ' << allowance << ' ' << name_of(k);
       }
@@ -335,8 +336,8 @@ TEST(Sensitivity, HasNoUnits) {
   }
 }
 
-/// Moments of inertia far too small for the lever arm, which is along the normal but for rounding: of r × N binary64
-/// keeps nothing.
+/// The moments of inertia are far too small for the lever arm, which is along the normal up to rounding. Binary64
+/// keeps no digit of r × N.
 TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
   for (const double length : {1.0, 1e3, 1e6}) {
     Collision c;
@@ -402,11 +403,12 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = (std::sqrt(3.0) + 1) * std::sqrt(v.dot(v));
-  // At most eight roundings of positive terms; and the second order, the allowance times what an impulse could change.
+  // At most eight roundings of positive terms. The second order adds the allowance times the possible change by an
+  // impulse.
   EXPECT_NEAR(actual[OutcomeVector::velocity_of_b], expected, 0x1p-50 * expected + 0x1p-48 * 64 * expected);
 }
 
-/// N = (1, 1, 0), V = (1, −1 ∓ 2^-40, 0): N·V = ∓2^-40, and ‖V‖ ‖N‖ + ‖N‖ ‖v_A‖ = 4 and a little.
+/// N = (1, 1, 0), V = (1, −1 ∓ 2^-40, 0): N·V = ∓2^-40, and ‖V‖ ‖N‖ + ‖N‖ ‖v_A‖ is slightly more than 4.
 TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   for (const double side : {-1.0, 1.0}) {
     Collision c;
@@ -420,7 +422,7 @@ TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   }
 }
 
-/// As forward differentiation has it, and the band ends there.
+/// The edge of the band agrees with forward differentiation.
 TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   int seen = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {
@@ -442,7 +444,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   EXPECT_GE(seen, 4);
 }
 
-/// The derivative by the position of A is beyond binary64. That position is zero, and so has no part in the sum.
+/// The derivative by the position of A exceeds binary64. That position is zero, so it does not contribute to the sum.
 TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
   Collision c;
   c.normal = {1e200, 0, 0};
@@ -456,7 +458,7 @@ TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
   EXPECT_FALSE(exact_case.is_grazing(0x1p-56));
 }
 
-/// Separating by less than the allowance, the contact is given the sensitivity of a collision.
+/// A contact that separates by less than the allowance gets the sensitivity of a collision.
 TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   Collision c;
   c.normal = {1, 1, 0};

@@ -28,7 +28,7 @@ void expect_same_truth(const Collision& collision, const std::string& what) {
   }
 }
 
-/// Neither asks for the sign of N·V⁻, so contacts that rest or separate are compared as well.
+/// Neither computation uses the sign of N·V⁻, so resting and separating contacts are compared as well.
 TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::stream_from(50000 + i);
@@ -51,7 +51,7 @@ TEST(Truth, RefusesTheModelThatDeterminesNoOutcome) {
 }
 
 /// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction the impulse is
-/// (0, 12, 0), the outcome (1, 2, 0). Where it sticks, K = diag(3/2, 1/2, 3/2) and K F = (−1, 6, 0).
+/// (0, 12, 0) and the outcome (1, 2, 0). If it sticks, K = diag(3/2, 1/2, 3/2) and K F = (−1, 6, 0).
 TEST(Truth, IsWhatATextbookSays) {
   Collision c;
   c.a.mass = 2;
@@ -100,7 +100,7 @@ TEST(Approach, IsTheSignOfTheExactNormalVelocity) {
   }
 }
 
-/// N·V⁻ = ±2^-150 or 0 beside terms of size 1: beyond double-double, so the exact sign has to decide.
+/// N·V⁻ = ±2^-150 or 0 beside terms of size 1 is beyond double-double, so the exact sign must decide.
 TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   for (const int sign : {-1, 0, 1}) {
     Collision c;
@@ -111,7 +111,7 @@ TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   }
 }
 
-/// A contact of each kind: two movable bodies, and one of them a moving wall.
+/// A contact of each kind: two movable bodies, or one movable body and a moving wall.
 std::vector<Collision> contacts_to_certify() {
   std::vector<Collision> contacts;
   for (const char* family : {"elastic", "inelastic", "immovable_a", "immovable_b", "driven_wall", "zero_lever"}) {
@@ -153,7 +153,7 @@ TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
   }
 }
 
-/// What certify finds wrong; "" where it finds nothing.
+/// The error that certify reports; "" if there is none.
 std::string reproach(const BasicCollision<Rational>& exact, Model model, const Outcome<Rational>& outcome) {
   try {
     certify(exact, model, Approach::colliding, outcome);
@@ -192,7 +192,7 @@ TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
   }
 }
 
-/// A alone is given an impulse, as if B were a wall: it obeys its own laws and all that is asked of V⁺.
+/// Only A gets an impulse, as if B were a wall. The outcome satisfies A's laws and every condition on V⁺.
 TEST(Certify, NeedsLinearMomentum) {
   const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
   BasicCollision<Rational> against_a_wall = c;
@@ -212,7 +212,7 @@ TEST(Certify, NeedsTheTangentialLawOfTheModel) {
             "the truth does not satisfy the reflection plane");
 }
 
-/// The answer for another ε keeps every momentum and breaks eq. 17 alone.
+/// The answer for another ε conserves every momentum and violates only eq. 17.
 TEST(Certify, NeedsRestitution) {
   BasicCollision<Rational> exact = lift(unit::case_of("elastic", 0).collision);
   exact.restitution = ratio(99, 100);

@@ -14,13 +14,13 @@ namespace {
 
 using unit::ratio;
 
-/// A number, approximated and exactly.
+/// A number, approximate and exact.
 struct Approximated {
   Approximation approximate;
   Rational exact;
 };
 
-/// |x − middle| ≤ radius, and what follows from it for the size and the sign of x.
+/// Checks |x − middle| ≤ radius, and the bounds of the size and the sign of x that follow from it.
 testing::AssertionResult contains(const Approximated& both) {
   const Approximation& x = both.approximate;
   if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
@@ -99,7 +99,7 @@ TEST(Approximation, KeepsExactZeros) {
   const Approximation third = Approximation(1) / Approximation(3);
   EXPECT_EQ((Approximation(0) * third).sign(), 0);
   EXPECT_EQ((Approximation(0.25) - Approximation(0.25)).sign(), 0);
-  EXPECT_EQ((third * Approximation(3) - Approximation(1)).sign(), std::nullopt);  // 0, but it cannot know
+  EXPECT_EQ((third * Approximation(3) - Approximation(1)).sign(), std::nullopt);  // 0, but the bound cannot prove it
 }
 
 TEST(Approximation, GoesToEnclosuresAndBack) {
@@ -115,7 +115,7 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
 const Rational& nearly(const Rational& x) { return x; }
 Rational nearly(const Radical& x) { return approximately(x); }
 
-/// The step of refinement contains the truth, and is about as good as double-double throughout.
+/// The refined result contains the truth, and is nearly as accurate as double-double throughout.
 TEST(RefinedTruth, ContainsTheTruth) {
   int good = 0;
   int all = 0;
@@ -136,7 +136,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
         double radius = 0;
         for (int i = 0; i < 3; ++i) {
           const Rational& y = (*vectors(exact)[k])[i];
-          // Of √s 150 bits, of which an enclosure holds no more than 110.
+          // √s has 150 bits, of which an enclosure keeps at most 110.
           const Enclosure difference = (*enclosed[k])[i] - Enclosure(y);
           EXPECT_EQ(difference.magnitude_below(), 0) << family << ' ' << name_of(k);
           radius = std::max(radius, (*enclosed[k])[i].radius());
@@ -150,7 +150,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
   EXPECT_GT(good, all / 10 * 9);
 }
 
-/// low² ≤ x ≤ high² for every x that the radius leaves open, of which the ends decide.
+/// low² ≤ x ≤ high² for every x within the radius. The two ends decide.
 TEST(Approximation, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -47,7 +47,7 @@ TEST(Dual, GivesConstantsNoDerivative) {
   EXPECT_EQ(D().value, 0);
 }
 
-/// The same object, in a way that compilers do not warn of.
+/// Returns the same object in a way that causes no compiler warning.
 const D& itself(const D& x) { return x; }
 
 TEST(Dual, SurvivesBeingItsOwnOperand) {
@@ -69,7 +69,7 @@ TEST(Dual, SurvivesBeingItsOwnOperand) {
   EXPECT_EQ(quotient.derivative[0], 0);
 }
 
-/// In each variable of degree one, so that a difference quotient of any step is the derivative.
+/// A polynomial of degree one in each variable, so a difference quotient with any step equals the derivative.
 template <class T>
 T multilinear(const std::array<T, 4>& x) {
   return x[0] * x[1] * x[2] - T(7) * x[1] * x[3] + (x[0] - T(2)) * (x[3] + T(1)) / T(3) + x[2];
@@ -95,7 +95,7 @@ TEST(Dual, EqualsTheDifferenceQuotientOfWhatIsLinear) {
   }
 }
 
-/// As the defining equations use it: in Eigen's products.
+/// In Eigen's products, as the defining equations use it.
 TEST(Dual, GoesThroughEigen) {
   using D3 = Dual<Rational, 3>;
   const Vector3<D3> x{D3::input(1, 0), D3::input(2, 1), D3::input(3, 2)};

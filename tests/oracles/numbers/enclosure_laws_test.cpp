@@ -5,7 +5,7 @@
 
 namespace carom::unit {
 
-/// With a bound: what agrees may differ by no more than both bounds.
+/// A type with a bound: numbers agree if they differ by at most the sum of both bounds.
 template <>
 struct NumberType<oracles::Enclosure> {
   using T = oracles::Enclosure;

@@ -18,13 +18,13 @@ using unit::ratio;
 using unit::two_to;
 using Limits = std::numeric_limits<double>;
 
-/// A number, enclosed and exactly.
+/// A number, enclosed and exact.
 struct Both {
   Enclosure enclosed;
   Rational exact;
 };
 
-/// magnitude_below ≤ |x| ≤ magnitude_above, and the sign is right where it is given.
+/// magnitude_below ≤ |x| ≤ magnitude_above, and the sign is right if it is given.
 testing::AssertionResult encloses(const Both& both) {
   const Rational magnitude = abs(both.exact);
   const double above = both.enclosed.magnitude_above();
@@ -41,8 +41,8 @@ testing::AssertionResult encloses(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-/// The sharper test of the radius: the difference to the number itself, which is zero, is not found to be something
-/// else. Only where the number is in the range that its own enclosure is good to 2^-100 in.
+/// A sharper test of the radius: the difference to the number itself must not exclude zero. It applies only in the
+/// range in which the number's own enclosure is accurate to 2^-100.
 testing::AssertionResult contains(const Both& both) {
   const double rounded = std::abs(to_double(both.exact));
   if (!(rounded > 0x1p-800 && rounded < 0x1p800)) {
@@ -60,7 +60,7 @@ Both leaf(properties::Stream& stream, int exponents) {
   const int exponent = stream.integer(-exponents, exponents);
   switch (stream.integer(0, 6)) {
     case 0: {
-      const int small = stream.integer(-3, 3);  // zero among them
+      const int small = stream.integer(-3, 3);  // sometimes zero
       return {Enclosure(small), Rational(small)};
     }
     case 1: {
@@ -68,7 +68,7 @@ Both leaf(properties::Stream& stream, int exponents) {
       return {Enclosure(x), lift(x)};
     }
     case 2: {
-      // Smaller and larger rationals have tests of their own below.
+      // Separate tests cover smaller and larger rationals.
       const int inside = std::clamp(exponent, -900, 900);
       const Rational x = ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)) * two_to(inside);
       return {Enclosure(x), x};
@@ -85,7 +85,7 @@ struct Count {
   int decided = 0;  // the sign is given
 };
 
-/// x op y in both arithmetics, looked at.
+/// Computes x op y in both arithmetics and checks the result.
 Both combined(const Both& x, const Both& y, int operation, Count& count) {
   Both result;
   switch (operation) {
@@ -119,7 +119,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   }
   const Both x = expression(stream, depth - 1, exponents, count);
   if (stream.chance(6)) {
-    // Near cancellation: less its own leading bits, or less itself and a trifle.
+    // Near cancellation: the number minus its own leading bits, or minus nearly itself.
     const double leading = to_double(x.exact);
     if (std::isfinite(leading) && (leading == 0 || std::abs(leading) > Limits::min())) {
       const double trifle = std::ldexp(leading, -stream.integer(40, 110));
@@ -131,7 +131,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   return combined(x, y, stream.integer(0, 3), count);
 }
 
-/// As wide as the inputs of engines are, far wider, and past the ends of binary64.
+/// Inputs as wide as those of engines, far wider, and past the ends of binary64.
 TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
   for (const int exponents : {4, 60, 250, 1000}) {
     Count count;
@@ -143,7 +143,7 @@ TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
       }
     }
     if (exponents <= 60) {
-      // It also decides: all but cancellations beyond double-double.
+      // The enclosures also decide, except for cancellations beyond double-double.
       EXPECT_GT(count.decided, count.operations / 10 * 8);
     }
   }
@@ -162,7 +162,7 @@ TEST(Enclosure, KnowsTheSignOfADifferenceInTheHundredthBit) {
   const Enclosure slightly_more = third + Enclosure(0x1p-98);
   EXPECT_EQ((slightly_more - third).sign(), 1);
   EXPECT_EQ((third - slightly_more).sign(), -1);
-  EXPECT_EQ((third * Enclosure(3) - Enclosure(1)).sign(), std::nullopt);  // 0, but it cannot know
+  EXPECT_EQ((third * Enclosure(3) - Enclosure(1)).sign(), std::nullopt);  // 0, but the enclosure cannot prove it
 }
 
 TEST(Enclosure, RefusesWhatOverflows) {
@@ -174,7 +174,7 @@ TEST(Enclosure, RefusesWhatOverflows) {
     EXPECT_EQ(overflown.sign(), std::nullopt);
     EXPECT_EQ(overflown.magnitude_below(), 0);
     EXPECT_EQ(overflown.magnitude_above(), Limits::infinity());
-    // And whatever is made of it.
+    // The same holds for every result computed from it.
     EXPECT_EQ((overflown + Enclosure(1)).sign(), std::nullopt);
     EXPECT_EQ((Enclosure(1) / overflown).sign(), std::nullopt);
     EXPECT_EQ((overflown - overflown).sign(), std::nullopt);
@@ -196,7 +196,7 @@ TEST(Enclosure, DoesNotCallATinyProductZero) {
   EXPECT_EQ((tiny * Enclosure(0)).sign(), 0);
 }
 
-/// Extended numbers reach further than binary64 on both sides.
+/// Extended numbers have a wider range than binary64 on both sides.
 TEST(Enclosure, ContainsExtendedNumbersOfEveryExponent) {
   properties::Stream stream = properties::stream_from(31);
   for (int i = 0; i < 5000; ++i) {
@@ -217,7 +217,7 @@ TEST(Enclosure, ContainsRationalsOfEveryExponentOfBinary64) {
   }
 }
 
-/// Where the second half of the double-double, or the whole number, is subnormal or below.
+/// The second half of the double-double, or the whole number, is subnormal or underflows.
 TEST(Enclosure, ContainsRationalsBelowTheRangeOfBinary64) {
   for (int exponent = -1200; exponent < -900; ++exponent) {
     const Rational x = ratio(5, 3) * two_to(exponent);
@@ -228,7 +228,7 @@ TEST(Enclosure, ContainsRationalsBelowTheRangeOfBinary64) {
   }
 }
 
-/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
 TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   const auto encloses_huge = [] {
     const Rational x = two_to(1100);
@@ -237,7 +237,7 @@ TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   EXPECT_EXIT(encloses_huge(), testing::ExitedWithCode(0), "");
 }
 
-/// low² ≤ x ≤ high² for every x that the radius leaves open, of which the ends decide.
+/// low² ≤ x ≤ high² for every x within the radius. The two ends decide.
 TEST(Enclosure, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -10,7 +10,7 @@
 namespace carom::oracles {
 namespace {
 
-/// Squares leave the range of binary64, or lose digits below it, from about 2^±500 on.
+/// Beyond about 2^±500, squares overflow binary64 or lose digits by underflow.
 TEST(Norm, KeepsItsDigitsWhateverTheSize) {
   for (const int exponent : {-1070, -1000, -540, -460, 0, 460, 540, 1000}) {
     const double unit = std::ldexp(1.0, exponent);

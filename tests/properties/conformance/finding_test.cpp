@@ -14,7 +14,7 @@
 
 #include "mutants/catalogue.hpp"
 
-/// What the kit's tests find: of sound solvers nothing, and of each mutant what its defect is.
+/// The kit's tests find nothing in sound solvers, and find the defect of each mutant.
 namespace carom::conformance {
 namespace {
 
@@ -103,7 +103,7 @@ TEST(Finding, SaysWhereASubjectRemembers) {
   expect_in(finding.text, {"it remembers earlier collisions"});
 }
 
-/// Neither is a suite of a sound solver skipped as a whole: each invariant is tested in some family.
+/// No suite of a sound solver is skipped as a whole: each invariant is tested in some family.
 class SoundSuite : public testing::TestWithParam<Subject> {};
 
 TEST_P(SoundSuite, HoldsAndTestsEachInvariant) {

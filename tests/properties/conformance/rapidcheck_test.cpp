@@ -56,12 +56,12 @@ Case drawn_by_words(const Family& family, const std::vector<properties::Choice>&
   return drawn;
 }
 
-/// The same choices, but nothing is plain.
+/// The same choices, but none of them is plain.
 ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
   const auto is_plain = [](const properties::Choice& choice) {
     return choice.question.is_of_plainness && choice.answer == 1;
   };
-  // Other numbers may bring other questions.
+  // Other numbers may lead to other choices, so this repeats until none is plain.
   while (std::any_of(chosen.choices.begin(), chosen.choices.end(), is_plain)) {
     for (properties::Choice& choice : chosen.choices) {
       choice.answer = is_plain(choice) ? 0 : choice.answer;
@@ -73,8 +73,8 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
 
 class EachFamily : public testing::TestWithParam<const Family*> {};
 
-/// Cases of many sizes become simpler and simpler. The family's definition draws each of them from its choices. The
-/// gate draws it too, from words, once no number is plain.
+/// Shrinks cases of many sizes. The family's definition draws each simpler case from its choices. Without plain
+/// numbers, the gate also draws it from words.
 TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
@@ -83,7 +83,7 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
     ChosenCase chosen = properties::chosen_case(
         family.generate, [&] { return random.next(); }, size);
     while (true) {
-      // Any of the next ones, so that many ways down are gone.
+      // Takes one of the next simpler cases at random, to try many paths.
       properties::SimplerCases simpler(family.generate, chosen, random.next() % 1000);
       std::optional<ChosenCase> next = simpler.next();
       if (!next) {
@@ -115,7 +115,8 @@ TEST_P(EachFamily, IsTheGatesAtFullSize) {
 INSTANTIATE_TEST_SUITE_P(Of, EachFamily, testing::ValuesIn(each_family()),
                          [](const auto& test) { return std::string(test.param->name); });
 
-/// So many values of a generator, of all sizes; and of each, those that it shrinks to, the first `tried` at each step.
+/// Visits values of a generator at all sizes. For each value it visits the values that it shrinks to, the first
+/// `tried` at each step.
 template <class Visit>
 void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) {
   rc::Random random(3);
@@ -176,7 +177,7 @@ TEST(Generators, AreOneForEachFamilyByItsName) {
   EXPECT_THROW((void)gen::with_feature("a.nothing"), std::invalid_argument);
 }
 
-/// The numbers of a collision that are not 0.
+/// The number of nonzero numbers of a collision.
 long numbers_of(const Collision& collision) {
   const std::vector<std::uint64_t> bits = bits_of(collision);
   return static_cast<long>(bits.size()) - std::count(bits.begin(), bits.end(), 0U);
@@ -191,7 +192,7 @@ TEST(Generators, GiveSimpleCollisionsAtSmallSizes) {
       complexities[i] += properties::complexity(gen::generic()(random.split(), sizes[i]).value());
     }
   }
-  // At size 2, one answer in 25 is free: of 50 numbers few.
+  // At size 2, one choice in 25 is free, so only a few of 50 numbers are not plain.
   EXPECT_LT(complexities[0], complexities[2] / 8);
   EXPECT_LT(complexities[0], complexities[1]);
   EXPECT_LT(complexities[1], complexities[2]);
@@ -230,7 +231,7 @@ RC_GTEST_PROP(Generators, ComposeWithThoseOfRapidCheck, ()) {
   RC_ASSERT(restitution <= 1);
 }
 
-/// Each feature can be asked for, and is there in what a collision shrinks to.
+/// Every feature is available by name, and remains while a collision shrinks.
 TEST(Features, AreGivenByName) {
   for (const properties::Feature& feature : properties::all_features()) {
     int seen = 0;

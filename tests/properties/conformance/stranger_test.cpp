@@ -8,13 +8,13 @@
 
 #include "consumer/conformance/my_solver.hpp"
 
-/// A stranger's solver has a defect, and knows nothing of Carom.
+/// A user's solver with a defect, written without Carom.
 namespace carom {
 namespace {
 
 bool fails(const Collision& collision) { return !properties::non_penetrating_post_velocity(my_solver, collision); }
 
-/// As RapidCheck shrinks: to the first simpler value that fails as well, and on from there.
+/// Shrinks like RapidCheck: moves to the first simpler value that also fails, and repeats.
 Collision shrunk(rc::Shrinkable<Collision> failing) {
   auto shrinks = failing.shrinks();
   while (auto next = shrinks.next()) {
@@ -26,8 +26,8 @@ Collision shrunk(rc::Shrinkable<Collision> failing) {
   return failing.value();
 }
 
-/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`. An orientation
-/// (w, 0, 0, 0) is none.
+/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`. An orientation (w,
+/// 0, 0, 0) counts as a default.
 int numbers_to_write(const Collision& collision) {
   int count = 0;
   for_each_number(
@@ -40,8 +40,8 @@ int numbers_to_write(const Collision& collision) {
   return count;
 }
 
-/// The solver is wrong if a spin turns one body into the other. That takes one component of each of N, r and w, and
-/// every other number may be 0 or a unit.
+/// The solver is wrong if a spin moves one body towards the other. That takes one component of each of N, r and w.
+/// Every other number may be 0 or a unit.
 constexpr int most_numbers = 3;
 
 TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {

@@ -18,7 +18,7 @@ Answer answer_of(const Subject& subject, const Collision& collision) {
   return session(std::span(&collision, 1)).at(0);
 }
 
-/// Two balls meet along y at 1 m/s, the second at rest.
+/// Two balls meet along y at 1 m/s. The second is at rest.
 Collision along_y() {
   Collision collision;
   collision.a.position = {0, 1, 0};
@@ -56,7 +56,7 @@ TEST(CallableSubject, TakesContactsOfEachScalarAndCollisions) {
   }
 }
 
-/// Those that return it show their collision matrix, and all others show none.
+/// Callables that return a collision matrix report it. Others report none.
 TEST(CallableSubject, MayShowItsCollisionMatrix) {
   const auto shown = [](const auto& contact) -> SolvedOutcome<float> {
     const auto see = impulse::collision_matrix(contact);

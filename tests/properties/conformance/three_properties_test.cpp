@@ -16,8 +16,7 @@
 
 #include "mutants/one_property_broken.hpp"
 
-/// Every built-in solver that claims to be right has the three properties, and of the solvers with a planted defect
-/// each lacks one.
+/// Every sound built-in solver has the three properties. Each solver with a planted defect lacks exactly one.
 namespace carom {
 namespace {
 
@@ -25,7 +24,7 @@ using properties::Ruling;
 
 using JudgedProperty = Ruling (*)(const ReportedOutcome&, const Collision&, const Precision&);
 
-/// One of the three, of an answer that is known.
+/// Judges one of the three properties of a known answer.
 template <class Judge>
 Ruling of_answer(const Judge& judge, const ReportedOutcome& answer, const Collision& collision, Precision precision) {
   return judge([&](const Collision&) { return answer; }, collision, precision);
@@ -35,7 +34,7 @@ constexpr auto never_penetrates = [](const auto&... all) { return properties::no
 constexpr auto has_definite_matrix = [](const auto&... all) { return properties::positive_definiteness(all...); };
 constexpr auto keeps_momentum = [](const auto&... all) { return properties::momentum_conservation(all...); };
 
-/// By its key.
+/// The three properties by key.
 const std::map<std::string_view, JudgedProperty>& judged_properties() {
   static const std::map<std::string_view, JudgedProperty> all{
       {"non_penetrating_post_velocity", [](const auto&... of) { return of_answer(never_penetrates, of...); }},
@@ -44,7 +43,7 @@ const std::map<std::string_view, JudgedProperty>& judged_properties() {
   return all;
 }
 
-/// A subject, one session of it, and how often a property spoke of its answers.
+/// A subject, one session of it, and the number of its answers that a property judged.
 struct Solver {
   Subject subject;
   Session session;
@@ -52,7 +51,7 @@ struct Solver {
 
   explicit Solver(const Subject& of) : subject(of), session(of.open()) {}
 
-  /// The violation by its answer, in words. Empty if there is none, or if the case cannot be posed to it.
+  /// The violation by its answer, in words. Empty if there is none, or if the subject cannot take the case.
   [[nodiscard]] std::string violation(std::string_view property, const Collision& collision) {
     const Answer answer = session(std::span(&collision, 1)).at(0);
     if (std::holds_alternative<Skipped>(answer)) {
@@ -102,7 +101,7 @@ RC_GTEST_PROP(EverySolver, ConservesMomentum, (const Collision& collision)) {
   expect_of_every_solver("momentum_conservation", collision);
 }
 
-/// The three above are not empty: of a hundred collisions, more than ten are in each property's domain.
+/// The three properties are not vacuous: of a hundred collisions, more than ten are in each property's domain.
 TEST(EverySolver, IsJudged) {
   rc::Random random(1);
   for (Solver& solver : every_sound_solver()) {
@@ -122,7 +121,7 @@ TEST(EverySolver, IsJudged) {
 
 class PlantedDefect : public testing::TestWithParam<mutants::BrokenProperty> {};
 
-/// RapidCheck finds it by its property, and by no other.
+/// RapidCheck finds the defect by its property, and by no other.
 TEST_P(PlantedDefect, LacksThatPropertyAlone) {
   Solver solver(GetParam().subject());
   for (const properties::Property& property : properties::three_properties()) {
@@ -136,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PlantedDefect,
                          testing::ValuesIn(mutants::broken_properties().begin(), mutants::broken_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// The properties are functions of any callable, in the precision of its outcome.
+/// The properties accept any callable, and judge in the precision of its outcome.
 TEST(ThreeProperties, AreOfAnyCallable) {
   Collision collision;
   collision.a.velocity = {0, -1, 0};

@@ -11,7 +11,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Cases of all families whose answer is the law's, as if it were in question.
+/// Cases of all families with the law's answer, as the answer to diagnose.
 std::vector<KnownCase> right_answers(Model model) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
@@ -37,7 +37,8 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
   }
 }
 
-/// Each can be told from what is right: somewhere its answer is visibly another, and there it explains itself.
+/// Each hypothesis is distinguishable from the right answer: in some case its answer visibly differs, and there it
+/// explains itself.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
   for (const Model model : models_with_truth) {
@@ -61,7 +62,7 @@ TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   }
 }
 
-/// What is right is no hypothesis's doing.
+/// No hypothesis explains a right answer.
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
   for (const Model model : models_with_truth) {
     for (const KnownCase& one : right_answers(model)) {

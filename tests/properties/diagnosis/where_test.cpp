@@ -11,7 +11,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// What a run of these families samples, and which of it is violated.
+/// The samples of a run of these families, and the violated ones among them.
 struct Sampled {
   GateReport report;
   std::vector<std::vector<std::uint64_t>> violated;
@@ -83,7 +83,7 @@ TEST(Where, AnAbsenceIsFound) {
   expect_in("neither A nor B: the body is immovable", words);
 }
 
-/// Nothing is made up where chance alone decides.
+/// Chance alone produces no finding.
 TEST(Where, NothingIsFoundWhereThereIsNothing) {
   int count = 0;
   const std::string words =

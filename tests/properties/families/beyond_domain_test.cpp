@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t drawn_cases = 400;
 
-/// The greatest moment over the least, of the body where that is more.
+/// The ratio of the largest to the smallest moment, for the body with the larger ratio.
 double moment_ratio(const Collision& c) {
   double ratio = 1;
   for (const Body* body : {&c.a, &c.b}) {
@@ -26,7 +26,7 @@ double moment_ratio(const Collision& c) {
   return ratio;
 }
 
-/// How many of the cases are valid and colliding, and the least and the greatest of the quantity.
+/// The number of valid, colliding cases, and the smallest and the largest value of the quantity.
 struct Drawn {
   int colliding = 0;
   double least = HUGE_VAL;
@@ -58,9 +58,9 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
 
 TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
   const Drawn drawn = drawn_of(*family_named("far_contacts"));
-  EXPECT_GE(drawn.colliding, 396);  // what hardly spins and has no lever arm may rest
-  // Of 27 powers of two the least and the greatest are each drawn for one body in 27: both in 400 cases, but for a
-  // chance of 2 (26/27)^400 < 10⁻⁶. The bodies have a bound of a few tens before.
+  EXPECT_GE(drawn.colliding, 396);  // a body without lever arm and nearly without spin may rest
+  // Each of 27 powers of two is drawn for one body in 27, so 400 cases contain the smallest and the largest, except
+  // for a chance of 2 (26/27)^400 < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
   EXPECT_LT(drawn.least, 1e3);
   EXPECT_GT(drawn.greatest, 1e14);
   EXPECT_LT(drawn.greatest, 1e19);
@@ -75,7 +75,7 @@ TEST(BeyondDomain, HasMomentsThatNoBodyHas) {
   EXPECT_GT(drawn.greatest, 1e15);
 }
 
-/// No body of a family in the claimed domain has such moments, but for what is set to be flat and rounded.
+/// No body of a family in the claimed domain has such moments, except for bodies made flat, and rounding.
 TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of("physical", i).collision;
@@ -84,7 +84,7 @@ TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   }
 }
 
-/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]), exactly. Fewer than 64 roundings of positive terms lead to the number in binary64.
+/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]), exactly. The number in binary64 has fewer than 64 roundings of positive terms.
 TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
   for (const char* family : {"far_contacts", "impossible_moments", "generic", "driven_wall"}) {
     for (std::uint64_t i = 0; i < 50; ++i) {
@@ -93,7 +93,7 @@ TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
       const double exact =
           oracles::to_double(oracles::Rational(exact_case.collision_matrix().trace()) / lambda - oracles::Rational(2));
       const double measured = condition_number_at_most(exact_case.collision());
-      // The turned lever arm is rounded by u of its length, which a small moment may divide.
+      // The rotated lever arm has a rounding error of u times its length, which a small moment may divide.
       const double rounding = 64 * 0x1p-53 * exact * std::max(1.0, moment_ratio(exact_case.collision()));
       EXPECT_NEAR(measured, exact, rounding) << family << ' ' << i;
     }

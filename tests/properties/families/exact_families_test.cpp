@@ -9,7 +9,7 @@
 
 #include "support/exact.hpp"
 
-/// What the families promise of N, V and K, exactly.
+/// The families' promises about N, V and K, exactly.
 namespace carom::properties {
 namespace {
 
@@ -20,7 +20,7 @@ using unit::Rational;
 
 constexpr std::uint64_t cases = 200;
 
-/// How many cases of a family are in the approach.
+/// The number of cases of a family with this approach.
 int count(std::string_view family, Approach approach) {
   int found = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -33,15 +33,15 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_EQ(count("resting", Approach::resting), 200);
   EXPECT_EQ(count("both_immovable", Approach::inert), 200);
   EXPECT_EQ(count("head_on", Approach::colliding), 200);
-  EXPECT_GE(count("near_head_on", Approach::colliding), 198);  // a feature in few of 10⁴ makes it rest
-  // The sign of N·V is looked at in binary64, and may be wrong within rounding of 0 alone.
+  EXPECT_GE(count("near_head_on", Approach::colliding), 198);  // in a few of 10⁴ cases, a feature makes it rest
+  // The family checks the sign of N·V in binary64. It can be wrong only within rounding of 0.
   EXPECT_GE(count("separating", Approach::separating), 198);
   for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
                              "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
-    // One in four is sprinkled with features, and a few of these bring both bodies to rest.
+    // One case in four gets features, and a few of these stop both bodies.
     EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }
-  // Seven in eight: 175, five standard deviations of √(200·7/64) = 4.7 either way.
+  // Seven in eight: 175, with a tolerance of five standard deviations of √(200·7/64) = 4.7.
   EXPECT_NEAR(count("generic", Approach::colliding), 175, 24);
 }
 
@@ -55,7 +55,7 @@ TEST(Families, AreExactlyHeadOnInAboutHalfOfHeadOn) {
     const ExactVector across = exact_case.exact().normal.cross(v);
     EXPECT_EQ(is_head_on, across[0] == 0 && across[1] == 0 && across[2] == 0);
   }
-  // Half are set exactly: 100, five standard deviations of √(200/4) = 7.1 less; rounding adds some by luck.
+  // Half of the cases are exact: 100, minus five standard deviations of √(200/4) = 7.1. Rounding adds some.
   EXPECT_GE(exactly, 64);
 }
 
@@ -74,10 +74,10 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
       continue;  // no friction makes it stick, or none is needed
     }
     (cone.left[0] <= cone.right[0] ? sticking : slipping) += 1;
-    // 1 ± 10^-k of μ, k ≥ 1, and what general bodies lose in the double that μ is found in.
+    // 1 ± 10^-k of μ with k ≥ 1, and the rounding error of μ for general bodies in double.
     EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
   }
-  // Nearly half each: 200/4, five standard deviations of √(200/4) = 7.1 less than half of what collides.
+  // Nearly half each: 200/4 is five standard deviations of √(200/4) = 7.1 less than half of the colliding cases.
   EXPECT_GT(sticking, 50);
   EXPECT_GT(slipping, 50);
 }
@@ -87,7 +87,8 @@ TEST(Families, AreNeverExactlyHeadOnInNearHeadOnWithoutRounding) {
   for (std::uint64_t i = 0; i < cases; ++i) {
     exactly += ExactCase(unit::case_of("near_head_on", i).collision).is_head_on() ? 1 : 0;
   }
-  // Of 10^-1 … 10^-18 two or three are below rounding: 3/18 of 200 is 33, five standard deviations of 5.3 more.
+  // Two or three of the ratios 10^-1 … 10^-18 are below rounding: 3/18 of 200 is 33, plus five standard deviations of
+  // 5.3.
   EXPECT_LE(exactly, 60);
 }
 
@@ -115,12 +116,14 @@ TEST(Families, AreSeldomCollinearElsewhere) {
     near += ExactCase(unit::case_of("near_collinear", i).collision).is_collinear() ? 1 : 0;
     general += ExactCase(unit::case_of("generic", i).collision).is_collinear() ? 1 : 0;
   }
-  // 10^-16 and 10^-15 of a radius may be lost in the place of the contact: 2/16 of 200 is 25, five times 4.7 more.
+  // Offsets of 10^-16 and 10^-15 of a radius may vanish in the position of the contact: 2/16 of 200 is 25, plus five
+  // standard deviations of 4.7.
   EXPECT_LE(near, 49);
-  EXPECT_LE(general, 2);  // one in four is sprinkled: lever arms along the normal are a feature
+  EXPECT_LE(general, 2);  // one case in four gets features, and lever arms along the normal are a feature
 }
 
-/// Grazing: |N·V| ≤ 10^-1 ‖N‖‖V‖ up to √2 for the other part of V, and mostly far less; on both sides.
+/// Grazing: |N·V| ≤ 10^-1 ‖N‖‖V‖, up to a factor of √2 for the other part of V. Most values are far smaller, and both
+/// signs occur.
 TEST(Families, GrazeInGrazing) {
   int slight = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -131,13 +134,14 @@ TEST(Families, GrazeInGrazing) {
     const Rational scale = n.dot(n) * v.dot(v);
     slight += squared * 1000000 <= scale ? 1 : 0;  // |N·V| ≤ 10^-3
   }
-  // k = 3 … 18 of 1 … 18 at least: 8/9 of 200 is 178, five standard deviations of √(200·8/81) = 4.4 less.
+  // k is at least 3 in 8/9 of the cases, of k = 1 … 18: 178 of 200, minus five standard deviations of
+  // √(200·8/81) = 4.4.
   EXPECT_GE(slight, 155);
   EXPECT_GT(count("grazing", Approach::separating), 10);
   EXPECT_GT(count("grazing", Approach::colliding), 100);
 }
 
-/// λI ⪯ C ⪯ 16 λI. Each stored moment and coordinate carries fewer than 64 roundings of the construction, which move an
+/// λI ⪯ C ⪯ 16 λI. Each stored moment and coordinate has fewer than 64 roundings from its construction. These move an
 /// eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
 TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
   Rational largest(0);
@@ -152,7 +156,7 @@ TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
       largest = std::max(largest, trace);
     }
   }
-  // Not vacuous: some contact has a mean eigenvalue of twice λ at least.
+  // Not vacuous: some contact has a mean eigenvalue of at least 2 λ.
   EXPECT_GT(largest, 6);
 }
 

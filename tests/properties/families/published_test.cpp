@@ -12,16 +12,16 @@ namespace {
 using oracles::ExactCase;
 using oracles::Rational;
 
-constexpr int cases_of_each = 50;  // of each impact
+constexpr int cases_of_each = 50;  // for each impact
 
-/// The published answers, in ℚ, of the sphere A above: K = diag(k_t, k_n, k_t), k_n = Σ 1/m and k_t = Σ 1/m + r²/J over
-/// the spheres. Friction acts along x and against the slip u, and at most so that it stops.
+/// The published answers, in ℚ, for sphere A, which is the upper one: K = diag(k_t, k_n, k_t), k_n = Σ 1/m and
+/// k_t = Σ 1/m + r²/J over the spheres. Friction acts along x against the slip u, and at most stops it.
 struct Published {
   BasicCollision<Rational> c;
   bool has_two_spheres;
 
   [[nodiscard]] Rational radius() const { return c.a.position.y(); }
-  /// What an impulse along N changes the approach by, for each N s.
+  /// The change of the approach velocity by an impulse along N of 1 N s.
   [[nodiscard]] Rational mobility_along_normal() const {
     return 1 / c.a.mass + (has_two_spheres ? Rational(1 / c.b.mass) : Rational(0));
   }
@@ -33,7 +33,7 @@ struct Published {
     return c.a.velocity.x() - c.b.velocity.x() + radius() * c.a.angular_velocity.z() -
            c.b.position.y() * c.b.angular_velocity.z();
   }
-  /// What an impulse along x changes the slip by, for each N s.
+  /// The change of the slip by an impulse along x of 1 N s.
   [[nodiscard]] Rational mobility() const {
     const auto of_spin = [](const BasicBody<Rational>& body) -> Rational {
       return body.position.y() * body.position.y() / body.principal_inertia.z();
@@ -82,7 +82,7 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
     ASSERT_EQ(answers.size(), 1U);
     const auto& after = answers[0].truth.outcome.a;
     const auto near = [](const Rational& x, const Rational& y) {
-      return abs(Rational(x - y)) <= Rational(0x1p-100) * abs(y);  // the resistance to slip is known to 2⁻¹²⁰
+      return abs(Rational(x - y)) <= Rational(0x1p-100) * abs(y);  // the slip resistance is accurate to 2⁻¹²⁰
     };
     EXPECT_TRUE(near(after.velocity.x(), published.velocity_of_a().x()));
     EXPECT_TRUE(near(after.velocity.y(), published.velocity_of_a().y()));
@@ -90,7 +90,7 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
   });
 }
 
-/// As printed they have 2/5 m r² for J, which the cases have but for a few roundings.
+/// The printed formulas use J = 2/5 m r². The cases have this value up to a few roundings.
 TEST(ChungOoi, TheFormulasAsPrintedHold) {
   int slid = 0;
   for_each_impact([&](int number, const Collision& c, const Published& published) {
@@ -133,7 +133,7 @@ TEST(ChungOoi, TheFormulasAsPrintedHold) {
         }
     }
   });
-  EXPECT_GT(slid, cases_of_each);  // four impacts can
+  EXPECT_GT(slid, cases_of_each);  // in four of the impacts the sphere can slide
 }
 
 }  // namespace

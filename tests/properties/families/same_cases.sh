@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
-# Draws the same cases by other compilers, for other instruction sets, and compares every bit:
-#   same_cases.sh SOURCE WORK [CASES]
-# builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs it. The first thousand cases
-# of each family have to be those of first_thousand.txt, and the first CASES (20000 where nothing is said) those of the
-# first build. A build needs its compiler; those for other machines need what src/bootstrap.sh same-cases installs.
-# Exit status: 0 all builds draw the same cases, 1 one does not, 77 they do, but one could not be built.
+# Draws the same cases with other compilers and for other instruction sets, and compares every bit:
+#
+#  same_cases.sh SOURCE WORK [CASES]
+#
+# The script builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs the program.
+# The first thousand cases of each family must equal those of first_thousand.txt. The first CASES (default 20000) must
+# equal those of the first build. A build needs its compiler. `src/bootstrap.sh same-cases` installs the compilers for
+# other machines.
+# Exit status: 0 if all builds draw the same cases, 1 if one does not, 77 if they do but one could not be built.
 set -euo pipefail
 
 source=$(cd "$1" && pwd)
@@ -15,10 +18,10 @@ cases=${3:-20000}
 table=$source/tests/properties/families/first_thousand.txt
 foreign=(i386 arm64)
 
-# The option of the target that draws: where it is gone, so is the promise.
+# The compile option of the families. If it is removed, the cases may differ, so this command must then fail.
 contraction=$(grep -o -m 1 -e '-ffp-contract=off' "$source/properties/CMakeLists.txt")
 
-# The folders as the headers name them, and of this machine's headers those that are the same for every machine.
+# The folders as the headers name them, and those headers of this machine that are the same on every machine.
 include() {
   mkdir -p "$work/include/carom"
   ln -sfn "$source/src/collision" "$work/include/carom/collision"
@@ -30,7 +33,7 @@ include() {
   done
 }
 
-# GMP and MPFR of Debian for another architecture, unpacked beside the builds: the system stays as it is.
+# GMP and MPFR of Debian for another architecture, unpacked beside the builds. The system does not change.
 foreign_libraries() {
   local apt=$work/apt arch
   mkdir -p "$apt/lists/partial" "$apt/archives/partial"
@@ -38,7 +41,7 @@ foreign_libraries() {
     echo "APT::Architectures { \"$(dpkg --print-architecture)\"; $(printf '"%s"; ' "${foreign[@]}")};"
     echo "Dir::State::lists \"$apt/lists\"; Dir::Cache \"$apt\"; APT::Sandbox::User \"root\";"
   } >"$apt/apt.conf"
-  # Where one of several sources is out of date, the others may have it all.
+  # If one of several sources is out of date, the others may still have the packages.
   APT_CONFIG=$apt/apt.conf apt-get update -qq || true
   for arch in "${foreign[@]}"; do
     (cd "$apt" && APT_CONFIG=apt.conf apt-get download -qq "libgmp-dev:$arch" "libmpfr-dev:$arch") || return
@@ -48,19 +51,19 @@ foreign_libraries() {
   done
 }
 
-# draw NAME RUNNER COMPILER [OPTION…]: builds it, and writes the checksums to NAME.thousand and NAME.all.
+# draw NAME RUNNER COMPILER [OPTION…]: builds the program, and writes the checksums to NAME.thousand and NAME.all.
 draw() {
   local name=$1 runner=$2
   shift 2
   mkdir -p "$work/$name"
-  # The shell that compiles has the folder as $0, and the file as $1 before the command.
+  # The compiling shell gets the folder as $0, and the file as $1 before the command.
   # shellcheck disable=SC2016
   printf '%s\0' "$source"/properties/{draws,families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
     "$source"/tests/properties/families/same_cases{,_main}.cpp |
     xargs -0 -P "$(nproc)" -I{} sh -c 'out=$0/$(basename "$1").o && shift && exec "$@" -o "$out"' "$work/$name" {} \
       "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" -c {}
   "$@" "$work/$name"/*.o -o "$work/$name/same_cases" -lmpfr -lgmp
-  # The runner is empty, or a word.
+  # The runner is empty or one word.
   # shellcheck disable=SC2086
   $runner "$work/$name/same_cases" 1000 >"$work/$name.thousand"
   # shellcheck disable=SC2086
@@ -75,7 +78,7 @@ not_built() {
   [ "$status" -eq 1 ] || status=77
 }
 
-# agree NAME RUNNER COMPILER [OPTION…]: draws, and compares.
+# agree NAME RUNNER COMPILER [OPTION…]: draws the cases and compares them.
 agree() {
   local name=$1
   if ! command -v "$3" >/dev/null || { [ -n "$2" ] && ! command -v "$2" >/dev/null; }; then
@@ -92,7 +95,7 @@ agree() {
   fi
 }
 
-# cross ARCH TRIPLET: the headers and libraries of another architecture, linked into the program.
+# cross ARCH TRIPLET: the options for headers and libraries of another architecture, linked statically.
 cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/usr/include" "-L$work/$1/usr/lib/$2" -static; }
 
 include

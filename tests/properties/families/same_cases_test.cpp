@@ -10,7 +10,7 @@
 namespace carom::properties {
 namespace {
 
-/// first_thousand.txt, by names. To change it is to change what every seed means: say so in docs/CHANGELOG.md.
+/// first_thousand.txt by names. A change of this file changes the cases of every seed: note it in docs/CHANGELOG.md.
 std::map<std::string, std::string> expected_lines() {
   std::map<std::string, std::string> lines;
   std::ifstream table(CAROM_FIRST_THOUSAND);

@@ -37,7 +37,7 @@ TEST(Sweeps, AreValidAlongAllOfThem) {
 
 TEST(Sweeps, SetTheQuantityThatTheyAreNamedAfter) {
   for (const double quantity : {1e2, 1e6}) {
-    // Few roundings on the way, ten at most.
+    // At most ten roundings.
     const double rounding = 10 * 0x1p-53 * quantity;
     const Vector3<double> rod = at("slenderness", quantity).a.principal_inertia;
     EXPECT_NEAR(rod.maxCoeff() / rod.minCoeff(), quantity, rounding);
@@ -48,7 +48,7 @@ TEST(Sweeps, SetTheQuantityThatTheyAreNamedAfter) {
   }
 }
 
-/// What is struck is on the rod, however slender: K has a bound.
+/// The contact point is on the rod, however slender it is, so K is bounded.
 TEST(Sweeps, StrikeTheRodWhereItIs) {
   for (int k = 0; k <= 12; ++k) {
     for (std::uint64_t i = 0; i < 50; ++i) {

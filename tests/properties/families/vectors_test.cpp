@@ -5,7 +5,8 @@
 
 #include <carom/properties/draws/vectors.hpp>
 
-/// Of numbers that show the order: 2⁵³ + 1 is 2⁵³, and what is fused or added the other way round gives another number.
+/// Tests on numbers that reveal the order of operations: 2⁵³ + 1 rounds to 2⁵³, and fused or reordered operations
+/// give another number.
 namespace carom::properties {
 namespace {
 
@@ -41,7 +42,7 @@ TEST(Vectors, ChooseTheFirstOfEquals) {
 }
 
 TEST(Vectors, TurnByQuaternionsOfAnyLength) {
-  // Half a turn about x + y exchanges x and y; a quarter turn about z takes x to y.
+  // Half a turn about x + y exchanges x and y. A quarter turn about z maps x to y.
   EXPECT_EQ(turned({0, 3, 3, 0}, {1, 2, 4}), V(2, 1, -4));
   const Quaternion<double> quarter(0.5, 0, 0, 0.5);
   EXPECT_EQ(turned(quarter, {1, 0, 0}), V(0, 1, 0));
@@ -50,11 +51,11 @@ TEST(Vectors, TurnByQuaternionsOfAnyLength) {
 }
 
 TEST(Vectors, SolveAfterTheGreatestPivot) {
-  // Columns; each step needs an exchange, and every number is exact.
+  // Given by columns. Each step needs a row exchange, and every number is exact.
   const Columns m{{0, 2, 4}, {1, 1, 2}, {2, 8, 4}};
   const V x{3, -1, 2};
   EXPECT_EQ(solution(m, product(m, x)), x);
-  // Without the exchange 1 + 2⁶⁰ is rounded, and the first unknown is lost.
+  // Without the row exchange 1 + 2⁶⁰ is rounded, and the first unknown is lost.
   const Columns tiny{{0x1p-60, 1, 0}, {1, 1, 0}, {0, 0, 1}};
   EXPECT_EQ(solution(tiny, {1, 2, 3}), V(1, 1, 3));
   EXPECT_FALSE(std::isfinite(solution({{1, 2, 4}, {2, 4, 8}, {0, 0, 1}}, {1, 1, 1})[0]));

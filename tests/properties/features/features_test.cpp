@@ -34,7 +34,7 @@ TEST(Features, HaveNamesOfTheirOwnAndReasons) {
   EXPECT_EQ(feature_named("no_such_feature"), nullptr);
 }
 
-/// Each maker makes what it is there for, of most collisions, and leaves them valid.
+/// Each maker makes its feature in most collisions, and leaves them valid.
 TEST(Features, AreMade) {
   constexpr int tries = 40;
   for (const Feature& feature : all_features()) {
@@ -50,7 +50,7 @@ TEST(Features, AreMade) {
   }
 }
 
-/// A predicate that is always true, or that its opposite would satisfy as well, tells nothing.
+/// A predicate is useless if it, or its opposite, is true of every collision.
 TEST(Features, AreNotInEveryCollision) {
   constexpr int drawn = 200;
   std::map<std::string, int> present;
@@ -65,8 +65,8 @@ TEST(Features, AreNotInEveryCollision) {
   }
 }
 
-/// What is said to be infeasible is tried, by its makers; but for what is kept out of the domain by choice, and for the
-/// decades of one quantity.
+/// Tries to make every infeasible pair with the makers. Two kinds are skipped: pairs kept out of the domain by
+/// choice, and decades of one quantity.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
                                              "the contact would lie outside of the body, where K has no bound",
@@ -91,7 +91,7 @@ TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   }
 }
 
-/// The same over everything that the gate draws; and every pair that can be is there, at the default seed.
+/// The same over all cases of the gate. At the default seed, every feasible pair occurs.
 TEST(Features, AreAllThereInPairs) {
   const GateOptions defaults;
   FeatureCoverage coverage;
@@ -116,7 +116,7 @@ TEST(Features, AreAllThereInPairs) {
   }
 }
 
-/// A pair that nothing can have is asked for in vain, and so is one of a feature that was renamed.
+/// The list must contain no infeasible pair, and no pair with a renamed feature.
 TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
   const auto place_of = [](const Feature* feature) {
     return static_cast<std::size_t>(feature - all_features().data());

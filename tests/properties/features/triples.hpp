@@ -9,13 +9,13 @@
 
 namespace carom::properties {
 
-/// Which triples of features collisions had. A triple counts as feasible where its three pairs are: no more is known of
-/// it, so that what was met is at least this share of what can be.
+/// The triples of features that collisions have had. A triple counts as feasible if its three pairs are feasible,
+/// because no more is known about it. So the computed share is a lower bound of the share of feasible triples.
 class TripleCoverage {
  public:
   TripleCoverage();
 
-  /// Precondition: the collision is valid, and colliding.
+  /// Preconditions: the collision is valid and colliding.
   void add(const Collision& collision);
 
   TripleCoverage& operator|=(const TripleCoverage& other);
@@ -27,7 +27,7 @@ class TripleCoverage {
     const Feature* y;
     const Feature* z;
   };
-  /// Those that were not met, in the order of the list.
+  /// The triples that did not occur, in the order of the list.
   [[nodiscard]] std::vector<Triple> missing() const;
 
   [[nodiscard]] static std::uint64_t feasible();

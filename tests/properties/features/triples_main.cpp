@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Which share of the triples of features the cases of a gate have:
-//   triples [--seed S] [--cases N] [--jobs J] [--missing K]
-// at N cases of each family, times its weight, as `carom gate --cases N`, and on the way there.
+// Prints the share of the triples of features that the cases of a gate have:
+//
+//  triples [--seed S] [--cases N] [--jobs J] [--missing K]
+//
+// It runs N cases of each family, times its weight, as `carom gate --cases N` does, and prints intermediate results.
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -22,7 +24,8 @@
 namespace carom::properties {
 namespace {
 
-/// Of every family the cases from `first` to before `last`, times its weight; every `step`-th of them.
+/// Adds the cases of every family from `first` to before `last`, times its weight: every `step`-th case, from
+/// `offset`.
 void add_cases(TripleCoverage& coverage, std::uint64_t seed, std::uint64_t first, std::uint64_t last,
                std::uint64_t offset, std::uint64_t step) {
   for (const Family& family : all_families()) {

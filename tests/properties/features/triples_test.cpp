@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Counted anew, by names.
+/// Compares with an independent count by names.
 TEST(Triples, AreThoseOfTheFeaturesThatACollisionHas) {
   Stream stream = stream_from(3);
   const Collision c = general_bodies(stream).collision;

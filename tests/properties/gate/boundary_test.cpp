@@ -13,7 +13,7 @@
 
 #include "io/threads.hpp"
 
-/// Where a subject stops beyond the claimed domain, and that this decides nothing.
+/// The gate reports the boundary beyond the claimed domain at which a subject fails. The boundary decides no verdict.
 namespace carom::properties {
 namespace {
 
@@ -21,7 +21,7 @@ constexpr double stops_at = 1e6;
 
 Subject sound_subject() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Wrong where K may have a condition number of 10⁶ or more: an impulse of nothing.
+/// Returns a zero impulse if K may have a condition number of 10⁶ or more.
 Subject stopping() {
   Subject subject = sound_subject();
   subject.name = "stopping";
@@ -53,7 +53,7 @@ GateOptions options_of(const char* family, unsigned jobs) {
 TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
   const GateOptions options = options_of("generic", 1);
   const SubjectResult result = run_gate({sound_subject(), stopping()}, options).results.at(1);
-  // It is sound all the same: general bodies are far from that.
+  // The subject is still sound, because general bodies are far from that condition number.
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
   EXPECT_EQ(result.cases(), 200U);
   ASSERT_EQ(result.beyond_domain.size(), 2U);

@@ -9,36 +9,37 @@
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
 
-/// Solvers as a stranger writes them, from the protocol and the law alone, in coordinates of their own choice. All are
-/// sound that divide torques by the moments in the body's frame; an inverse inertia tensor in world axes is not, and
-/// fails on slender bodies alone.
+/// Solvers as a user writes them from the protocol and the law alone, in coordinates of their own choice. Those that
+/// divide torques by the moments in the body frame are sound. A solver with an inverse inertia tensor in world axes
+/// is not sound, and fails only on slender bodies.
 namespace carom::properties {
 namespace {
 
 using Vector = Vector3<double>;
 using Matrix = Matrix3<double>;
 
-/// Without square roots of numbers that leave the range.
+/// Normalises without the square root of a number that may overflow or underflow.
 template <class V>
 V unit(const V& v) {
   const V scaled = v / v.cwiseAbs().maxCoeff();
   return scaled / scaled.norm();
 }
 
-/// From body axes to world axes.
+/// Maps body axes to world axes.
 Matrix axes_of(const Body& body) {
   const Quaternion<double> q = unit(body.orientation);
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
-/// J⁻¹ (r × N) and N·(J⁻¹ (r × N) × r), of a body.
+/// J⁻¹ (r × N) and N·(J⁻¹ (r × N) × r) of a body.
 struct Response {
   Vector spin;
   double along_normal;
 };
 using FindResponse = std::function<Response(const Body&, const Vector& arm, const Vector& normal)>;
 
-/// The law, with the coordinates left to the functions. `turn` takes vectors to the coordinates of the solver.
+/// The law, with the choice of coordinates left to the functions. `turn` maps vectors to the coordinates of the
+/// solver.
 struct Solver {
   std::function<Matrix(const Collision&)> turn;
   FindResponse response;
@@ -85,7 +86,7 @@ struct Solver {
 
 Matrix world(const Collision& /*collision*/) { return Matrix::Identity(); }
 
-/// {N, T0, T1}: T0 is across the axis that N is least along.
+/// {N, T0, T1}. T0 is orthogonal to the axis that N is least aligned with.
 Matrix contact_basis(const Collision& c) {
   const Vector n = unit(c.normal);
   int least = 0;
@@ -98,7 +99,7 @@ Matrix contact_basis(const Collision& c) {
   return basis;
 }
 
-/// The torque is turned into the body's axes, divided there, and turned back.
+/// Rotates the torque into the body frame, divides it there, and rotates it back.
 Response by_torque_in_body(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Vector torque = arm.cross(normal);
@@ -107,7 +108,7 @@ Response by_torque_in_body(const Body& body, const Vector& arm, const Vector& no
   return {spin, torque.dot(spin)};
 }
 
-/// Lever arm and normal are turned into the body's axes, and the torque is made there.
+/// Rotates the lever arm and the normal into the body frame, and computes the torque there.
 Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Vector torque = (axes.transpose() * arm).cross(axes.transpose() * normal);
@@ -115,7 +116,7 @@ Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   return {axes * spin, torque.dot(spin)};
 }
 
-/// J⁻¹ in world axes, as many engines keep it.
+/// J⁻¹ in world axes, as many engines store it.
 Response by_world_inertia(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Matrix inverse = axes * body.principal_inertia.cwiseInverse().asDiagonal() * axes.transpose();
@@ -163,7 +164,7 @@ double moment_ratio(const Collision& c) {
   return largest;
 }
 
-/// J⁻¹ in world axes loses up to a tenth of the ratio of the moments, in ulps (docs/findings/accuracy.md).
+/// J⁻¹ in world axes loses up to a tenth of the ratio of the moments, in ulps (docs/reference/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});
   std::size_t seen = 0;

@@ -9,7 +9,7 @@
 
 #include "io/threads.hpp"
 
-/// Runs that end before all cases were judged: at the first violation, and by a budget of time.
+/// Runs that end before all cases are judged: at the first violation, and by a time budget.
 namespace carom::properties {
 namespace {
 
@@ -25,7 +25,7 @@ GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
 
 Subject right() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Wrong where `is_wrong(call)`, calls counted in each session: an impulse of nothing.
+/// Returns a zero impulse if `is_wrong(collision, call)`. Calls are counted in each session.
 template <class IsWrong>
 Subject wrong_where(IsWrong is_wrong) {
   Subject subject = right();
@@ -54,7 +54,8 @@ Subject always_wrong() {
   return wrong_where([](const Collision&, std::uint64_t) { return true; });
 }
 
-/// Where both bodies are movable and A has more than half of B's mass: neither at once, nor in the family drawn first.
+/// Wrong if both bodies are movable, A has more than half of B's mass, and ε > 0.875. This happens neither at once
+/// nor in the family that is drawn first.
 Subject wrong_at_times() {
   return wrong_where([](const Collision& c, std::uint64_t) {
     return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
@@ -112,7 +113,7 @@ TEST(FailFast, GoesOnWithTheOtherSubjects) {
   EXPECT_EQ(report.results[1].cases(), run_gate({right()}, options_of_all_families(20)).results[0].cases());
 }
 
-/// What only a session that is asked again shows ends the run as well, and counts no case twice.
+/// A violation that only a repeated question finds also ends the run, and no case counts twice.
 TEST(FailFast, EndsAtWhatASessionRemembers) {
   Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
   for (const Invariant& invariant : all_invariants()) {
@@ -137,7 +138,7 @@ TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
 }
 
-/// The case of a violation is drawn from seed, family and number, as ever.
+/// The case of a violation is determined by seed, family and number, as in a complete run.
 TEST(Budget, FindsWhatReplays) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(100);
@@ -172,7 +173,7 @@ TEST(Budget, TellsOfTheTimeSpent) {
   EXPECT_GT(last, 0U);
 }
 
-/// How many cases are asked again is a matter of the cases alone.
+/// The number of repeated cases depends only on the cases.
 TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
   const auto counts_on = [](unsigned jobs) {
     return run_gate({right()}, options_of_all_families(100, jobs)).results.at(0).count("memoryless").holds;

@@ -5,7 +5,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// The judge without its filter.
+/// The judge without its filters.
 namespace carom::properties {
 namespace {
 
@@ -58,7 +58,7 @@ TEST(ExactJudge, DecidesAllByRationalsAndAsTheFilterDoes) {
   EXPECT_GT(violated, 0U);
 }
 
-/// The facts of a collision are decided in ℚ as well, and are the same.
+/// The facts of a collision are the same if they are decided in ℚ.
 TEST(ExactJudge, KnowsTheSameOfACollision) {
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < 20; ++i) {

@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Digits as a gate sees them: most of one precision, some lost, some exact, a few beyond all measure.
+/// Digits as in a gate: most of one precision, some lost, some exact, a few outside any scale.
 std::vector<double> some_digits(std::size_t count) {
   Stream stream = stream_from(17);
   std::vector<double> digits;

@@ -10,7 +10,7 @@
 #include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Each subject that is expected to fail fails. A solver that comes to be sound moves to the sound ones.
+/// Each subject that is expected to fail does fail. If such a solver becomes sound, it moves to the sound ones.
 namespace carom::properties {
 namespace {
 
@@ -20,15 +20,15 @@ struct Number {
   const char* family = "structured";
 };
 
-/// Cases of `structured` in which rounding the positions to binary32 takes the contact off a thin body.
+/// Cases of `structured` in which rounding the positions to binary32 moves the contact off a thin body.
 const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
                                          {"reflection-ldlt-eigen-float", {1, 13500}},
                                          {"reflection-partial-lu-float", {1, 13500}},
                                          {"reflection-full-lu-float", {1, 32704}},
                                          {"reflection-qr-float", {3, 125099}}};
 
-/// Cases in which a subject that is sound now violated something: the first three by a defect of the solver, the last
-/// one by a defect of the judge.
+/// Cases in which a subject that is sound now violated an invariant. The first three were defects of the solver, the
+/// last one was a defect of the judge.
 const std::vector<std::pair<std::string, Number>> mended{
     {"reflection-in-stable-basis-float", {101, 13155}},
     {"rough-float", {20261125, 42175}},
@@ -71,7 +71,7 @@ TEST(Kept, Fail) {
   EXPECT_GT(kept, 20U);
 }
 
-/// In the same cases LDLᵀ written out keeps the margin λ of K, and in double every solve does.
+/// In the same cases, LDLᵀ written out keeps the margin λ of K. In double, every solve does.
 TEST(Kept, FailWhereOthersDoNot) {
   for (const auto& [name, number] : rare) {
     const std::string in_double = name.substr(0, name.rfind('-')) + "-double";

@@ -11,13 +11,13 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Sessions that remember, each right on a collision that is asked alone.
+/// Sessions with memory. Each is right on a single collision.
 namespace carom::properties {
 namespace {
 
 enum class Remembers { nothing, a_refusal, the_call, the_last_outcome };
 
-/// frictionless-double, with a session that keeps something from one call to the next.
+/// frictionless-double, with a session that keeps a value from one call to the next.
 Subject remembering(Remembers what) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   Subject subject = right;
@@ -44,7 +44,7 @@ Subject remembering(Remembers what) {
                             (what == Remembers::the_last_outcome && state->last);
         state->refused = false;
         if (is_off) {
-          // An ulp: what no law but this one sees.
+          // A change of one ulp, which only this invariant finds.
           long double& component = outcome->a.velocity[0];
           component = std::nextafter(static_cast<double>(component), 1e300);
         }
@@ -75,10 +75,10 @@ TEST(Memoryless, HoldsOfASessionThatKeepsNothing) {
   EXPECT_GT(result.count("memoryless").holds, 10U);
 }
 
-/// What an answer becomes on every second call.
+/// Changes the answer of every second call.
 using Change = std::function<void(ReportedOutcome&)>;
 
-/// frictionless-double, or a solver that shows its matrix, whose answers change from call to call.
+/// frictionless-double, or a solver that reports its matrix, with answers that change from call to call.
 Subject changing(const char* solver, const Change& change) {
   const Subject right = subjects::subject_named(solver).value();
   Subject subject = right;
@@ -99,7 +99,7 @@ Subject changing(const char* solver, const Change& change) {
   return subject;
 }
 
-/// Turns the sign of every zero, and counts them.
+/// Changes the sign of every zero, and counts them.
 Change zeros_turned(int& turned) {
   return [&turned](ReportedOutcome& outcome) {
     for (Vector3<long double>* vector : vectors(outcome)) {
@@ -157,7 +157,7 @@ TEST(Memoryless, IsAboutTheCollisionMatrixToo) {
       0U);
 }
 
-/// NaN is as NaN, whatever its sign, of a program and of all others.
+/// Any NaN equals any other NaN, regardless of its sign, for programs and all other subjects.
 TEST(Memoryless, TakesNoNumberForNoNumber) {
   ReportedOutcome first;
   first.a.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
@@ -172,7 +172,7 @@ TEST(Memoryless, TakesNoNumberForNoNumber) {
   }
 }
 
-/// Sound is what was shown.
+/// A subject is sound only if its answers were judged.
 TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   GateOptions options;

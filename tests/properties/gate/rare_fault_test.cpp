@@ -8,19 +8,19 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// A fault in one of a hundred answers that nothing but a relation between collisions sees.
+/// A fault in one of a hundred answers. Only a relation between collisions finds it.
 namespace carom::properties {
 namespace {
 
 constexpr int one_in = 100;
 
-/// frictionless-double as a program, which claims one invariant alone, with an impulse a quarter too large in one of a
-/// hundred answers, drawn at random.
+/// frictionless-double as a program that claims a single invariant. In one of a hundred answers, drawn at random, the
+/// impulse is a quarter too large.
 Subject faulty(const std::string& claimed) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   Subject subject = right;
   subject.name = "faulty";
-  subject.specification = "exec:faulty";  // for the gate: each question is dear
+  subject.specification = "exec:faulty";  // tells the gate that each question is expensive
   for (const Invariant& invariant : all_invariants()) {
     if (invariant.name != claimed) {
       subject.deviates.emplace_back(invariant.name);
@@ -56,7 +56,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
   options.families = {family_named("generic")};
   std::size_t relations = 0;
   for (const Invariant& invariant : all_invariants()) {
-    // A second impulse does nothing, however large the first was: `repeat` does not see this fault.
+    // `repeat` does not find this fault: a second impulse does nothing, however large the first was.
     if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Model::frictionless) &&
         invariant.name != "repeat") {
       ++relations;

@@ -80,7 +80,7 @@ TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
   }
 }
 
-/// A case has the number that it has without a budget, so that a longer run goes on where a shorter one ended.
+/// A case has the same number as without a budget, so a longer run continues after the end of a shorter one.
 TEST(Schedule, GoesOnWithoutEndOnABudget) {
   GateOptions options = options_to_schedule(1);
   options.budget = std::chrono::seconds(1);

@@ -40,8 +40,7 @@ TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
   EXPECT_LT(seriousness(of_large_outcome, moving(1)), 0x1p53 * 0x1p-22);
 }
 
-/// A subject that is grossly wrong where A moves along x, and off by rounding everywhere else, where nothing is
-/// allowed.
+/// A subject with a gross error if A moves along x. Otherwise it has a rounding error, and the allowance is zero.
 Verdict wrong_where_a_moves_along_x(const Case& one) {
   return one.collision.a.velocity[0] != 0 ? violated(2.74, 1e-15) : violated(4e-29, 0);
 }
@@ -62,8 +61,8 @@ TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
   EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
 }
 
-/// A subject whose outcome loses all digits where A moves along x, and its last one everywhere else; where it loses
-/// one, less is allowed by far.
+/// A subject whose outcome loses all digits if A moves along x, and otherwise only its last digit. In the second case
+/// the allowance is far smaller.
 Verdict loses_all_digits_where_a_moves_along_x(const Case& one) {
   const bool loses_all = one.collision.a.velocity[0] != 0;
   Verdict verdict = loses_all ? violated(1, 1e-9) : violated(1e-16, 1e-30);
@@ -84,7 +83,7 @@ TEST(SimplestViolation, LosesTheDigitsThatTheOneFoundLost) {
   }
 }
 
-/// What is harmless from the first is simplified all the same.
+/// A violation that is harmless from the start is also simplified.
 TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
   const Case found = unit::case_of("generic", 1);
   const auto rounding = [](const Case&) { return violated(4e-29, 0); };

@@ -11,8 +11,8 @@
 #include "support/exact.hpp"
 #include "support/outcome_of_law.hpp"
 
-/// A law of mechanics knows no axes, and no verdict does: it is the same for a collision and its outcome turned
-/// together.
+/// Laws of mechanics do not depend on the axes, and verdicts must not either. A verdict is the same for a collision
+/// and its outcome rotated together.
 namespace carom::properties {
 namespace {
 
@@ -20,8 +20,8 @@ using oracles::LiftedOutcome;
 using oracles::Rational;
 using Solved = SolvedOutcome<Rational>;
 
-/// A rotation by a quaternion q of whole numbers. With s = ‖q‖² the matrix s R has whole numbers too, so that vectors
-/// of few bits are turned without rounding, and lengthened by s. That is undone by units: lengths are s times as many
+/// A rotation by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries. So vectors of few
+/// bits are rotated without rounding, and lengthened by s. A change of units undoes this: lengths are s times as many
 /// metres, times 1/s as many seconds.
 struct WholeTurn {
   Quaternion<double> q;
@@ -65,7 +65,7 @@ struct WholeTurn {
             (*this)(*y.collision_matrix)};
   }
 
-  /// R C Rᵀ: C is in 1/kg, and knows no lengths.
+  /// R C Rᵀ. C is in 1/kg, so it does not scale with lengths.
   [[nodiscard]] Matrix3<Rational> operator()(const Matrix3<Rational>& matrix) const {
     Matrix3<Rational> half;  // s R C
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,8 @@ struct WholeTurn {
   }
 };
 
-/// Of few bits, with components that are zero, and at times as far away as binary32 can tell.
+/// A collision of few bits, with components that are zero, and sometimes so far from the origin that binary32 barely
+/// resolves it.
 Collision few_bits(Stream& stream) {
   Collision c = unit::small_collision(stream);
   for (Vector3<double>* v : {&c.normal, &c.a.velocity, &c.b.velocity, &c.a.angular_velocity, &c.b.angular_velocity}) {
@@ -100,7 +101,7 @@ Collision few_bits(Stream& stream) {
   return c;
 }
 
-/// What is claimed of one outcome and of its matrix.
+/// The claims about a single outcome and its matrix.
 Claim claim_of_outcome(Model model, Precision precision) {
   Subject subject;
   subject.model = model;
@@ -113,11 +114,11 @@ Claim claim_of_outcome(Model model, Precision precision) {
   return claim;
 }
 
-/// `coulomb` has no sensitivity of its own; if the contact sticks it is this one.
+/// `coulomb` has no sensitivity of its own. If the contact sticks, it equals that of `sticking`.
 Model like(Model model) { return model == Model::coulomb ? Model::sticking : model; }
 
-/// K, off by `share` of the allowance in a number; or λI, off by up to 64 times that much in a direction, about the
-/// edge of what `definite` allows.
+/// K with an error of `share` of the allowance in one entry. Or λI with an error of up to 64 times that size in one
+/// direction, near the edge of the allowance of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =
@@ -136,7 +137,7 @@ Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allo
   return Matrix3<Rational>::Identity() * inverse_mass - along;
 }
 
-/// The truth, off by `share` of the allowance in one of its vectors, with a matrix like that.
+/// The truth with an error of `share` of the allowance in one of its vectors, and a matrix by `planted_matrix`.
 Solved planted(Stream& stream, const oracles::ExactCase& exact_case, Model model, double allowance, double share) {
   Outcome<Rational> outcome = unit::outcome_of_law(exact_case, model);
   const OutcomeVector k = all_outcome_vectors[static_cast<std::size_t>(stream.integer(0, 3))];
@@ -151,7 +152,7 @@ Judgement judged(const Collision& collision, const Claim& claim, const Solved& o
                   [&](const Collision&) -> ExactAnswer { return LiftedOutcome(outcome); });
 }
 
-/// Allowances are rounded, and what they are compared with may lie as near as that to the limit.
+/// Allowances are rounded, so a residual this close to the limit may pass or fail.
 bool is_at_the_limit(const Verdict& verdict) {
   return verdict.status == Status::violated && std::abs(verdict.residual / verdict.allowed - 1) < 0x1p-20;
 }
@@ -206,8 +207,8 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   }
 }
 
-/// A solver that turns torques into the body's axes and back answers a blow along an axis with a little spin. The
-/// rounding passes, though only one component of the input is other than zero.
+/// A solver that rotates torques into the body frame and back responds to an impulse along an axis with a small spin.
+/// This rounding error passes, although only one component of the input is nonzero.
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};

@@ -10,15 +10,15 @@
 
 #include "examination.hpp"
 
-/// Relations between collisions that change signs, exponents or names alone: each rounding is then mapped along, and
-/// the outcome is mapped bit for bit, the sign of zeros aside. The solvers are compiled with -ffp-contract=off; a fused
-/// a·b + c would round one of two products that a relation exchanges, and not the other.
+/// Relations between collisions that change only signs, exponents or names. Each rounding is mapped as well, so the
+/// outcomes correspond bit for bit, except for the sign of zeros. The solvers are compiled with -ffp-contract=off. A
+/// fused a·b + c would round only one of two products that a relation exchanges.
 namespace carom::properties {
 namespace {
 
 using oracles::Rational;
 
-/// A map of collisions and the map of outcomes that belongs to it.
+/// A map of collisions and the corresponding map of outcomes.
 struct Relation {
   std::function<Collision(Collision)> of_collision;
   std::function<Outcome<Rational>(Outcome<Rational>)> of_outcome;
@@ -123,8 +123,8 @@ Relation units_changed_by(int mass, int length, int time) {
 
 constexpr const char* bits_differ = "the bits differ";
 
-/// Whether the outcome of the related collision is the related outcome, exactly, after `prepared` has had its way with
-/// the collision.
+/// Whether the outcome of the related collision is exactly the related outcome. `prepared` first changes the
+/// collision.
 Question bit_for_bit(
     const Relation& relation,
     const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
@@ -163,7 +163,7 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
 
-  /// QR takes the sign of an entry of the matrix for that of a reflection. A mirror changes it, but not that of 0.
+  /// QR uses the sign of an entry of the matrix as the sign of a reflection. A mirror changes it, but not that of 0.
   static void holds_but_by_qr(const Question& question) {
     if (GetParam().name.find("_qr_") == std::string::npos) {
       holds(question);
@@ -173,19 +173,21 @@ class BitForBit : public testing::TestWithParam<Examinee> {
   }
 };
 
-/// A and B enter as x_A − x_B, which changes its sign, and x_A + x_B, which is commutative.
+/// A and B occur in x_A − x_B, which changes its sign, and in x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
-/// Every product of an invariant expression changes its sign twice or not at all, every other entry its own sign.
+/// Every product of an invariant expression changes its sign twice or not at all. Every other entry changes its own
+/// sign.
 TEST_P(BitForBit, MirrorInX) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_x))); }
 TEST_P(BitForBit, MirrorInY) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_y))); }
 TEST_P(BitForBit, MirrorInZ) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_z))); }
 
-/// Powers of two change exponents alone, short of over- and underflow, and the square root of an even power is one.
+/// Powers of two change only exponents, without overflow or underflow. The square root of an even power is a power of
+/// two.
 TEST_P(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { holds(bit_for_bit(units_changed_by(4, -3, 1))); }
 
-/// K scales as 1/mass. Cholesky takes square roots of its pivots, and √(2x) is not √2 √x rounded; LDLᵀ, the adjugate
-/// and the frictionless law take none.
+/// K scales as 1/mass. Cholesky takes square roots of its pivots, and √(2x) is not √2 √x rounded. LDLᵀ, the adjugate
+/// and the frictionless law take no square root.
 TEST_P(BitForBit, AnOddPowerOfMassExceptByCholesky) {
   const Question question = bit_for_bit(units_changed_by(5, 0, 0));
   if (GetParam().name.find("llt") == std::string::npos) {
@@ -207,10 +209,10 @@ std::vector<Examinee> examinees_of_single_numbers() {
 
 class QuarterTurns : public testing::TestWithParam<Examinee> {};
 
-/// A quarter turn is not bit for bit, about any axis: it exchanges two terms of sums of three, and these are added in
-/// one order. Products R_ri R_ci / I_i are summed over the body axes as (0 + 1) + 2 and q·q as (w² + x²) + (y² + z²);
-/// the eliminations of LDLᵀ and Cholesky, and the determinant, begin with x. So `rotation` is judged within rounding.
-/// Double-double has twice the digits of its answer, which is the same nearly always: it is left out.
+/// A quarter turn about any axis is not bit for bit. It exchanges two terms of sums of three, which are added in a
+/// fixed order. Products R_ri R_ci / I_i are summed over the body axes as (0 + 1) + 2, and q·q as (w² + x²) + (y² +
+/// z²). The eliminations of LDLᵀ and Cholesky, and the determinant, begin with x. So `rotation` is judged within
+/// rounding. Double-double is excluded: it has twice the digits of its answer, so nearly every answer is the same.
 TEST_P(QuarterTurns, AreNotBitForBit) {
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_x))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_y))));
@@ -222,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(Of, QuarterTurns, testing::ValuesIn(examinees_of_single
 
 std::vector<Examinee> frictionless_examinees() {
   std::vector<Examinee> examinees = built_in_examinees();
-  // The guaranteed one takes N·V from a sum in double-double, whose order a turn changes.
+  // The guaranteed solver takes N·V from a sum in double-double, whose order a turn changes.
   std::erase_if(examinees, [](const Examinee& examinee) {
     return examinee.model != Model::frictionless || examinee.name.find("guaranteed") != std::string::npos;
   });
@@ -239,8 +241,8 @@ Collision as_upright_spheres(Collision c) {
 
 class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 
-/// What is left for the frictionless law of unturned spheres is the dot product, which is added as (x + y) + z
-/// (products.hpp): x and y may be exchanged.
+/// For unrotated spheres, only the dot product of the frictionless law depends on the order. It is added as (x + y) +
+/// z (products.hpp), so x and y may be exchanged.
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);

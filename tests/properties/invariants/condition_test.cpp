@@ -7,7 +7,7 @@
 
 #include "support/exact.hpp"
 
-/// `well_conditioned` speaks of the matrix that is shown, and not of the exact one.
+/// `well_conditioned` judges the reported matrix, not the exact one.
 namespace carom::properties {
 namespace {
 

@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Two unit spheres of mass 1, one at rest, hit along the line of centres.
+/// Two unit spheres of mass 1, one at rest, that collide along the line of centres.
 Case head_on_probe() {
   Case probe;
   probe.collision.a.position = {0, 1, 0};

@@ -11,32 +11,32 @@
 
 namespace carom::properties {
 
-/// What a test puts its questions to: a built-in solver in its precision, or the same solver text in ℚ.
+/// The subject of a test: a built-in solver in its precision, or the same solver in ℚ.
 struct Examinee {
-  std::string name;  // fit for a GoogleTest name
+  std::string name;  // valid as a GoogleTest name
   Model model = Model::any;
   oracles::Yardstick yardstick;
   ExactSolve solve;
   bool shows_matrix = false;
 };
 
-/// How GoogleTest prints it.
+/// Prints the examinee in GoogleTest's output.
 inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << examinee.name; }
 
-/// The built-in solvers that claim to be right, in float, double and long double (built_in_examinees.cpp).
+/// The sound built-in solvers, in float, double and long double (built_in_examinees.cpp).
 [[nodiscard]] std::vector<Examinee> built_in_examinees();
 
-/// The solver texts in rational arithmetic, with no rounding allowed (exact_examinees.cpp).
+/// The solvers in rational arithmetic, with an allowance of zero (exact_examinees.cpp).
 [[nodiscard]] std::vector<Examinee> exact_examinees();
 
-/// The same claim by a subject that returns its input unchanged. It keeps most laws, so it tests none of them.
+/// The same claim by a subject that returns its input unchanged. It satisfies most laws, so it tests none of them.
 [[nodiscard]] Examinee idle(Examinee examinee);
 
-/// The same claim by a subject that obeys no law: it answers every collision, valid or not, with velocities drawn by
-/// chance, and shows twenty times K or −K. The same collision has the same answer.
+/// The same claim by a subject that obeys no law. It answers every collision, valid or not, with random velocities,
+/// and reports twenty times K or −K. The same collision always gets the same answer.
 [[nodiscard]] Examinee erratic(Examinee examinee);
 
-/// The same claim by a subject whose answers are no numbers.
+/// The same claim by a subject whose answers are NaN or infinite.
 [[nodiscard]] Examinee without_numbers(Examinee examinee);
 
 }  // namespace carom::properties

@@ -9,8 +9,8 @@
 #include "examination.hpp"
 #include "support/selected.hpp"
 
-/// Every invariant holds of every solver that claims it, on every family: within 32 ulps in floating point, and with
-/// nothing allowed in ℚ, where the same solver text makes each invariant an exact statement.
+/// Every invariant holds for every solver that claims it, on every family. In floating point the limit is 32 ulps. In
+/// ℚ the allowance is zero, because there the same solver makes each invariant an exact statement.
 namespace carom::properties {
 namespace {
 
@@ -33,7 +33,7 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   std::vector<Claimed> claimed;
   for (const Examinee& examinee : examinees) {
     for (const Invariant& invariant : all_invariants()) {
-      // About sessions is what tests/properties/gate/memory_test.cpp asks.
+      // tests/properties/gate/memory_test.cpp tests the invariants about sessions.
       const bool is_of_sessions = std::holds_alternative<AboutSession>(invariant.about);
       const bool shows_what_it_is_of = examinee.shows_matrix || !invariant.is_of_matrix();
       if (invariant.claimed_for(examinee.model) && shows_what_it_is_of && !is_of_sessions) {
@@ -44,10 +44,10 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   return claimed;
 }
 
-/// The tests of a suite share one pass over the families, which judges what the selected ones ask about.
+/// The tests of a suite share one pass over the families, which judges only the selected invariants.
 class OnePass : public testing::TestWithParam<Claimed> {
  protected:
-  /// `examinee_of` makes the examinee that is examined of the one that a test names.
+  /// `examinee_of` maps the examinee that a test names to the one that is examined.
   template <class ExamineeOf>
   static void examine_selected(const std::vector<Claimed>& all, std::uint64_t cases, const ExamineeOf& examinee_of) {
     examination = {.cases = cases};
@@ -115,7 +115,7 @@ std::vector<Examinee> one_of_each() {
   return examinees;
 }
 
-/// The tests above, put to subjects that break the invariant.
+/// Runs the tests above on subjects that violate the invariant.
 class NeverHolds : public OnePass {
  protected:
   static void SetUpTestSuite() {
@@ -131,7 +131,7 @@ TEST_P(NeverHolds, ForASubjectThatObeysNoLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
-/// A subject that returns its input keeps these, so that nothing is tested.
+/// A subject that returns its input satisfies these, so they test nothing.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
     const auto found =
@@ -141,7 +141,7 @@ TEST(FindViolation, ReportsThatNothingWasTested) {
   }
 }
 
-/// An invariant does not hold if no case was drawn for it, though the head-on probe alone would say so.
+/// An invariant does not hold if no case was drawn for it, even if the head-on probe alone would pass.
 TEST(Examination, NoticesFamiliesThatDrawNothing) {
   const std::vector<Examinee> examinees = built_in_examinees();
   const Invariant& momentum = *invariant_named("linear_momentum");

@@ -11,15 +11,15 @@
 #include "support/known_collisions.hpp"
 #include "support/known_values.hpp"
 
-/// The residual of every invariant and its allowance, of a solver that is wrong. As
-/// tests/oracles/judge/known_values_test.cpp.
+/// The residual of every invariant and its allowance, for a wrong solver. tests/oracles/judge/known_values_test.cpp
+/// explains the reason.
 namespace carom::properties {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// Adds velocities of no impulse, which depend on the origin, and shows a matrix that is not symmetric.
+/// Adds velocities without an impulse, which depend on the origin, and reports a matrix that is not symmetric.
 ExactAnswer wrong_answer(const Collision& c) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -37,7 +37,7 @@ ExactAnswer wrong_answer(const Collision& c) {
   return oracles::LiftedOutcome(reported);
 }
 
-/// All that may be claimed of a model, but for what speaks of sessions.
+/// All invariants that a model can claim, except for those about sessions.
 Claim whole_claim(Model model, double unit_roundoff) {
   Claim claim;
   claim.model = model;
@@ -72,7 +72,7 @@ TEST(KnownValues, OfTheInvariants) {
   unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
 }
 
-/// The truth, rounded, and the collision matrix.
+/// The rounded truth, and the collision matrix.
 ExactAnswer right_answer(const Collision& c, Model model) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -90,7 +90,7 @@ bool is_judged_or_unjudged(const Judgement& judgement) {
   return judgement.unjudged.has_value() != !judgement.verdicts.empty();
 }
 
-/// How often each filter decides. A filter that decides less changes no verdict, but makes the judge slow.
+/// The number of decisions by each filter. A filter that decides less changes no verdict, but makes the judge slow.
 TEST(KnownValues, OfTheStagesThatDecide) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {

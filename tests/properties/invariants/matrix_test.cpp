@@ -14,21 +14,21 @@
 
 #include "support/cases.hpp"
 
-/// What is said of the collision matrix that a subject shows, of a right one and of planted ones.
+/// Verdicts on the collision matrix that a subject reports: a right one, and planted ones.
 namespace carom::properties {
 namespace {
 
 using Matrix = Matrix3<long double>;
 using Vector = Vector3<long double>;
 
-/// A colliding case, and what a sound solver answers to it.
+/// A colliding case, and the answer of a sound solver.
 struct Solved {
   Case one;
   ReportedOutcome outcome;
 
   [[nodiscard]] const Matrix& matrix() const { return *outcome.collision_matrix; }
 
-  /// F on A, read off the lighter movable body.
+  /// F on A, computed from the lighter movable body.
   [[nodiscard]] Vector impulse() const {
     const Collision& c = one.collision;
     const bool off_a = oracles::reads_impulse_off_a(c);
@@ -46,7 +46,7 @@ Solved solved(std::string_view family, std::uint64_t index, const Subject& subje
   return result;
 }
 
-/// What is said of `matrix`, where it is shown in place of that of the solve.
+/// The verdicts if `matrix` is reported instead of the solver's.
 std::vector<NamedVerdict> verdicts_on(const Solved& solved, const Matrix& matrix, bool filtered) {
   oracles::Yardstick yardstick;
   yardstick.filtered = filtered;
@@ -67,7 +67,7 @@ Verdict verdict_of(std::string_view invariant, const Solved& solved, const Matri
   return {};
 }
 
-/// The invariants that are violated.
+/// The violated invariants.
 std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, bool filtered) {
   std::set<std::string_view> names;
   for (const auto& [invariant, verdict] : verdicts_on(solved, matrix, filtered)) {
@@ -81,7 +81,7 @@ std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, 
 
 using Names = std::set<std::string_view>;
 
-/// Puts what is planted into the matrices of many contacts; both judges say the same.
+/// Plants the matrix in the answers to many contacts. Both judges must agree.
 void expect_violated(const std::function<Matrix(const Solved&)>& planted, const Names& expected) {
   const Subject subject = *subjects::subject_named("reflection-double");
   for (const char* family : {"generic", "physical", "mass_ratio", "immovable_a"}) {
@@ -104,7 +104,7 @@ TEST(ShownMatrix, OfASoundSolverIsRight) {
   expect_violated([](const Solved& one) { return one.matrix(); }, {});
 }
 
-/// By an ulp of each entry, which the inputs' rounding covers.
+/// Changes each entry by one ulp, which the rounding of the inputs covers.
 TEST(ShownMatrix, MayBeRounded) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -114,12 +114,12 @@ TEST(ShownMatrix, MayBeRounded) {
       {});
 }
 
-/// By what no rounding makes up for, also where V⁻ is small beside the velocities that it is the difference of.
+/// No rounding explains this change, even if V⁻ is small compared with the velocities that it is the difference of.
 TEST(ShownMatrix, IsNotUsedWhereItIsOffByAThousandth) {
   expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-3L); }, {"matrix_used"});
 }
 
-/// That of a contact with lighter bodies.
+/// The matrix of a contact with lighter bodies.
 TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -130,7 +130,7 @@ TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
       {"matrix_used"});
 }
 
-/// [F]× F = 0, so C F is as it was.
+/// [F]× F = 0, so C F does not change.
 TEST(ShownMatrix, IsToBeSymmetric) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -142,7 +142,7 @@ TEST(ShownMatrix, IsToBeSymmetric) {
       {"matrix_used"});
 }
 
-/// What the impulse does not see, `definite` does.
+/// `definite` finds a change that the impulse does not see.
 TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -168,7 +168,7 @@ TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   }
 }
 
-/// Extreme numbers are judged, or not decided, and never hold.
+/// Extreme numbers are violations or undecided, and never pass.
 TEST(ShownMatrix, MayHoldAnyNumber) {
   const Solved one = solved("generic", 0, *subjects::subject_named("reflection-double"));
   ASSERT_TRUE(one.outcome.collision_matrix);
@@ -180,8 +180,8 @@ TEST(ShownMatrix, MayHoldAnyNumber) {
   }
 }
 
-/// Where a built-in solver says that it shows its matrix it does, and it is the one that the solve formed: the
-/// contact's in the solver's own numbers.
+/// A built-in solver that claims to report its matrix does so. It is the matrix that the solve formed: the contact's,
+/// in the solver's own arithmetic.
 TEST(ShownMatrix, IsThatOfTheSolve) {
   for (const Subject& subject : subjects::built_in_subjects()) {
     int shown = 0;
@@ -199,7 +199,7 @@ TEST(ShownMatrix, IsThatOfTheSolve) {
   }
 }
 
-/// Without friction the law `coulomb` is solved along the normal, by no matrix.
+/// Without friction, the law `coulomb` is solved along the normal, without a matrix.
 TEST(ShownMatrix, IsNoneWhereTheSolveFormsNone) {
   const Subject subject = *subjects::subject_named("coulomb-double");
   Case one = unit::case_of("sliding", 0);

@@ -3,7 +3,7 @@
 
 #include <carom/properties/invariants/invariant.hpp>
 
-/// The invariants that speak of one answer, whatever the law.
+/// The invariants about a single answer, for any law.
 namespace carom::properties {
 namespace {
 

@@ -10,8 +10,8 @@
 
 #include "support/exact.hpp"
 
-/// λI ⪯ C ⪯ 16 λI of uniform bodies that are star-shaped from the contact point, exactly. What properties/proofs proves
-/// (star_shaped.v) is held against numbers here. The contact point is the origin.
+/// λI ⪯ C ⪯ 16 λI for uniform bodies that are star-shaped from the contact point, exactly. properties/proofs proves
+/// it (star_shaped.v); here it is checked on numbers. The contact point is the origin.
 namespace carom::properties {
 namespace {
 
@@ -23,20 +23,20 @@ using unit::ratio;
 using unit::Rational;
 
 using Triangle = std::array<ExactVector, 3>;  // counterclockwise, seen from outside
-using Surface = std::vector<Triangle>;        // of the tetrahedra that have the origin as apex: their bases
+using Surface = std::vector<Triangle>;        // the bases of the tetrahedra with the origin as apex
 
 Rational six_volumes(const Triangle& t) { return t[0].dot(t[1].cross(t[2])); }
 
 ExactMatrix squared(const ExactVector& v) { return v * v.transpose(); }
 
-/// Of a uniform body.
+/// Mass properties of a uniform body.
 struct Shape {
   ExactVector centre;          // of mass
-  ExactMatrix second_moments;  // S, about the centre, over the mass
+  ExactMatrix second_moments;  // S, about the centre, divided by the mass
 };
 
-/// A uniform tetrahedron with the origin as apex has its centre in (a + b + c)/4, and the second moments
-/// (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/20 about the apex, s = a + b + c.
+/// A uniform tetrahedron with the origin as apex has its centre at (a + b + c)/4, and the second moments (aaᵀ + bbᵀ +
+/// ccᵀ + ssᵀ)/20 about the apex, s = a + b + c.
 Shape shape_of(const Surface& surface) {
   Rational volume(0);
   ExactVector centre(0, 0, 0);
@@ -71,19 +71,19 @@ bool is_dented(const Surface& surface) {
   return false;
 }
 
-/// rrᵀ ⪯ 15 S, r from the centre to the point.
+/// rrᵀ ⪯ 15 S, with r from the centre to the point.
 bool dominates(const Shape& shape, const ExactVector& point) {
   const ExactVector r = point - shape.centre;
   return oracles::is_positive_semidefinite(shape.second_moments * Rational(15) - squared(r));
 }
 
-/// I/m + [r]ᵀ J⁻¹ [r], what a body of this mass adds to C; J = m (tr(S) I − S).
+/// I/m + [r]ᵀ J⁻¹ [r], the contribution of a body of this mass to C; J = m (tr(S) I − S).
 ExactMatrix share_of_matrix(const Shape& shape, const Rational& mass, const ExactVector& point) {
   const ExactVector r = point - shape.centre;
   const ExactMatrix inertia = (ExactMatrix::Identity() * shape.second_moments.trace() - shape.second_moments) * mass;
   ExactMatrix cross;  // r × x
   cross << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
-  // With one division: the adjugate's entries are determinants.
+  // Uses one division: the adjugate's entries are determinants.
   ExactMatrix adjugate;
   for (int i = 0; i < 3; ++i) {
     adjugate.row(i) = inertia.col((i + 1) % 3).cross(inertia.col((i + 2) % 3));
@@ -101,8 +101,9 @@ Rational spiky_radius(Stream& stream) {
   return radius;
 }
 
-/// A corner in each of 14 directions, those of an octahedron, bent, and one in the midst of each of its faces; each at
-/// a distance of its own. So 24 tetrahedra, of which the body has all, or some, and then the contact is on its surface.
+/// A surface with 14 corners in perturbed directions: those of an octahedron, and one in the middle of each of its
+/// faces. Each corner has its own distance. The body consists of all 24 tetrahedra, or of some of them. In the second
+/// case the contact is on its surface.
 template <class Radius>
 Surface random_surface(Stream& stream, const Radius& radius) {
   std::array<std::array<ExactVector, 2>, 3> directions;
@@ -111,7 +112,7 @@ Surface random_surface(Stream& stream, const Radius& radius) {
     for (int side = 0; side < 2; ++side) {
       auto& direction = directions[axis][side];
       for (int i = 0; i < 3; ++i) {
-        // The diagonal dominates: each octant's determinant has the sign that it has unbent.
+        // The diagonal dominates, so the perturbation does not change the sign of an octant's determinant.
         direction[i] = i == axis ? (side == 0 ? 8 : -8) : stream.integer(-3, 3);
       }
       radii[axis][side] = radius();
@@ -144,7 +145,7 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// The moments are those of the body: seen from elsewhere, with volumes that may then be negative, they are the same.
+/// The moments do not depend on the apex, even if some volumes become negative.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {
@@ -180,7 +181,7 @@ TEST(StarShaped, AreWellConditioned) {
     const Shape shape = shape_of(surface);
     const ExactVector point(0, 0, 0);
     EXPECT_TRUE(dominates(shape, point)) << i;
-    // Against an immovable body, and against the body before.
+    // Against an immovable body, and against the previous body.
     const Rational lambda = 1 / spiky_radius(stream);
     const ExactMatrix matrix = share_of_matrix(shape, 1 / lambda, point);
     EXPECT_TRUE(is_at_least(matrix, lambda) && is_at_most(matrix, 16 * lambda)) << i;
@@ -193,8 +194,8 @@ TEST(StarShaped, AreWellConditioned) {
   EXPECT_GT(closed, bodies / 3);
 }
 
-/// A tetrahedron that is touched at its apex, a thousand times as long as wide. C r = λ r, so that the condition number
-/// is the largest eigenvalue over λ.
+/// A tetrahedron with the contact at its apex, a thousand times as long as wide. C r = λ r, so the condition number
+/// is the largest eigenvalue divided by λ.
 TEST(StarShaped, HaveConditionNumbersOfNearly16AsNeedles) {
   Stream stream = stream_from(43);
   for (int i = 0; i < 200; ++i) {
@@ -218,7 +219,7 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   Stream stream = stream_from(44);
   for (int i = 0; i < 200; ++i) {
     const Shape shape = shape_of(spiky_surface(stream));
-    // No coordinate of a corner is greater than (8 + 3 + 3) · 9 · 10⁶; of the point one is 10¹¹.
+    // Every coordinate of a corner is at most (8 + 3 + 3) · 9 · 10⁶. One coordinate of the point is 10¹¹.
     ExactVector point = unit::exact_eighths3(stream, 8);
     point[stream.integer(0, 2)] = 1000;
     point *= Rational(100000000);
@@ -229,8 +230,8 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   }
 }
 
-/// A hammer with a handle that weighs nothing, held by the end of that: it is touched in one of its own points, and the
-/// rest of the head cannot be seen from there.
+/// A hammer with a massless handle, in contact at the end of the handle. The rest of the head is not visible from
+/// there.
 TEST(StarShaped, ExceedTheBoundWhereABodyIsTouchedInAPointThatDoesNotSeeAllOfIt) {
   Surface hammer;
   for (int octant = 0; octant < 8; ++octant) {

@@ -23,7 +23,7 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
     }
   }
   EXPECT_TRUE(invariant_named("finite")->proved_models().empty());
-  // Whatever the law, momentum is kept; `coulomb` may have several answers or none, and the proofs leave it out.
+  // Momentum is conserved by any law. `coulomb` may have several answers or none, and the proofs do not cover it.
   EXPECT_TRUE(is_proved_of("linear_momentum", Model::coulomb));
   EXPECT_TRUE(is_proved_of("restitution", Model::rough));
   EXPECT_FALSE(is_proved_of("restitution", Model::coulomb));

@@ -26,8 +26,9 @@ struct Counts {
   int far = 0;
 };
 
-/// y + (to − from), rounded as relations have it, beside an outcome that misses the exact sum in one component, by
-/// between `least` and `most` of what is allowed: what is shown to be near is, by the exact sum.
+/// Compares y + (to − from), rounded as in relations, with an outcome that differs from the exact sum in one
+/// component by `least` to `most` times the allowance. Whenever surely_near shows that they are near, the exact sum
+/// confirms it.
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
   Counts counts;
   Stream stream = stream_from(91);
@@ -63,7 +64,8 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
   return counts;
 }
 
-/// A violation before what was not decided, that before a pass, and what is outside the domain leaves it to the other.
+/// A violation outranks an undecided verdict, which outranks a pass. A verdict outside the domain leaves the decision
+/// to the other.
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
   violated.status = Status::violated;
@@ -97,7 +99,8 @@ TEST(Seriousness, OrdersViolations) {
   verdict.left = {1, -12};
   verdict.right = {5};
   EXPECT_EQ(verdict.relative_residual(), 0.5);
-  // Where nothing is allowed: in units of 2⁻⁵³ of the largest number, be it of the collision, of the formula, or 1.
+  // If the allowance is zero, the unit is 2⁻⁵³ of the largest of these: the collision's numbers, the formula's
+  // numbers, 1.
   verdict.allowed = 0;
   EXPECT_TRUE(std::isinf(verdict.severity()));
   EXPECT_EQ(seriousness(verdict, c), 6 / 12.0 * 0x1p+53);
@@ -112,7 +115,7 @@ TEST(Seriousness, OrdersViolations) {
   EXPECT_EQ(seriousness(verdict, c), 12 * 0x1p+53);
 }
 
-/// Of two violations the more severe one.
+/// The result is the more severe of two violations.
 TEST(Both, IsTheMoreSevereOfTwoViolations) {
   Verdict small{Status::violated, "small", 2, 1, {}, {}};
   Verdict large{Status::violated, "large", 9, 3, {}, {}};
@@ -125,12 +128,12 @@ TEST(SurelyNear, ShowsOnlyWhatIsNear) {
   for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
     const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);
     EXPECT_GT(counts.far, 8000);
-    // Of extended, two ulps of numbers larger than the scale are no small part of what is allowed.
+    // In extended, two ulps of numbers larger than the scale are a considerable part of the allowance.
     EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 2 : counts.near * 9 / 10);
   }
 }
 
-/// Allowed eight ulps of extended, and missed by about as much: here the rounding of the numbers decides.
+/// The allowance is eight ulps of extended, and the error is about as large. So the rounding of the numbers decides.
 TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   const Counts counts = expect_shown_to_be_near(8 * unit_roundoff(Precision::extended), 0.5, 1.1);
   EXPECT_GT(counts.far, 2000);
@@ -138,7 +141,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// The rounding of the numbers themselves counts where the allowance is no larger.
+/// If the allowance is this small, the rounding of the numbers themselves counts.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
@@ -161,7 +164,7 @@ TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
   }
 }
 
-/// What is no number is near to nothing.
+/// NaN is not near any number.
 TEST(SurelyNear, DoesNotTakeANaNForNear) {
   const PerVector<double> scale{1, 1, 1, 1};
   ReportedOutcome nothing;

@@ -7,11 +7,11 @@
 
 #include "support/cases.hpp"
 
-/// Each lint has a case that shows it, and beside it one that does not.
+/// Each lint has one case that triggers it, and a similar case that does not.
 namespace carom::properties::plan {
 namespace {
 
-/// "severity lint field" of all that is found.
+/// The findings as "severity lint field".
 std::vector<std::string> found(const Collision& collision) {
   std::vector<std::string> all;
   for (const LintFinding& finding : findings_of({"", collision, "here:1"})) {
@@ -25,7 +25,7 @@ std::vector<std::string> found(const Collision& collision) {
 
 using Found = std::vector<std::string>;
 
-/// A cube of edge 1 and mass 1 on a fixed plane, struck at a corner. K reaches from 1 to 5.5.
+/// A cube of edge 1 and mass 1 hits a fixed plane with a corner. The eigenvalues of K are 1 to 5.5.
 Collision cube() {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -38,7 +38,7 @@ Collision cube() {
 
 TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
 
-/// But for the family's normals, which support no body.
+/// Ignores the lint about the family's normals, which support no body.
 TEST(Lint, IsSilentOfConvexUniformBodies) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     Collision c = unit::case_of("physical", i).collision;
@@ -54,20 +54,20 @@ TEST(Lint, IsSilentOfConvexUniformBodies) {
   }
 }
 
-/// One movable body: [r]ᵀ J⁻¹ [r] = ‖r‖²/I across r, so that K reaches to 1 + 3/(4 I) for a cube's corner.
+/// For one movable body [r]ᵀ J⁻¹ [r] = ‖r‖²/I across r, so K reaches 1 + 3/(4 I) for a cube's corner.
 TEST(Lint, FindsAConditionAbove16) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
   c.a.principal_inertia.setConstant(0x1p-4);  // K = diag(1, 17, 17)
   EXPECT_EQ(found(c), Found{"warning condition a"});
-  c.a.principal_inertia = {0x1p-4, 1.0 / 15, 1.0 / 15};  // a bit more or less than 15
+  c.a.principal_inertia = {0x1p-4, 1.0 / 15, 1.0 / 15};  // slightly more or less than 15
   c.a.principal_inertia.tail<2>().setConstant(0.06667);  // 1/0.06667 < 15
   EXPECT_EQ(found(c), Found{});
   c.a.principal_inertia.tail<2>().setConstant(0.06666);
   EXPECT_EQ(found(c), Found{"warning condition a"});
 }
 
-/// B, a hundred times as light, adds so much to λ that K stays below 16 λ.
+/// B is a hundred times lighter. It adds so much to λ that K stays below 16 λ.
 TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -113,13 +113,13 @@ TEST(Lint, FindsACentreOfMassOnTheOtherSideOfTheContact) {
   EXPECT_EQ(found(c), (Found{"warning normal_length normal", "warning centre_of_mass b.position"})) << "however little";
 }
 
-/// A plate without thickness, struck on its face: N·(X − P) = 0.
+/// A plate without thickness, hit on its face: N·(X − P) = 0.
 TEST(Lint, IsSilentOfACentreOfMassInThePlaneOfTheContact) {
   Collision c = two_balls();
   c.a.position = {0.25, 0, 0.125};
   c.b.position = {0, 0, 0};
   EXPECT_EQ(found(c), Found{});
-  c.normal = {3, 1, 0};  // 3 × 0.1 and 0.3 are not the same number: exactly, the centre lies beyond
+  c.normal = {3, 1, 0};  // 3 × 0.1 and 0.3 are different numbers: exactly, the centre lies beyond
   c.normal.normalize();
   c.b.position = {0, -0.5, 0};
   c.a.position = {0.1, std::nextafter(-0.3, -1.0), 0};

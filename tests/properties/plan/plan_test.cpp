@@ -98,7 +98,7 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
   EXPECT_EQ(plan.whole.contacts.size(), 20U);
 }
 
-/// Certification can fail: a subject that is wrong by some 10⁻¹⁰ on one contact of many serves nowhere.
+/// Certification can fail: a subject with an error of about 10⁻¹⁰ on one of many contacts is never recommended.
 TEST(Plan, RejectsAPlantedWrongCandidate) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate wrong = candidate("frictionless-float", 0);
@@ -128,7 +128,7 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
   EXPECT_EQ(planted.certificate.worst->result.failure, "backward error");
   EXPECT_GT(*planted.certificate.worst_backward_error, 1e4);
   EXPECT_EQ(chosen(plan), "frictionless-double");
-  // To nine digits it is right.
+  // It is right to nine digits.
   const Plan of_nine = make_plan(contacts, candidates, options_for(Model::reflection, 9));
   EXPECT_EQ(judged(of_nine, of_nine.whole, "planted").certificate.failures, 0U);
 }
@@ -147,7 +147,7 @@ TEST(Plan, RejectsWhatRefusesOrIsNotFinite) {
   EXPECT_EQ(judged(plan, plan.whole, "mute").certificate.failures, 5U);
 }
 
-/// A crate's corner on the floor, its places and velocities of few bits.
+/// A crate's corner on the floor.
 ClassedCollision crate_at(double x) {
   Collision c;
   c.a.principal_inertia = {0.25, 0.25, 0.1875};
@@ -174,7 +174,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
   EXPECT_LT(*certificate.least_digits, 5);
 }
 
-/// A contact that does not collide is to be left as it is, which binary32 does to seven digits.
+/// A contact that does not collide must stay unchanged, which binary32 achieves to seven digits.
 TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
   ClassedCollision parting = crate_at(0.25);
   parting.collision.a.velocity = {0.7, 1.3, 0.2};
@@ -195,7 +195,7 @@ TEST(Plan, SaysWhereNothingServes) {
   EXPECT_FALSE(of_less.serves());
 }
 
-/// Recorded spheres are rounded: r × N is not zero, and frictionless is reflection within the accuracy alone.
+/// Recorded spheres are rounded: r × N is not zero, so frictionless and reflection agree only within the accuracy.
 TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   Collision ball = unit::ball_on_a_plane(0.4, 0);
   ball.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};
@@ -227,7 +227,7 @@ TEST(Plan, JudgesCoulombByItsEquations) {
   }
 }
 
-/// The clock decides where times differ, and what is less by `is_less` where they hardly do.
+/// The faster candidate wins. If the times hardly differ, `is_less` decides.
 TEST(Plan, ChoosesByTheClock) {
   PlanOptions options = options_for(Model::reflection);
   const auto with_times = [&](double of_reflection, double of_llt) {
@@ -267,7 +267,7 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-/// Whatever a file holds: every family, by every law, comes to an end with a certificate of each contact.
+/// Any input works: for every family and law, planning ends with a certificate for each contact.
 TEST(Plan, IsMadeOfEveryFamily) {
   std::vector<ClassedCollision> contacts;
   for (const auto& [family, one] : unit::valid_cases(3)) {

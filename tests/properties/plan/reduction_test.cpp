@@ -23,14 +23,15 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
   });
 }
 
-/// Whether the exact outcomes of two laws with a truth are the same. Precondition: that of `lesser` is rational.
+/// Whether the exact outcomes of two laws with a truth are the same. Precondition: the outcome of `lesser` is
+/// rational.
 bool answer_alike(const ExactCase& c, Model law, Model lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
 
-/// Cases of every family, and small dyadic ones, of which many have what laws agree in.
+/// Cases of every family, and small dyadic ones, many of which satisfy conditions under which laws agree.
 std::vector<Collision> cases() {
   std::vector<Collision> all;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -55,7 +56,7 @@ std::vector<Collision> cases() {
   return all;
 }
 
-/// In both directions: where a reason is given the exact outcomes are the same, and where none is they differ.
+/// Checks both directions: if a reason is given, the exact outcomes are equal; otherwise they differ.
 TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
   PerModel<int> given{};
   PerModel<int> not_given{};
@@ -88,7 +89,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
   EXPECT_GT(given, 10);
 }
 
-/// What stands in for `coulomb` is one of its answers, which are found in another way.
+/// The law that replaces `coulomb` gives one of its answers, which are computed independently.
 TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
   PerModel<int> given{};
   const std::vector<Collision> all = cases();
@@ -124,7 +125,7 @@ TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
     EXPECT_EQ(reduction(ExactCase(spheres), Model::reflection, Model::frictionless), Reduction::eigenvector);
     spheres.a.angular_velocity = {3, -2, 1};
     EXPECT_TRUE(is_normal_eigenvector(ExactCase(spheres)));
-    spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // where the lever arm leaves the normal
+    spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // the lever arm leaves the normal
     const ExactCase moved(spheres);
     if (moved.approach() == oracles::Approach::colliding) {
       EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Model::reflection, Model::frictionless));

@@ -17,7 +17,7 @@ namespace {
 
 using Real = long double;
 
-/// A body that turns without end from t = 3 s on, on a parabola.
+/// A body on a parabola that rotates forever from t = 3 s on.
 struct Turning {
   explicit Turning(const Vector3<double>& edges, const Vector3<double>& angular_velocity,
                    const Quaternion<double>& orientation = {1, 0, 0, 0}) {
@@ -45,7 +45,7 @@ struct Turning {
 const std::vector<std::pair<Vector3<double>, Vector3<double>>> bodies{
     {{1, 1, 1}, {3, 0, 4}},
     {{1, 2, 3}, {3, 0.001, 4}},
-    // About the middle axis: it turns over again and again.
+    // About the intermediate axis: it flips over again and again.
     {{1, 2, 3}, {0.001, 5, 0}},
     {{0.01, 0.02, 1}, {3, 2, 3}},
 };
@@ -61,11 +61,11 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
     for (const double share : {0.0, 1e-6, 0.01, 0.3, 0.29, 0.77, 1.0}) {
       const double elapsed = share * duration;
       const scene::BoundedRotation expected = path.at(elapsed);
-      // 3 s and what has elapsed are not one double.
+      // The sum of 3 s and the elapsed time is not a double.
       const Pose pose = track.pose(0, Real(3) + elapsed);
       const Real apart = (pose.axes - wide_rotation(Quaternion<Real>(expected.state.orientation.cast<Real>()))).norm() /
                          std::sqrt(2.0L);
-      // What the path says that it may be wrong by, and of the track 20 steps a radian, each wrong by 10⁻¹⁶ of one.
+      // The error bound of the path, and the error of the track: 20 steps per radian with 10⁻¹⁶ rad each.
       EXPECT_LE(apart, expected.angle_error + 2000 * 1e-16L * (1 + 100)) << share;
       EXPECT_LE(apart, 1e-11L) << share;
       EXPECT_NEAR(static_cast<double>(pose.rate), expected.state.body_rate.norm(), 1e-11) << share;
@@ -73,7 +73,7 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
   }
 }
 
-/// ω along the world's axes from axes alone: Ȧ Aᵀ by differences of fourth order, wrong by (ω h)⁴/30.
+/// ω in world axes, computed from the axes alone: Ȧ Aᵀ by differences of fourth order, with an error of (ω h)⁴/30.
 WideVector rate_from(BodyTrack& track, Real time, Real h) {
   const auto axes = [&](Real t) { return track.pose(0, t).axes; };
   const Matrix3<Real> change =
@@ -102,7 +102,7 @@ TEST(BodyTrack, KeepsEnergyAndAngularMomentumFor100Radians) {
         energy = spin.dot(omega);
         momentum = spin;
       }
-      // (10⁻³)⁴/30 of ω, and of the slender body's 10⁴ times that along its thin axis.
+      // An error of (10⁻³)⁴/30 of ω; 10⁴ times that for the slender body along its thin axis.
       EXPECT_NEAR(static_cast<double>(spin.dot(omega) / energy), 1, 1e-10) << k;
       EXPECT_LE(static_cast<double>((spin - momentum).norm() / momentum.norm()), 1e-10) << k;
     }
@@ -128,7 +128,7 @@ TEST(BodyTrack, HasItsPlacesInAnyOrderOfTimes) {
   }
 }
 
-/// One that does not turn, and a ball, are where they are put.
+/// A body without rotation, and a ball, stay where they are put.
 TEST(BodyTrack, KeepsWhatDoesNotTurn) {
   const Quaternion<double> orientation(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   Turning turning({1, 1, 1}, {0, 0, 0}, orientation);

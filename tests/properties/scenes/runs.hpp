@@ -24,10 +24,10 @@ namespace carom::unit {
   return yardstick;
 }
 
-/// What the checkers are told of an event: the event, changed; false: nothing.
+/// Changes an event before the checkers receive it. If it returns false, they do not receive it.
 using Alter = std::function<bool(scene::Event&)>;
 
-/// Alters the first impact of two bodies; what `change` returns is whether the checkers are told of it.
+/// Changes the first impact of two bodies. If `change` returns false, the checkers do not receive it.
 template <class Change>
 [[nodiscard]] Alter first_impact(Change change) {
   return [change, done = false](scene::Event& event) mutable {
@@ -39,7 +39,7 @@ template <class Change>
   };
 }
 
-/// A run, and all that watches it.
+/// A run, and the checkers that watch it.
 struct WatchedRun {
   WatchedRun(scene::Scene of, std::size_t most_events, const Alter& alter)
       : simulation(std::move(of)),
@@ -75,10 +75,10 @@ struct WatchedRun {
   [[nodiscard]] properties::Validity validity() const {
     return properties::check_validity(simulation.scene(), history);
   }
-  /// Σ |rounding| beside the scale.
+  /// Σ |rounding| relative to the scale.
   [[nodiscard]] long double relative_rounding() const { return ledger.rounding_without_signs() / ledger.scale(); }
 
-  /// Of the impacts of spheres, beside the sum of their radii.
+  /// The widest gap at an impact of spheres, relative to the sum of their radii.
   double widest_gap = 0;
   scene::SceneLoop simulation;
   scene::SceneState first;

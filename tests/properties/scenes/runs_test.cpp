@@ -21,19 +21,20 @@ std::string text_of(const Validity& validity) {
   return text;
 }
 
-/// A box under gravity: valid throughout, its books balanced, every impulse right.
+/// A box under gravity: valid throughout, with a balanced ledger and right impulses.
 void check(const Scene& scene, std::size_t most_events) {
   ASSERT_FALSE(scene::first_defect(scene)) << scene::describe(*scene::first_defect(scene));
   const unit::WatchedRun run(scene, most_events);
   const Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
-  // Those that strike each other touch, but for the bounds of the time. They are widest of a quartic: 264 u of the
-  // square of what is travelled in its span (3 s under gravity: 44), half of that over the distance of the centres.
+  // Spheres that collide touch, up to the bounds of the time. The widest bound is that of a quartic: 264 u of the
+  // square of the distance travelled in its span (3 s under gravity: 44), and half of that over the distance of the
+  // centres.
   EXPECT_LE(run.widest_gap, 1e-9);
   EXPECT_GT(validity.exact_pairs, 0U);
   EXPECT_GT(validity.joints, 50U);
-  // Each entry rounds a state of a few numbers to some 8 u of itself, 10⁻¹⁵; signs are as good as random, so thousands
-  // of them stay far below 10⁻¹² of the scale.
+  // Each entry has a rounding error of about 8 u of a state of a few numbers, 10⁻¹⁵. The signs are nearly random, so
+  // thousands of entries stay far below 10⁻¹² of the scale.
   const long double scale = run.ledger.scale();
   EXPECT_LE(std::abs(run.ledger.energy(Cause::rounding)), 1e-12L * scale);
   long double sum = run.ledger.initial().total();
@@ -77,7 +78,7 @@ TEST_P(RandomBoxes, AreValidInEveryPrecision) {
   }
 }
 
-/// Slopes: nothing can rest there.
+/// Slopes: no body can rest there.
 TEST_P(RandomBoxes, MayStandOnSlopes) {
   Scene scene = unit::box_of_spheres(GetParam(), {0.5, 0.25, 0.5, 0, 0}, 2, 2, 5);
   scene.gravity = {0, 0, -9.81};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Scenes with structure that random ones do not have: rows that touch, exact grazes, balls that are pressed together.
+// Scenes with a structure that random ones lack: rows in contact, exact grazes, balls that are pressed together.
 #include <stop_token>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   EXPECT_LE(run.relative_rounding(), 1e-12L);
 }
 
-/// What is left of the blow closes at 10⁻¹⁶ m/s: a time of contact known to some seconds, in which cells are left.
+/// The rest of the impact closes at 10⁻¹⁶ m/s. So the time of contact is known only to some seconds, in which spheres
+/// leave their cells.
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
     Scene scene = unit::empty_scene(Model::frictionless, {restitution, 0, 0, 0, 0}, 5);
@@ -34,9 +35,8 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
-/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s: by bounds some 0.04 s earlier or later. Exactly, another pair is
-/// first, at 1 − 2⁻¹⁰ s; and before that, in which time it leaves several cells, a fast sphere strikes one that is at
-/// rest.
+/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of about 0.04 s. In exact time another pair is first,
+/// at 1 − 2⁻¹⁰ s. Before that, a fast sphere leaves several cells and hits a sphere at rest.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
@@ -48,7 +48,7 @@ TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   expect_valid(scene, 2);
 }
 
-/// The gap is 0 for an instant within two arcs, and nowhere below.
+/// The gap is 0 for an instant within two arcs, and never negative.
 TEST(StructuredScenes, SpheresGrazeExactly) {
   Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 5);
   unit::add_sphere(scene, 0.5, {-6, 0, 0}, {2, 0, 0});
@@ -80,7 +80,7 @@ TEST(StructuredScenes, BallsThatRollArePressedTogether) {
   }
 }
 
-/// An ulp of a place is 10⁻¹⁰ m there, and an ulp of m g x.
+/// There, an ulp of a position is 10⁻¹⁰ m, and the energy has the rounding of m g x.
 TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   Scene scene = unit::empty_scene(Model::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
   scene.gravity = {0, 0, -9.81};
@@ -91,7 +91,7 @@ TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   expect_valid(scene);
 }
 
-/// Nothing happens but that cells are left, for ever.
+/// The only events are that spheres leave cells, forever.
 TEST(StructuredScenes, AStopIsHeardWhileNothingHappens) {
   Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1e17);
   unit::add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});

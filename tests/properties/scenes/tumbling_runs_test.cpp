@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Scenes with polyhedra: random ones hold, and what is planted in one is found.
+// Scenes with polyhedra: random ones pass, and defects planted in one are found.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ std::string text_of(const Validity& validity) {
   return text;
 }
 
-/// Nothing overlaps, every impulse is right, the books balance.
+/// No bodies overlap, every impulse is right, and the ledger balances.
 void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least_events) {
   const auto defect = scene::first_polyhedron_defect(scene);
   ASSERT_FALSE(defect) << describe(*defect);
@@ -43,11 +43,11 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_GT(validity.planes, 0U);
   EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts +
                                  run.simulation.counts().renewals);
-  // What it promises: 2⁻³⁰ of the lesser radius, 0.4 at most here.
+  // The promised limit: 2⁻³⁰ of the smaller radius, which is at most 0.4 here.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);
-  // What storing a place rounds: coordinates up to 2, in some eight roundings.
+  // The rounding of a stored position: coordinates up to 2, with about eight roundings.
   EXPECT_LE(validity.largest_jump, 8 * 0x1p-52);
-  // Each event rounds the states of two bodies of eight to some 20 u of themselves.
+  // Each event rounds the states of two of eight bodies to about 20 u of themselves.
   EXPECT_LE(run.relative_rounding(), 1e-12L);
   const long double scale = run.ledger.scale();
   long double sum = run.ledger.initial().total();
@@ -72,7 +72,7 @@ TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     for (const double gravity : {0.0, 9.81}) {
       ++seed;
-      // Under reflection an impact may make energy, and gravity brings back what has it.
+      // Under reflection an impact may create energy, and gravity brings the bodies back.
       if (GetParam() == Model::reflection && gravity > 0) {
         continue;
       }
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RandomRooms,
                                          Model::coulomb),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
-/// A brick and a tetrahedron that turn meet after 1.07 s, and again after 1.35 s.
+/// A brick and a tetrahedron that rotate meet after 1.07 s, and again after 1.35 s.
 Scene meeting() {
   Scene scene = unit::empty_scene(Model::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
   unit::add_polyhedron(scene, unit::centred_box({0.5, 0.75, 1}), {-2, 0.125, 0}, {1.25, 0, 0}, {1, 2, -0.5});
@@ -141,7 +141,7 @@ TEST(PlantedInATumble, ABodyThatGoesThroughAPlaneIsFound) {
 }
 
 TEST(PlantedInATumble, APlaceThatIsMovedIsFound) {
-  // 10⁻¹³ m is some hundred ulps of what it is computed from: a jump, but yet no overlap.
+  // 10⁻¹³ m is some hundred ulps of the numbers that it is computed from. It is a jump, but no overlap.
   const unit::WatchedRun jump(meeting(), 100, unit::first_impact([](Event& event) {
                                 event.b->after.path.position.y() += 1e-13;
                                 return true;
@@ -215,13 +215,13 @@ TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
                                  return true;
                                }));
     EXPECT_GT(run.relative_rounding(), 1e-12L) << kind;
-    // Of the ledger's energies that is the whole difference.
+    // This is the only difference between the ledger's energies.
     EXPECT_EQ(run.judge.violated(), 0U);
   }
 }
 
 TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
-  // An impulse that is a billionth greater than what was stored.
+  // An impulse that exceeds the stored one by a billionth.
   const unit::WatchedRun greater(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.outcome.a.velocity +=
                                        1e-9 * (event.outcome.a.velocity - event.collision.a.velocity);
@@ -229,7 +229,7 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
                                  }));
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
-  // A push without a word: what would lie hops on.
+  // A push that is not reported: a body that should lie still keeps hopping.
   Scene scene = unit::empty_scene(Model::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -258,7 +258,7 @@ TEST(PlantedInATumble, AnArcOutOfOrderIsFound) {
   }
 }
 
-/// A ball and a polyhedron under `coulomb`, each cause by itself.
+/// A ball and a polyhedron under `coulomb`, with each cause recorded separately.
 TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   Scene scene = unit::empty_scene(Model::coulomb, {0.5, 0.25, 0, 0, 0}, 1.5);
   scene.gravity = {0, 0, -9.81};
@@ -276,7 +276,7 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   for (const Cause cause : {Cause::sliding, Cause::rolling, Cause::spinning}) {
     EXPECT_EQ(run.ledger.energy(cause), 0) << name_of(cause);
   }
-  // Momentum: what planes and gravity have given, but for rounding.
+  // The momentum equals the impulses of planes and gravity, up to rounding.
   Vector3<long double> momentum = Vector3<long double>::Zero();
   for (const scene::BodyState& body : run.simulation.state().bodies) {
     momentum += body.mass * velocity_at(body.arc.path, run.simulation.time()).cast<long double>();
@@ -285,11 +285,12 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
                                       run.ledger.plane_impulse() + run.ledger.momentum_rounding();
   EXPECT_LE(static_cast<double>((momentum - booked).norm()), 1e-13);
   EXPECT_LE(static_cast<double>(run.ledger.momentum_rounding().norm()), 1e-13);
-  // A ball's lever arm is its radius, that of the other body ends midway in the gap: up to 2⁻³¹ radii away.
+  // A ball's lever arm is its radius. The other body's lever arm ends in the middle of the gap, up to 2⁻³¹ radii
+  // away.
   EXPECT_LE(static_cast<double>(run.ledger.angular_momentum_rounding()),
             0x1p-30 * static_cast<double>(run.ledger.angular_momentum_scale()) *
                 static_cast<double>(run.simulation.counts().impacts));
-  // The history has the orientations of the polyhedron alone.
+  // The history holds orientations only for the polyhedron.
   ASSERT_EQ(run.history.orientations().size(), 2U);
   EXPECT_TRUE(run.history.orientations()[0].empty());
   EXPECT_EQ(run.history.orientations()[1].size(), run.history.arcs()[1].size());

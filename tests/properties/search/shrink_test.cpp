@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t ample = 100000;
 
-/// N·V as a solver would see it.
+/// N·V in floating point, as a solver computes it.
 double normal_velocity(const Collision& c) {
   const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
     return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
@@ -41,8 +41,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// Doubling or rounding up the largest numbers leaves binary64: such candidates are no candidates. In a process of its
-/// own, since a number that is not finite once kept `complexity` from ever ending.
+/// Doubling or rounding up the largest numbers overflows binary64. Such collisions are no candidates. The test runs
+/// in a separate process, because a number that is not finite could keep `complexity` from terminating.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -113,7 +113,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
   EXPECT_GT(shrunk_cases, 5);
 }
 
-/// Two vectors of one component each, and one body: what a textbook would print.
+/// Two vectors with one component each, and one body, as in a textbook.
 TEST(Shrink, ReachesSmallDyadicNumbers) {
   int shrunk_cases = 0;
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -129,7 +129,7 @@ TEST(Shrink, ReachesSmallDyadicNumbers) {
               << i << ": " << path.text() << " = " << number;
         },
         shrunk);
-    // The normal needs one number and a velocity one; a reader sees no more than a few others.
+    // The normal needs one number and a velocity one. Only a few others remain.
     EXPECT_LE(complexity(shrunk), 24) << i;
   }
   EXPECT_GT(shrunk_cases, 4);

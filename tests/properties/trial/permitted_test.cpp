@@ -10,14 +10,15 @@
 
 #include "support/exact.hpp"
 
-/// The yardstick promises this: an outcome that is exact for inputs within the allowance passes, however hard the case.
+/// The yardstick's promise: an outcome that is exact for inputs within the allowance passes, however hard the case
+/// is.
 namespace carom::properties {
 namespace {
 
 using oracles::ExactCase;
 using oracles::Rational;
 
-/// A direction of so many components, of at most unit length.
+/// A random direction with `count` components and a length of at most one.
 std::vector<double> direction(Stream& stream, std::size_t count) {
   std::vector<double> components(count);
   double squares = 0;
@@ -49,7 +50,7 @@ BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, d
   return result;
 }
 
-/// The law's answer to a collision that is not stored in binary64; of `rough` in its rational branch.
+/// The law's answer to a collision that is not stored in binary64. For `rough` only in its rational branch.
 std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Model model) {
   const bool collides = oracles::normal_velocity_before(c) < 0;
   oracles::Branch branch = oracles::Branch::only;
@@ -63,7 +64,8 @@ std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Mo
   return collides ? oracles::colliding_truth(c, model, branch).outcome : unchanged(c);
 }
 
-/// Near and far from the origin: there the position of a body is rounded by its length and more.
+/// Cases near and far from the origin. Far away, the rounding of a body's position is comparable to its length or
+/// larger.
 std::vector<Collision> cases(Stream& stream) {
   std::vector<Collision> all;
   for (const char* family : {"generic", "physical", "collinear_spheres", "sticking", "grazing", "driven_wall"}) {
@@ -85,8 +87,8 @@ struct Seen {
   std::size_t blind = 0;
 };
 
-/// Every claimed invariant holds of an outcome that is exact for permitted inputs. The velocities before may have moved
-/// too, so what is untouched is so but for that.
+/// Checks that every claimed invariant holds for an outcome that is exact for permitted inputs. The velocities before
+/// may also have changed, so an untouched velocity may differ by this change.
 void expect_to_pass(const Collision& collision, Model model, Precision precision, Stream& stream, Seen& seen) {
   Subject subject;
   subject.model = model;
@@ -98,7 +100,7 @@ void expect_to_pass(const Collision& collision, Model model, Precision precision
   if (reason_unjudged(judged.exact(), claim.yardstick)) {
     return;
   }
-  // The rest is for the second order, 1/32 of the first where that is not blind.
+  // The rest covers the second order, which is 1/32 of the first unless the first order is blind.
   constexpr double share = 0.9;
   const double allowance = claim.yardstick.allowance();
   const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), model);
@@ -130,8 +132,8 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   EXPECT_GT(seen.blind, 100U);
 }
 
-/// The enclosure is of use: what it allows of a ball far from the origin is no more than some times what permitted
-/// inputs make of it.
+/// The enclosure is useful: its allowance for a ball far from the origin is only a few times the effect of permitted
+/// inputs.
 TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);

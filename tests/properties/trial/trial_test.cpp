@@ -18,7 +18,7 @@
 namespace carom::properties {
 namespace {
 
-/// A valid collision whose fields have exponents up to `most`, each its own.
+/// A valid collision whose fields each have their own exponent, up to `most`.
 Case extreme_case(Stream& stream, int most) {
   Case one = unit::case_of("physical", stream.bits() % 100);
   const auto factor = [&] { return std::ldexp(1.0, stream.integer(-most, most)); };
@@ -33,8 +33,8 @@ Case extreme_case(Stream& stream, int most) {
   return one;
 }
 
-/// Judges solvers on such collisions, all that they claim and the matrices that they show; leaves with 0 at the end.
-/// What the verdicts are is not the question.
+/// Judges every claim of solvers and the matrices that they report, on such collisions. Exits with 0 at the end. The
+/// verdicts do not matter.
 void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(20); ++i) {
@@ -51,8 +51,8 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
-/// The same at the largest limit, in binary32, for which an allowance can overflow: leaves with 0 where both judges say
-/// the same of each outcome. Relations are left out: such numbers make long rationals.
+/// Repeats the test at the largest limit, in binary32, for which an allowance can overflow. Exits with 0 if both
+/// judges agree on each outcome. It omits relations, because such numbers make long rationals.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(4); ++i) {
@@ -78,8 +78,8 @@ void judge_at_the_largest_limit(int most) {
   std::exit(0);
 }
 
-/// A contact that rests, and an answer that pulls by less than rounding of the inputs would push: no violation. What
-/// pulls harder is one.
+/// A resting contact, and an answer that pulls by less than the rounding of the inputs: no violation. A stronger pull
+/// is one.
 TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   Case resting;
   Collision& c = resting.collision;
@@ -100,14 +100,16 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
     };
     return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
   };
-  // The velocities are 1: a hundredth of what one of them rounds by, and ten thousand times that, where 32 are allowed.
+  // The velocities are 1. The push is a hundredth of the rounding of one of them, and then ten thousand times that.
+  // The limit is 32.
   const double rounding = unit_roundoff(Precision::binary64);
   EXPECT_EQ(push_of(rounding / 100), Status::holds);
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
 }
 
-/// An ulp beside sticking. With a normal so short that the scale of N × V⁺ leaves the range of numbers, and masses so
-/// great that those of friction do not, it cannot be said that the point slips: then friction need not be on the cone.
+/// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and the masses
+/// are so large that the scale of friction does not. It is undecidable whether the point slips, so friction need not
+/// be on the cone.
 TEST(Trial, ASlipThatCannotBeToldFromSlippingIsNoViolation) {
   const auto verdict_with = [](double normal, double mass) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};
@@ -129,7 +131,7 @@ TEST(Trial, ASlipThatCannotBeToldFromSlippingIsNoViolation) {
   EXPECT_TRUE(undecided.is_undecided);
 }
 
-/// In a process of its own: CGAL ends it where an infinite double becomes a rational.
+/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
 TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
   for (const int most : {50, 100, 200, 400, 900}) {
     Stream stream = stream_from(static_cast<std::uint64_t>(most));
@@ -151,7 +153,8 @@ Verdict verdict_on(const Case& one, const char* invariant, double limit_ulps, bo
   return judge_one(subject, claim, one).judgement.verdicts.at(0).verdict;
 }
 
-/// A feather of 10⁻²⁹⁰ kg: the scale of its own law is out of range, and those of the other body and of both are not.
+/// One body has a mass of 10⁻²⁹⁰ kg. The scale of its own law is out of range, but those of the other body and of
+/// both together are not.
 TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   const Case one = unit::case_of("physical", 3);
   ASSERT_FALSE(one.collision.a.immovable || one.collision.b.immovable);
@@ -168,7 +171,7 @@ TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   }
 }
 
-/// At velocities of 10³⁰⁰ a sound outcome is right to the last bits, and a limit that is beyond range proves nothing.
+/// At velocities of 10³⁰⁰ a sound outcome is accurate to the last bits. A limit that overflows proves nothing.
 TEST(Trial, ALimitBeyondRangeIsNoPass) {
   Case one = unit::case_of("elastic", 1);
   for (Body* body : {&one.collision.a, &one.collision.b}) {

@@ -28,7 +28,7 @@ TEST(Unjudged, IsNoBallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }
 
-/// 10⁶ m from the origin 32 u are 2 m in binary32: the lever arm may be any.
+/// At 10⁶ m from the origin, 32 u are 2 m in binary32, so the lever arm is unknown.
 TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
   Collision c = ball_on_floor();
   for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
@@ -47,7 +47,7 @@ TEST(Unjudged, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// A rod of 1 m and 10⁻⁴ m, 50 m from the origin, where binary32 rounds by 3 × 10⁻⁶ m.
+/// A rod of 1 m by 10⁻⁴ m at 50 m from the origin, where binary32 rounds by 3 × 10⁻⁶ m.
 TEST(Unjudged, IsNoRodThinnerThanTheRoundingOfItsPosition) {
   Collision c = ball_on_floor();
   c.a.principal_inertia = {1e-8, 1, 1};
@@ -67,7 +67,7 @@ TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// Each body is turned by its own lever arm: that of the other may be 10⁹ times as long.
+/// Each body rotates by its own lever arm. The other body's lever arm may be 10⁹ times as long.
 TEST(Unjudged, IsABodyThatTurnsLessThanBinary32Holds) {
   Collision c = ball_on_floor();
   c.a.velocity = {0, -1e-5, 0};
@@ -90,7 +90,7 @@ TEST(Unjudged, IsAMomentAtTheEndOfTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// A lever arm of 10¹⁵⁰ m is lost at 10²⁰⁰ m, and its square is no number.
+/// A lever arm of 10¹⁵⁰ m vanishes at 10²⁰⁰ m, and its square overflows.
 TEST(Unjudged, IsAnEnclosureThatIsNotFinite) {
   Collision c = ball_on_floor();
   c.a.position = {1e200, 1, 0};

@@ -19,7 +19,7 @@ using nlohmann::json;
 using tests::small_scene;
 using tests::small_scene_with_polyhedra;
 
-/// What the reader says of it; empty where it reads it.
+/// The reader's error; empty if it accepts the file.
 std::string error_of(const json& file) {
   try {
     (void)scene_from_json(file);
@@ -140,7 +140,7 @@ TEST(SceneJson, ReadsAHundredThousandSpheresInASecond) {
   const json written = scene_to_json(scene_from_json(lattice));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(scene_from_json(written).spheres.size(), 100'000);
-  // Some tenths of one; not compared with 1, since tests run beside others and unoptimised.
+  // It takes some tenths of a second. The limit is not 1 s, because tests run in parallel and without optimisation.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
@@ -292,7 +292,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
   }
 }
 
-/// What the whole scene decides: the text begins so, numbers of rounding are left open.
+/// Checks of the whole scene. The expected text is a beginning, because numbers in the rest depend on rounding.
 TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
   using Change = std::function<void(json & scene)>;
   const std::vector<std::pair<std::string, Change>> changes{

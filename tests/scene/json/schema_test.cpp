@@ -22,7 +22,7 @@ const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/sche
 
 using Changes = std::vector<std::pair<const char*, std::function<void(json&)>>>;
 
-/// The scene is accepted, and changed in any of these ways it is rejected, by the schema and by the reader.
+/// Checks that the schema and the reader accept the scene, and reject it after any of these changes.
 void expect_rejected(const json& scene, const Changes& changes) {
   const TemporaryDirectory directory;
   const std::string unchanged = directory.write("unchanged", scene.dump());

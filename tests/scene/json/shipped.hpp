@@ -14,7 +14,7 @@
 
 namespace carom::tests {
 
-/// The scene files that ship, in order of their names.
+/// The scene files that ship, sorted by name.
 [[nodiscard]] inline std::vector<std::filesystem::path> shipped_scenes() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry :
@@ -32,7 +32,7 @@ namespace carom::tests {
   return parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-/// A scene that is valid: the file that tests break.
+/// A valid scene, which the tests change into invalid ones.
 [[nodiscard]] inline nlohmann::json small_scene() {
   return parse_json(R"({
     "title": "Two balls over a floor", "law": "coulomb", "precision": "extended", "duration": 2, "gravity": [0, 0, -9.81],
@@ -51,7 +51,7 @@ namespace carom::tests {
   })");
 }
 
-/// The same with a box and a tetrahedron.
+/// The small scene with an additional box and tetrahedron.
 [[nodiscard]] inline nlohmann::json small_scene_with_polyhedra() {
   nlohmann::json scene = small_scene();
   scene["polyhedra"] = parse_json(R"([
@@ -61,7 +61,7 @@ namespace carom::tests {
     {"vertices": [[0.25, 0.25, 0.25], [0.25, -0.25, -0.25], [-0.25, 0.25, -0.25], [-0.25, -0.25, 0.25]],
      "density": 7800, "material": "steel", "position": [-1, -2, 6]}
   ])");
-  scene["lattices"][0]["spacing"][0] = 1.25;  // where there are polyhedra, nothing may touch
+  scene["lattices"][0]["spacing"][0] = 1.25;  // in a scene with polyhedra, no bodies may touch
   scene["contacts"].push_back({{"materials", {"wood", "wood"}}, {"restitution", 0.25}});
   return scene;
 }

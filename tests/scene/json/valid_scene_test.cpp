@@ -35,7 +35,7 @@ TEST(ValidScene, DecidesPlanesExactly) {
   EXPECT_EQ(defect_of(scene), "spheres[0]: sphere 0 (left) overlaps plane 0 (slope), or is behind it");
   scene.spheres[0].radius = 0.0999;
   EXPECT_EQ(defect_of(scene), "");
-  // To touch is not to overlap.
+  // A touch is not an overlap.
   scene.planes[0].normal = {0, 0, 1};
   scene.planes[0].point = {0, 0, -0.2};
   EXPECT_EQ(defect_of(scene), "");

@@ -11,7 +11,7 @@
 #include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/mass_properties.hpp>
 
-/// The bodies that these tests turn, let fall and hold against each other.
+/// Bodies that these tests rotate, drop and place against each other.
 namespace carom::scene::unit {
 
 using Vector = Vector3<double>;
@@ -27,7 +27,7 @@ using properties::Stream;
   return points;
 }
 
-/// Its four corners are corners of the cube from −1 to 1.
+/// Four corners of the cube from −1 to 1.
 [[nodiscard]] inline Points tetrahedron_points() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
 
 [[nodiscard]] inline Vector unit_vector(Stream& stream) {
@@ -40,7 +40,7 @@ using properties::Stream;
 
 [[nodiscard]] inline Quaternion<double> unit_quaternion(Stream& stream) { return stream.quaternion().normalized(); }
 
-/// Points on an ellipsoid with half axes from 1/4 to 2: all of them corners but where rounding says otherwise.
+/// Points on an ellipsoid with half axes from 1/4 to 2. Except for rounding, all of them are corners.
 [[nodiscard]] inline Points ellipsoid_points(Stream& stream, int count) {
   const Vector axes(stream.between(0.25, 2), stream.between(0.25, 2), stream.between(0.25, 2));
   Points points;
@@ -61,7 +61,7 @@ using properties::Stream;
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 
-/// Empty where it is one.
+/// The defect of the points; empty if they form a convex polyhedron.
 [[nodiscard]] inline std::string defect_of(const Points& points) {
   const auto result = convex_polyhedron(points);
   const auto* defect = std::get_if<ShapeDefect>(&result);

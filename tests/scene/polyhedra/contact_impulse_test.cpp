@@ -55,7 +55,7 @@ Vector spin_of(const Body& body, const Vector& angular_velocity) {
   return axes * body.principal_inertia.cwiseProduct(axes.transpose() * angular_velocity);
 }
 
-/// What A and B are given is one impulse at the contact point: within `tolerance`, of numbers about 1.
+/// Checks that A and B receive the same impulse at the contact point, within `tolerance`, for numbers of about 1.
 void expect_one_impulse(const Collision& collision, const Outcome<double>& outcome, double tolerance) {
   const Vector impulse = collision.a.mass * (outcome.a.velocity - collision.a.velocity);
   const auto torque_differs = [&](const Body& body, const BodyVelocity<double>& v, const Vector& on_body) {
@@ -73,7 +73,7 @@ void expect_one_impulse(const Collision& collision, const Outcome<double>& outco
   }
 }
 
-/// Numbers about 1, moments that differ by 2 and arms up to 2: some hundred roundings.
+/// Numbers of about 1, moments that differ by a factor of 2, and lever arms up to 2: about a hundred roundings.
 constexpr double in_double = 128 * 0x1p-53;
 constexpr double in_float = 128 * 0x1p-24;
 
@@ -118,8 +118,8 @@ TEST(ContactImpulse, SendsApartAtTheSpeedWhatIsSlower) {
   EXPECT_GT(raised, 500);
 }
 
-/// What each law is: of V, the velocity of A's contact point past B's. That an outcome is right to the last digits, the
-/// gate's judge says (tests/properties/scenes).
+/// The definition of each law in terms of V, the velocity of A's contact point relative to B's.
+/// tests/properties/scenes judges the last digits of an outcome.
 class Laws : public testing::TestWithParam<Precision> {};
 
 TEST_P(Laws, AreTheirDefinitions) {
@@ -160,8 +160,8 @@ TEST_P(Laws, AreTheirDefinitions) {
         case Model::rough:
         case Model::coulomb:
         case Model::any: {
-          // Of rough F = (1 + ε) P_I + (1 + e_t) (P_II − P_I) within the cone, K P_II = −V: so V' = −e_t V + (ε − e_t)
-          // K P_I, and frictionless changes V by (1 + ε) K P_I. Of coulomb, a contact point that sticks.
+          // Within the cone `rough` has F = (1 + ε) P_I + (1 + e_t) (P_II − P_I) with K P_II = −V. So V' = −e_t V +
+          // (ε − e_t) K P_I, and `frictionless` changes V by (1 + ε) K P_I. For `coulomb` the contact point sticks.
           const double e_t = collision.tangential_restitution;
           const Vector stops = (frictionless - before) / (1 + collision.restitution);
           const Vector within =

@@ -22,7 +22,7 @@ const HalfSpace ground{{0, 0, 1}, 0};
 
 ConvexShape box(const Vector& size) { return convex_shape(unit::body_of(unit::box_points(size))); }
 
-/// A turn by an angle about the axis x or y.
+/// A rotation by an angle about the axis x or y.
 Quaternion<double> about(int axis, double angle) {
   Quaternion<double> q(std::cos(angle / 2), 0, 0, 0);
   q[axis + 1] = std::sin(angle / 2);
@@ -53,7 +53,7 @@ TEST(ContactPatch, OfACubeOnAFloorIsItsFaceItsEdgeOrItsCorner) {
   expect_points(edge.vertices, {{4, 7, 0}, {6, 7, 0}});
   EXPECT_LE((edge.point - Vector(5, 7, small_gap / 2)).norm(), 1e-14);
 
-  // The diagonal (1, 1, 1) down.
+  // The diagonal (1, 1, 1) points down.
   const auto diagonal = Eigen::Quaterniond::FromTwoVectors(Vector(1, 1, 1), Vector(0, 0, -1));
   const ContactPatch corner = on_floor({diagonal.w(), diagonal.x(), diagonal.y(), diagonal.z()}, std::numbers::sqrt3);
   EXPECT_EQ(corner.kind, ContactKind::vertex_face);
@@ -71,7 +71,7 @@ TEST(ContactPatch, OfTwoFacesIsTheirOverlap) {
   EXPECT_EQ(patch.kind, ContactKind::face_face);
   expect_points(patch.vertices, {{0.5, 0, 1}, {1, 0, 1}, {1, 2, 1}, {0.5, 2, 1}});
   EXPECT_LE((patch.point - Vector(0.75, 1, 1)).norm(), flatness);
-  // Turned by an eighth, the overlap of two squares is an octagon.
+  // After an eighth of a turn, the overlap of two squares is an octagon.
   const ContactPatch octagon = between(box({2, 2, 2}), {about(2, std::numbers::pi / 4), {0, 0, 2 + small_gap}, 0, 0},
                                        box({2, 2, 2}), {upright, {0, 0, 0}, 0, 0});
   EXPECT_EQ(octagon.vertices.size(), 8U);
@@ -114,7 +114,7 @@ TEST(ContactPatch, OfABallIsOnePoint) {
   EXPECT_LE((balls.point - Vector(0, 2.5, 0)).norm(), 1e-14);
 }
 
-/// Of bodies with random faces laid on each other: every corner of the patch lies on both.
+/// Bodies with random faces placed on each other: every corner of the patch lies on both.
 TEST(ContactPatch, LiesOnBothBodies) {
   const ConvexShape point{{{Vector::Zero()}, {}, {}}, 0, 0};
   int polygons = 0;

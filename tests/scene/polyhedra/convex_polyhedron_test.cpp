@@ -23,7 +23,7 @@ std::map<std::size_t, int> faces_by_corners(const ConvexPolyhedron& polyhedron) 
   return counts;
 }
 
-/// What makes faces, edges and vertices a convex polyhedron, each exactly.
+/// Checks exactly that faces, edges and vertices form a convex polyhedron.
 void expect_convex(const ConvexPolyhedron& hull) {
   std::map<std::pair<std::size_t, std::size_t>, int> sides;
   for (const auto& face : hull.faces) {
@@ -59,7 +59,7 @@ TEST(ConvexPolyhedron, MergesTrianglesThatShareAPlane) {
   EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{3, 1}, {4, 3}, {5, 3}}));
 }
 
-/// Corners of a prism with many sides: its bases are faces with that many corners.
+/// The corners of a prism with many sides. Its bases are faces with that many corners.
 TEST(ConvexPolyhedron, FindsLargeFaces) {
   Points points;
   for (int i = -6; i <= 6; ++i) {
@@ -85,7 +85,7 @@ TEST(ConvexPolyhedron, IsConvexExactlyForRandomPoints) {
   EXPECT_GT(hulls, 50);
 }
 
-/// A point that is a last place above a face is a corner, one that is on it is none.
+/// A point one ulp above a face is a corner. A point on the face is not.
 TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
   Points points = unit::box_points({1, 1, 1});
   points.emplace_back(0.3, 0.7, std::nextafter(1.0, 2.0));

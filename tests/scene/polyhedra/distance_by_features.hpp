@@ -9,8 +9,8 @@
 
 #include "bodies.hpp"
 
-/// The distance of two disjoint convex polyhedra as the least over all pairs of features, in long double: slow, and
-/// sharing nothing with the search that it judges.
+/// The distance of two disjoint convex polyhedra as the minimum over all pairs of features, in long double. It is
+/// slow, and shares no code with the search that it checks.
 namespace carom::scene::unit {
 
 using Extended = Vector3<long double>;
@@ -30,7 +30,8 @@ struct ExtendedPolyhedron {
   return result;
 }
 
-/// From a point to a segment, or to the inside of a triangle (infinite where it is nearest to the triangle's edge).
+/// The distance from a point to a segment, or to the inside of a triangle. The latter is infinite if the point is
+/// nearest to the triangle's edge.
 [[nodiscard]] inline long double to_segment(const Extended& p, const Extended& a, const Extended& b) {
   const Extended edge = b - a;
   const long double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0L, 1.0L);
@@ -46,7 +47,7 @@ struct ExtendedPolyhedron {
   return inside ? (p - foot).norm() : std::numeric_limits<long double>::infinity();
 }
 
-/// Of two segments whose nearest points both lie within them; infinite where they do not.
+/// The distance of two segments whose nearest points both lie within them; infinite otherwise.
 [[nodiscard]] inline long double within_segments(const Extended& a, const Extended& b, const Extended& c,
                                                  const Extended& d) {
   const Extended u = b - a;
@@ -55,12 +56,12 @@ struct ExtendedPolyhedron {
   const long double uv = u.dot(v);
   const long double determinant = u.squaredNorm() * v.squaredNorm() - uv * uv;
   if (determinant <= 1e-17L * u.squaredNorm() * v.squaredNorm()) {
-    return std::numeric_limits<long double>::infinity();  // parallel: an end of one is among the nearest
+    return std::numeric_limits<long double>::infinity();  // parallel: an end of one is among the nearest points
   }
   const long double s = (uv * v.dot(w) - v.squaredNorm() * u.dot(w)) / determinant;
   const long double t = (u.squaredNorm() * v.dot(w) - uv * u.dot(w)) / determinant;
   const bool inside = s >= 0 && s <= 1 && t >= 0 && t <= 1;
-  // The distance along the common normal keeps its digits where the segments almost meet.
+  // The distance along the common normal keeps its digits even if the segments almost meet.
   const Extended normal = u.cross(v);
   return inside ? std::abs(w.dot(normal)) / normal.norm() : std::numeric_limits<long double>::infinity();
 }
@@ -78,7 +79,7 @@ struct ExtendedPolyhedron {
   return least;
 }
 
-/// The distance of two disjoint bodies, margins included.
+/// The distance of two disjoint bodies, including their margins.
 [[nodiscard]] inline long double distance_by_features(const ConvexShape& a, const Placement& at_a, const ConvexShape& b,
                                                       const Placement& at_b) {
   const ExtendedPolyhedron first = extended(a, at_a);

@@ -17,7 +17,8 @@ Placement placed(properties::Stream& stream, const Vector& position) {
   return {unit::unit_quaternion(stream), position, 0, 0};
 }
 
-/// A box at times in a pose that makes faces and edges of two boxes parallel: quarter turns, or a turn about z.
+/// The pose of a box that sometimes makes faces and edges of two boxes parallel: quarter turns, or a rotation about
+/// z.
 Placement plain_pose(properties::Stream& stream, const Vector& position) {
   Placement placement{{1, 0, 0, 0}, position, 0, 0};
   if (stream.chance(2)) {
@@ -40,7 +41,7 @@ struct Posed {
   Placement at_b;
 };
 
-/// Two bodies that are about `gap` apart: far ones, brought nearer along the direction of their distance.
+/// Two bodies at a distance of about `gap`: distant bodies, moved towards each other along their shortest connection.
 Posed posed(properties::Stream& stream, double gap) {
   const bool plain = stream.chance(4);
   const auto shape = [&] {
@@ -52,7 +53,7 @@ Posed posed(properties::Stream& stream, double gap) {
   p.at_b = pose(stream.vector());
   p.at_a = pose(p.at_b.position + 6 * unit::unit_vector(stream));
   const ShapePair pair(p.a, p.b);
-  for (int i = 0; i < 30; ++i) {  // each step brings them nearer by almost what they may be
+  for (int i = 0; i < 30; ++i) {  // each step moves them by nearly the permitted distance
     const Separation now = pair.separation(p.at_a, p.at_b);
     p.at_a.position -= (now.gap - gap) * now.normal;
   }
@@ -83,7 +84,7 @@ TEST(ShapePair, CertifiesNoMoreThanTheDistance) {
   }
 }
 
-/// Errors of the placements are taken off.
+/// The result is reduced by the errors of the placements.
 TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   properties::Stream stream = properties::stream_from(1);
   Posed p = posed(stream, 0.5);
@@ -96,7 +97,7 @@ TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   EXPECT_NEAR(found.certified, exact.certified - 0.01 - 0.02 * p.b.core_radius, 1e-15);
 }
 
-/// Where bodies are at 10⁶ times their size, only the difference of their positions counts.
+/// At 10⁶ times the bodies' size from the origin, only the difference of their positions counts.
 TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -105,7 +106,7 @@ TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
     p.at_a.position += shift;
     p.at_b.position += shift;
     const Separation found = ShapePair(p.a, p.b).separation(p.at_a, p.at_b);
-    // Doubles that are so near to each other have an exact difference.
+    // The difference of doubles this close to each other is exact.
     p.at_a.position -= p.at_b.position;
     p.at_b.position.setZero();
     const auto truth = static_cast<double>(unit::distance_by_features(p.a, p.at_a, p.b, p.at_b));
@@ -128,7 +129,7 @@ Posed scaled(const Posed& posed, double scale) {
   return p;
 }
 
-/// Grains and mountains are as good as dice.
+/// The size of the bodies does not matter.
 TEST(ShapePair, ScalesExactly) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -143,7 +144,7 @@ TEST(ShapePair, ScalesExactly) {
   }
 }
 
-/// A grain of sand beside a slab: 10⁻⁴ of its size.
+/// A small body beside a slab of 10⁴ times its size.
 TEST(ShapePair, TakesBodiesOfUnequalSizes) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);

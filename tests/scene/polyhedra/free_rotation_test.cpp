@@ -30,8 +30,8 @@ struct ExtendedState {
   Extended rate;
 };
 
-/// Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω. (As J ω' = (J ω) × ω they would cost rods their digits
-/// in any arithmetic.)
+/// Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω. The form J ω' = (J ω) × ω loses digits for rods in
+/// any arithmetic.
 ExtendedState slope(const Extended& moments, const ExtendedState& s) {
   const Extended rate((moments[1] - moments[2]) / moments[0] * s.rate[1] * s.rate[2],
                       (moments[2] - moments[0]) / moments[1] * s.rate[2] * s.rate[0],
@@ -46,9 +46,9 @@ ExtendedState plus(const ExtendedState& s, const ExtendedState& d, long double h
   return {s.orientation + h * d.orientation, s.rate + h * d.rate};
 }
 
-/// An integrator that shares nothing with the one under test: steps of the midpoint rule, extrapolated (W. Gragg, R.
-/// Bulirsch, J. Stoer; E. Hairer, S. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", §II.9), in long
-/// double.
+/// An independent integrator that shares no code with the one under test. It extrapolates steps of the midpoint rule,
+/// in long double. Source: W. Gragg, R. Bulirsch, J. Stoer; E. Hairer, S. Nørsett, G. Wanner, "Solving Ordinary
+/// Differential Equations I", §II.9.
 ExtendedState integrated(const Extended& moments, ExtendedState s, long double duration) {
   const int steps = static_cast<int>(std::ceil(8 * duration * s.rate.norm())) + 1;
   const long double length = duration / steps;
@@ -85,7 +85,7 @@ struct FreeMotion {
   double duration;
 };
 
-/// How far the path is from the independent integration, and the bounds that it states.
+/// The deviation of the path from the independent integration, and the bounds that the path states.
 struct Comparison {
   double angle;
   double angle_bound;
@@ -106,7 +106,7 @@ Comparison compare(const FreeMotion& motion) {
 
 RotationState turning(const Vector& body_rate) { return {{1, 0, 0, 0}, body_rate}; }
 
-/// Moments that a body can have, from its second moments.
+/// Moments that a body can have, made from its second moments.
 FreeMotion random_motion(properties::Stream& stream, double angle) {
   const Vector second = stream.vector().cwiseAbs() + Vector::Constant(stream.chance(4) ? 1e-4 : 0.1);
   const Vector moments = Vector::Constant(second.sum()) - second;
@@ -115,7 +115,7 @@ FreeMotion random_motion(properties::Stream& stream, double angle) {
   return motion;
 }
 
-/// A symmetric top turns about its angular momentum with L/I₁, while it turns about its own axis with (1 − I₃/I₁) ω₃.
+/// A symmetric top rotates about its angular momentum with L/I₁, and about its own axis with (1 − I₃/I₁) ω₃.
 TEST(RotationPath, FollowsTheSymmetricTop) {
   for (const double axial : {0.25, 0.9, 1.1, 1.999}) {
     const Vector moments(1, 1, axial);
@@ -136,9 +136,8 @@ TEST(RotationPath, FollowsTheSymmetricTop) {
   }
 }
 
-/// The tennis racket, turning about its middle axis, turns over again and again: all that was wrong at first has grown
-/// by orders of magnitude on the way, and so does Gronwall's bound, to no use; followed by derivatives it stays a
-/// bound.
+/// A tennis racket that rotates about its intermediate axis flips over again and again. Initial errors grow by orders
+/// of magnitude. Gronwall's bound grows as well, and becomes useless. A bound by derivatives remains useful.
 TEST(RotationPath, FollowsTheTennisRacket) {
   for (const double disturbance : {1e-1, 1e-3, 1e-6}) {
     const FreeMotion motion{{1, 2, 2.5}, turning({disturbance, 5, 0}), 10};
@@ -147,7 +146,7 @@ TEST(RotationPath, FollowsTheTennisRacket) {
     EXPECT_LE(result.rate, result.rate_bound) << disturbance;
     EXPECT_LE(result.angle, 1e-10) << disturbance;
     EXPECT_LE(result.angle_bound, 1e-6) << disturbance;
-    // Not vacuous: somewhere on the way it has turned over.
+    // Not vacuous: it flips over at some time.
     const RotationPath path(motion.moments, motion.start, motion.duration);
     double least = 5;
     for (int i = 0; i <= 1000; ++i) {
@@ -169,7 +168,7 @@ TEST(RotationPath, KeepsItsBounds) {
     looseness.push_back(result.angle_bound / std::max(result.angle, 0x1p-53));
   }
   std::sort(looseness.begin(), looseness.end());
-  EXPECT_LE(looseness[looseness.size() / 2], 1000);  // 600: what is rounded seldom adds up
+  EXPECT_LE(looseness[looseness.size() / 2], 1000);  // 600: rounding errors rarely add up
 }
 
 TEST(RotationPath, KeepsItsBoundsOfAnyBody) {
@@ -196,7 +195,7 @@ TEST(RotationPath, KeepsEnergyAndAngularMomentum) {
   }
 }
 
-/// A rod a thousand times as long as wide, of moments 1 : 10⁶, keeps its digits.
+/// A rod a thousand times as long as wide, with moments 1 : 10⁶, keeps its digits.
 TEST(RotationPath, KeepsTheDigitsOfRods) {
   for (const Vector& rate : {Vector(10, 1e-3, 2e-3), Vector(1e-3, 5, 1), Vector(3, 4, 5)}) {
     const FreeMotion motion{{1e-6, 1, 1 + 1e-7}, turning(rate), 5};
@@ -222,7 +221,7 @@ TEST(RotationPath, TurnsACubeAboutAFixedAxis) {
   EXPECT_EQ(at_rest.at(70).state.orientation, Quaternion<double>(1, 0, 0, 0));
 }
 
-/// The state at a time does not depend on how far the path goes on.
+/// The state at a time does not depend on the duration of the path.
 TEST(RotationPath, AnswersForAnyTimeWithinIt) {
   const Vector moments(1, 2, 2.5);
   const RotationState start = turning({1, 5, 0.5});
@@ -237,7 +236,7 @@ TEST(RotationPath, AnswersForAnyTimeWithinIt) {
   }
 }
 
-/// ‖ω‖ comes within a few hundredths of its bound where the path goes round, and never beyond.
+/// ‖ω‖ never exceeds its bound, always reaches 0.7 of it, and for some motion reaches nearly all of it.
 TEST(RotationPath, KnowsTheGreatestRate) {
   double closest = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

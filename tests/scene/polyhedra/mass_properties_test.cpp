@@ -22,7 +22,7 @@ Matrix3<double> about_centre_of_box(const Vector& size, double mass) {
       .asDiagonal();
 }
 
-/// The parallel axis theorem: what a mass point adds.
+/// The contribution of a point mass, by the parallel axis theorem.
 Matrix3<double> of_point(double mass, const Vector& r) {
   return mass * (r.squaredNorm() * Matrix3<double>::Identity() - r * r.transpose());
 }
@@ -34,7 +34,7 @@ TEST(MassProperties, OfABoxAreTheTextbooks) {
   EXPECT_EQ(box.properties.centre, Vector(1, 2, 4));
   EXPECT_EQ(box.properties.inertia, about_centre_of_box({2, 4, 8}, 192));
   EXPECT_EQ(box.properties.principal_inertia, Vector(1280, 1088, 320));
-  EXPECT_EQ(box.properties.orientation, Quaternion<double>(1, 0, 0, 0));  // axes stay where they are
+  EXPECT_EQ(box.properties.orientation, Quaternion<double>(1, 0, 0, 0));  // the axes do not change
   EXPECT_EQ(box.shape.vertices.front(), Vector(-1, -2, -4));
 }
 
@@ -46,7 +46,7 @@ TEST(MassProperties, OfARegularTetrahedronAreCorrectlyRounded) {
   EXPECT_EQ(body.properties.principal_inertia, Vector::Constant(16.0 / 15));
 }
 
-/// A cube with a corner cut off is the cube less a tetrahedron with three equal perpendicular edges.
+/// A cube with a corner cut off is the cube minus a tetrahedron with three equal perpendicular edges.
 TEST(MassProperties, OfACutCubeAreADifference) {
   Points cut = unit::box_points({2, 2, 2});
   cut.pop_back();
@@ -66,7 +66,7 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   EXPECT_LE((body.properties.inertia - expected).norm(), 0x1p-50 * expected.norm());
 }
 
-/// Four boxes of halves make the box: the tensor of a whole is the sum over its parts.
+/// Four boxes with halved edges form the box: the tensor of a whole is the sum over its parts.
 TEST(MassProperties, AddUp) {
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 30; ++i) {
@@ -102,11 +102,10 @@ TEST(MassProperties, HaveAxesThatMakeTheTensorDiagonal) {
     Vector sorted = p.principal_inertia;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_LE((eigen.eigenvalues() - sorted).norm(), 0x1p-48 * sorted.norm()) << seed;
-    for (int i = 0; i < 3; ++i) {  // a body that fills space
+    for (int i = 0; i < 3; ++i) {  // a body with volume
       EXPECT_LT(sorted[2], sorted[0] + sorted[1]);
     }
-    // The body in its own frame is the body: its centre is 0 and its tensor diagonal within the rounding of its
-    // vertices.
+    // The body in its own frame has its centre at 0 and a diagonal tensor, up to the rounding of its vertices.
     const PolyhedralBody again = unit::body_of(body.shape.vertices.size() == 8 && body.shape.faces.size() == 6
                                                    ? unit::box_points(2 * body.shape.vertices.back().cwiseAbs())
                                                    : body.shape.vertices);
@@ -115,7 +114,7 @@ TEST(MassProperties, HaveAxesThatMakeTheTensorDiagonal) {
   }
 }
 
-/// Scaled by a power of two, everything is scaled exactly.
+/// Scaling by a power of two scales everything exactly.
 TEST(MassProperties, Scale) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -138,7 +137,7 @@ TEST(MassProperties, Scale) {
   }
 }
 
-/// Moved far on numbers that stay exact, nothing changes but the centre.
+/// After an exact translation, only the centre changes.
 TEST(MassProperties, MoveWithTheBody) {
   Points points{{0, 0, 0}, {3, 0, 1}, {0, 5, 0}, {1, 1, 4}, {3, 4, 3}};
   const Vector shift(1e9, -7e8, 0x1p40);
@@ -164,7 +163,7 @@ TEST(MassProperties, TurnWithTheBody) {
   }
 }
 
-/// A needle 10⁶ times as long as wide: its least moment is 10⁻¹² of the greatest, and is right to the last places.
+/// A needle 10⁶ times as long as wide. Its least moment is 10⁻¹² of the greatest, and accurate to the last digits.
 TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 20; ++i) {
@@ -176,7 +175,7 @@ TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
     const MassProperties p = unit::body_of(points).properties;
     const double mass = 2e-12;
     const double least = mass / 12 * 5e-12;
-    // The turned vertices are rounded to 2⁻⁵³ of the length: 10⁻¹⁰ of the width.
+    // The rotated vertices are rounded to 2⁻⁵³ of the length, which is 10⁻¹⁰ of the width.
     EXPECT_NEAR(p.principal_inertia.minCoeff() / least, 1, 1e-8);
   }
 }

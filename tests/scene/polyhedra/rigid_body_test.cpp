@@ -18,14 +18,15 @@ using unit::Vector;
 
 RigidBody made_of(const Polyhedron& polyhedron) { return std::get<RigidBody>(rigid_body(polyhedron)); }
 
-/// Whatever frame its vertices are given in, and however its own axes lie in that: position + R x.
+/// The vertices may be given in any frame, and the principal axes may have any direction in it. The corners are at
+/// position + R x.
 TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     Polyhedron polyhedron;
     do {
       polyhedron.vertices = unit::ellipsoid_points(stream, stream.integer(4, 12));
-      // Far off its own frame's origin, and turned in it.
+      // Far from the origin of its own frame, and rotated in it.
       polyhedron.vertices =
           unit::moved(polyhedron.vertices, unit::matrix_of(unit::unit_quaternion(stream)), 4 * stream.vector());
     } while (!unit::defect_of(polyhedron.vertices).empty());
@@ -44,14 +45,14 @@ TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
       for (const Vector& given : polyhedron.vertices) {
         nearest = std::min(nearest, (polyhedron.position + turn * given - corner).norm());
       }
-      // Coordinates up to 16, in some twenty roundings of 2⁻⁵³.
+      // Coordinates up to 16, with about twenty roundings of 2⁻⁵³.
       EXPECT_LE(nearest, 16 * 20 * 0x1p-53) << "seed " << seed;
       EXPECT_LE(vertex.norm(), body.radius()) << "seed " << seed;
     }
     EXPECT_NEAR(body.orientation.norm(), 1, 1e-15);
     EXPECT_EQ(body.velocity, polyhedron.velocity);
     EXPECT_EQ(body.angular_velocity, polyhedron.angular_velocity);
-    // The same body given about its own centre, along the world's axes.
+    // The same body, given about its own centre, along the world's axes.
     Polyhedron plain = polyhedron;
     plain.position = Vector::Zero();
     plain.orientation = {1, 0, 0, 0};
@@ -65,7 +66,7 @@ TEST(RigidBody, OfABoxOffItsFrameIsByHand) {
   polyhedron.vertices = unit::box_points({2, 4, 8});
   polyhedron.density = 3;
   polyhedron.position = {10, 20, 30};
-  // A quarter turn about z: (x, y, z) goes to (−y, x, z); of length 3.
+  // A quarter turn about z, by a quaternion of length 3: (x, y, z) maps to (−y, x, z).
   polyhedron.orientation = 3 * Quaternion<double>(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   const RigidBody body = made_of(polyhedron);
   EXPECT_LE((body.position - Vector(10 - 2, 20 + 1, 30 + 4)).norm(), 1e-14);

@@ -63,19 +63,19 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
 }
 
-/// A cube that turns a corner against a ball beside it: cos and sin say when.
+/// A rotating cube hits a ball beside it with an edge. Cosine and sine give the time.
 TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
   const ShapePair pair(ball_shape(0.25), convex_shape(cube));
   Motion turning = resting({1, 0, 0, 0}, {0, 0, 0});
   turning.rotation = RotationPath(cube.properties.principal_inertia, {{1, 0, 0, 0}, {0, 0, 2}}, 10);
-  // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only as it comes to x; the face is within 1.5 before
-  // that.
+  // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only when it reaches the x axis. Before that, the face
+  // is within 1.5.
   const Motion ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
   const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, contact_tolerance);
   ASSERT_EQ(found.approach, Approach::touches);
-  // The nearest point of the cube is on the face turned by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
-  // leaves it at 1; with the ball's radius 1/4: cos φ = 5/6.
+  // The nearest point of the cube is on the face rotated by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
+  // leaves it at 1. With the ball's radius of 1/4, cos φ = 5/6.
   EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * contact_tolerance);
 }
 
@@ -114,14 +114,14 @@ double true_distance(const Meeting& m, double time) {
       unit::distance_by_features(m.a.shape, placement_at(m.a.motion, time), m.b.shape, placement_at(m.b.motion, time)));
 }
 
-/// Empty where what was found is right.
+/// The error of the result; empty if it is right.
 std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
   const double end = found.approach == Approach::misses ? m.duration : found.time;
   if (found.approach == Approach::overlaps || found.approach == Approach::undecided) {
     return "neither touches nor misses";
   }
   for (int i = 0; i <= 60; ++i) {
-    // As close to the end as to any other time.
+    // Also times close to the end.
     const double time = i % 2 == 0 ? end * i / 60 : end * (1 - std::ldexp(1.0, -i));
     const double distance = true_distance(m, time);
     if (!(distance >= 0.4 * contact_tolerance)) {
@@ -169,7 +169,7 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// Bodies that tumble onto a floor, against the height of their lowest corner at all times before.
+/// Tumbling bodies hit a floor. The test compares with the height of their lowest corner at all earlier times.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -190,7 +190,7 @@ TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   }
 }
 
-/// A ball passes a corner of a box: a millionth of the tolerance decides whether it touches.
+/// A ball passes a corner of a box. A millionth of the tolerance decides whether they touch.
 TEST(TimeOfContact, TellsGrazingFromMissing) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   const Vector away = Vector(1, 1, 0).normalized();
@@ -202,7 +202,7 @@ TEST(TimeOfContact, TellsGrazingFromMissing) {
   }
 }
 
-/// Two edges that cross as they pass each other, at a distance that decides.
+/// Two edges cross as they pass each other. Their distance decides.
 TEST(TimeOfContact, TellsCrossingEdgesApart) {
   const ShapePair pair(convex_shape(unit::body_of(unit::box_points({2, 2, 2}))),
                        convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
@@ -217,7 +217,7 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   }
 }
 
-/// After an impact bodies are within the tolerance, and draw apart: the contact to find is the next one.
+/// After an impact, bodies are within the tolerance and separate. The function must find the next contact.
 TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (const double speed : {1e-6, 1e-3, 1.0}) {
@@ -226,7 +226,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
     motion.acceleration = {0, 0, -10};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
     ASSERT_EQ(found.approach, Approach::touches) << speed;
-    // Up and down again; or, of a hop that stays within the tolerance, from its top on.
+    // Up and down again. If the hop stays within the tolerance, the contact is after its top.
     EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
     EXPECT_GE(found.time, speed / 10 * 0.99) << speed;
   }
@@ -236,7 +236,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, contact_tolerance).time, 0);
 }
 
-/// The same flight, told from another start: its places, velocities and rotation as they are then.
+/// The same flight with a later start: position, velocity and rotation are those at that time.
 Motion told_from(const Motion& motion, const Vector& inertia, double start, double duration) {
   const RotationState state = rotation_at(motion, start).state;
   return {motion.position + start * (motion.velocity + start / 2 * motion.acceleration),
@@ -266,10 +266,10 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
       ++touching;
       EXPECT_GT(true_distance(m, found.time), 0) << "seed " << seed;
       EXPECT_LE(true_distance(m, found.time), 1.01 * contact_tolerance) << "seed " << seed;
-      // Both are within a tolerance, at 1/100 m/s and more but for grazing ones.
+      // Both times are within a tolerance, at speeds of at least 1/100 m/s except for grazing contacts.
       EXPECT_NEAR(found.time, expected.time, 100 * contact_tolerance) << "seed " << seed;
     }
-    // Begun later, but told from 0, it is the same too.
+    // The result is also the same for a later start with the original motion.
     const TimeOfContact later = time_of_contact(pair, m.a.motion, m.b.motion, begin, m.duration, contact_tolerance);
     EXPECT_EQ(later.approach, expected.approach) << "seed " << seed;
     if (later.approach == Approach::touches) {
@@ -290,12 +290,12 @@ TEST(TimeOfContact, OfAFloorDoesNotDependOnWhereTheMotionStarts) {
     const TimeOfContact found =
         time_of_contact(flight.shape, told, floor_at_0, start + 0.0625, told.end(), contact_tolerance);
     ASSERT_EQ(found.approach, Approach::touches) << "seed " << seed;
-    // At some 8 m/s, of two tolerances.
+    // Two tolerances at about 8 m/s.
     EXPECT_NEAR(found.time, expected.time, contact_tolerance) << "seed " << seed;
   }
 }
 
-/// A cube on another, its face along that one's, drawn away along the face and up by ever less: what touches opens.
+/// A cube slides along another cube's face and rises, at different speeds. The contact opens.
 TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   const Vector inertia = unit::body_of(unit::box_points({1, 1, 1})).properties.principal_inertia;
@@ -312,7 +312,7 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
       }
     }
   }
-  // Edge along edge: one lies on the other's edge by a tolerance, both turn apart about it, sliding along it.
+  // Edge on edge at a distance within the tolerance: one body rotates away about the edge, and slides along it.
   for (const double turning : {0.125, 1.0, 4.0}) {
     Motion above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
     above.velocity = Vector(turning / 2, 1, turning / 2);
@@ -324,8 +324,8 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   }
 }
 
-/// Edges that touch in a part of themselves, after an impact between them: the bodies turn apart, though neither the
-/// faces' normals nor one that stays across both edges says so (found by tumbling bodies that touched for ever).
+/// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither the faces' normals
+/// nor a normal orthogonal to both edges shows this. If the search misses it, tumbling bodies touch forever.
 TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
   int struck = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
@@ -336,14 +336,14 @@ TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
       continue;
     }
     ++struck;
-    // As an impact would: both are sent apart along the normal, and the rotations stay.
+    // Like an impact: one body gets a relative velocity along the normal, and the rotations do not change.
     const ShapePair pair(m.a.shape, m.b.shape);
     for (const double away : {16.0, 64.0}) {
       Motion a = told_from(m.a.motion, m.a.body.properties.principal_inertia, first.time, m.duration);
       const Motion b = told_from(m.b.motion, m.b.body.properties.principal_inertia, first.time, m.duration);
       a.velocity += away * first.separation.normal;
       const TimeOfContact next = time_of_contact(pair, a, b, first.time, a.end(), contact_tolerance);
-      // Corners move at up to 2 ω = 16 m/s and more: 64 m/s leave all of them behind.
+      // Corners move at about 2 ω = 16 m/s or more, so 64 m/s is faster than every corner.
       if (away == 64) {
         EXPECT_EQ(next.approach, Approach::misses) << "seed " << seed;
       } else {
@@ -359,7 +359,7 @@ TEST(TimeOfContact, SaysWhereItCannotTell) {
   EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 0, 1, contact_tolerance).approach,
             Approach::overlaps);
   EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 0, 1, contact_tolerance).approach,
-            Approach::overlaps);  // touching exactly: not certain to be apart
+            Approach::overlaps);  // in exact contact: not certain to be apart
   EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 0, 1, contact_tolerance).approach,
             Approach::misses);
   Motion falling = resting({1, 0, 0, 0}, {0, 0, 1});

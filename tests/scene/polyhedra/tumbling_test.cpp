@@ -59,7 +59,7 @@ TEST(Tumbling, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFollowed) {
   const std::vector<Event> events = events_of(scene, 300);
   ASSERT_EQ(events.size(), 300U);
   const double nearness = 1.01 * contact_tolerance * cube_radius;
-  // From 2 m it falls to no more than the tolerance of a contact.
+  // It falls from 2 m until it is within the contact tolerance.
   EXPECT_LE(events[0].time, std::sqrt(2 * 2 / g));
   EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
   double speed = g * events[0].time;
@@ -69,17 +69,17 @@ TEST(Tumbling, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFollowed) {
     const Event& event = events[bounce];
     EXPECT_EQ(event.kind, EventKind::plane_impact);
     EXPECT_FALSE(event.was_slow) << bounce;
-    // A fall's speed is g times its time; what it comes lower or higher by, from one tolerance to another, is √(v² ± 2
-    // g tolerance): ± g tolerance/v; and rounding of g t, t up to 2 s.
+    // The speed of a fall is g times its time. If its height changes by a tolerance, the speed is √(v² ± 2 g
+    // tolerance), a change of ± g tolerance/v. The rounding of g t, for t up to 2 s, adds to this.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
     speed = event.a.after.path.velocity.z();
-    // Struck at the middle of its face: what is left of a turn is rounding, of a lever arm of 2⁻⁵³.
+    // The impact is at the middle of the face. The remaining rotation is the rounding error of a lever arm of 2⁻⁵³.
     EXPECT_LE(event.a.after.turning.angular_velocity.norm(), 0x1p-46) << bounce;
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // Now it hops: each no higher than 10⁻⁶ of its radius, beside the tolerance that it starts from; the slow ones just
-  // so high. Rounding turns it by no more than 2⁻⁴⁶ rad/s a hop, so it stays flat.
+  // Now it hops, at most 10⁻⁶ of its radius above the tolerance that it starts from. Slow hops have exactly this
+  // height. Rounding rotates it by at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
   for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
@@ -127,8 +127,8 @@ TEST(Tumbling, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
     const double speed = -g * event.time;
     const Vector torque = arm.cross(Vector(0, 0, 1));
     const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
-    // The point lies midway between body and floor, so arms are off by half a tolerance; some speed of 8 m/s times 6
-    // for the moment.
+    // The contact point is midway between body and floor, so lever arms have an error of half a tolerance. It is
+    // multiplied by a speed of about 8 m/s and by 6 for the moment.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
     EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
     EXPECT_EQ(event.a.after.path.velocity.x(), 0);
@@ -136,7 +136,7 @@ TEST(Tumbling, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
   }
 }
 
-/// A rod that draws back from a slab and swings its end into it: the balls about them overlap and recede throughout.
+/// A rod moves away from a slab and swings its end into it. Their bounding balls overlap and recede all the time.
 TEST(Tumbling, BodiesMeetWhoseBallsOverlapAndRecede) {
   for (const bool is_rod_first : {true, false}) {
     Scene scene = empty_scene(Model::frictionless, elastic, 3);
@@ -153,7 +153,7 @@ TEST(Tumbling, BodiesMeetWhoseBallsOverlapAndRecede) {
     }
     const std::vector<Event> events = events_of(scene, 1);
     ASSERT_EQ(events.size(), 1U);
-    // The rod's corner (1/16, ·, 1) turns with y: x = cos/16 + sin − t/16 reaches the slab's face at 1/2.
+    // The rod's corner (1/16, ·, 1) rotates about y: x = cos/16 + sin − t/16 reaches the slab's face at 1/2.
     const auto gap = [](double t) { return 0.5 - (std::cos(t) / 16 + std::sin(t) - t / 16); };
     double low = 0;
     double high = 1;
@@ -161,14 +161,14 @@ TEST(Tumbling, BodiesMeetWhoseBallsOverlapAndRecede) {
       const double middle = (low + high) / 2;
       (gap(middle) > 0 ? low : high) = middle;
     }
-    // A contact is up to the tolerance early, at a speed of cos t − 1/16 − sin/16 > 3/4.
+    // A contact is early by up to the tolerance, at a speed of cos t − 1/16 − sin/16 > 3/4.
     EXPECT_LE(events[0].time, low + 1e-15);
     EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
     EXPECT_EQ(events[0].kind, EventKind::impact);
   }
 }
 
-/// Balls in a scene with polyhedra move as those of a scene without: walls, balls, the same law.
+/// Balls move in the same way in a scene with polyhedra and in a scene without: walls, balls, the same law.
 TEST(Tumbling, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
   for (const Model law : {Model::frictionless, Model::rough, Model::coulomb, Model::sticking, Model::reflection}) {
     SCOPED_TRACE(name_of(law));
@@ -186,8 +186,9 @@ TEST(Tumbling, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
     const std::vector<Event> found = events_of(scene, 8);
     ASSERT_EQ(expected.size(), 8U);
     ASSERT_EQ(found.size(), 8U);
-    // A contact is up to 2⁻³⁰ radii early, at 1/2 m/s and more; each impact enlarges differences by 1 + 2 l/R, 8 at
-    // most for paths of 1 m: 8 impacts, of three bodies two or three each in a row, stay below 2⁻³⁰ 8⁴.
+    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges differences by 1 + 2 l/R, at
+    // most 8 for paths of 1 m. In 8 impacts, each of three bodies has two or three in a row, so they stay below 2⁻³⁰
+    // 8⁴.
     const double tolerance = 0x1p-18;
     for (std::size_t k = 0; k < found.size(); ++k) {
       EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
@@ -210,7 +211,7 @@ TEST(Tumbling, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
 }
 
 TEST(Tumbling, ABallThatMeetsACubesFaceSharesItsSpeed) {
-  // Both orders of A and B; masses 8 of the cube and of the ball 8 as well.
+  // Both orders of A and B. The cube and the ball each have a mass of 8.
   Scene scene = empty_scene(Model::frictionless, elastic, 4);
   add_sphere(scene, 0.5, {-3, 0, 0}, {2, 0, 0});
   scene.spheres[0].density = 8 / (4.0 / 3 * std::numbers::pi * 0.125);
@@ -220,7 +221,7 @@ TEST(Tumbling, ABallThatMeetsACubesFaceSharesItsSpeed) {
   ASSERT_EQ(events.size(), 1U);
   EXPECT_LE(events[0].time, 0.75);
   EXPECT_GE(events[0].time, 0.75 - contact_tolerance * 0.5 / 2 * 1.01);
-  // The masses are right within some ulps, arms within half a tolerance.
+  // The masses are right within some ulps, and the lever arms within half a tolerance.
   EXPECT_NEAR(events[0].a.after.path.velocity.x(), 0, 1e-9);
   EXPECT_NEAR(events[0].b->after.path.velocity.x(), 2, 1e-9);
   EXPECT_EQ(events[0].a.after.turning.angular_velocity, Vector(0.1, 0.2, 0.3));
@@ -308,8 +309,8 @@ TEST(Tumbling, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta) {
     }
     EXPECT_GT(count, 30);
     const Totals last = totals_of(tumbling.state());
-    // Each event rounds two bodies' states to some 16 u of their share, and both act at one point exactly: 150 times
-    // 16 u is 3·10⁻¹³, were all of one sign and of the whole; the motion between adds 10⁻¹⁵ a radian.
+    // Each event rounds two bodies' states to about 16 u of their share, and both impulses act exactly at one point.
+    // With equal signs, 150 times 16 u of the whole is 3·10⁻¹³. The motion between events adds 10⁻¹⁵ per radian.
     EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
     EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
     EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
@@ -333,7 +334,7 @@ TEST(Tumbling, IsTheSameTwiceBitByBit) {
   }
 }
 
-/// Who is struck, by the names of the bodies: those of the scenes that are compared.
+/// The names of the colliding bodies, to compare scenes.
 std::pair<std::string, std::string> who(const Scene& scene, const Event& event) {
   const auto name = [&](std::size_t body) {
     return is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
@@ -343,10 +344,10 @@ std::pair<std::string, std::string> who(const Scene& scene, const Event& event) 
   return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// Of two runs that round differently: contacts are found within 2⁻³⁰ radii (1/2) of each other, at 1/16 m/s and more
-/// but for grazing ones: 2⁻²⁷ of a second, and speeds of 4 m/s are known as well. An impact enlarges a difference by
-/// the path to the next one over the arm, times the speed of a corner: 32 and more; so early events alone are compared,
-/// of which each body has two or three in a row.
+/// The tolerance for two runs that round differently. Contacts are found within 2⁻³⁰ radii (1/2) of each other. At
+/// 1/16 m/s or more, except for grazing contacts, this is 2⁻²⁷ s. Speeds of 4 m/s are as accurate. An impact enlarges
+/// a difference by the path to the next one over the lever arm, times the speed of a corner: 32 or more. So only
+/// early events are compared. Each body has two or three of them in a row.
 constexpr std::size_t early_events = 8;
 constexpr double early_tolerance = 0x1p-14;
 
@@ -416,7 +417,8 @@ TEST(Tumbling, TurnsWithTheScene) {
   }
 }
 
-/// Lengths times a power of two, at the same times: every number of the run is scaled by one, and rounds the same.
+/// Lengths times a power of two, at the same times: every number of the run is scaled by a power of two, and rounds
+/// in the same way.
 TEST(Tumbling, IsTheSameInEveryUnitOfLength) {
   Scene scene = box_of_bodies(Model::frictionless, with_restitution(0.75), 2, 1, 3, false);
   scene.gravity = {0, 0, -g};
@@ -492,8 +494,8 @@ TEST(Tumbling, RefusesAnOverlapByBothNames) {
       << refusal_of(scene);
 }
 
-/// A speck between two walls that come together: the n-th blow leaves it at 2 n V, and it takes √(M/m)/4 of them and
-/// more until they are slowed down, all within the tolerance of a contact.
+/// A small ball between two walls that approach each other. The n-th impact leaves it at 2 n V. Slowing the walls
+/// down takes √(M/m)/4 impacts or more, all within the contact tolerance.
 TEST(Tumbling, EndsWhereImpactsAtOneInstantDoNot) {
   Scene scene = empty_scene(Model::frictionless, elastic, 1);
   const double nearly = 0.25 * contact_tolerance * 0x1p-4;
@@ -509,7 +511,7 @@ TEST(Tumbling, EndsWhereImpactsAtOneInstantDoNot) {
       refusal.starts_with("more than 10000 impacts at the instant t = 0, the last of sphere 0 (ball 0) "
                           "and polyhedron "))
       << refusal;
-  // With walls that weigh a hundred times as much it ends by itself.
+  // With walls of density 100 it ends by itself.
   for (Polyhedron& polyhedron : scene.polyhedra) {
     polyhedron.density = 100;
   }
@@ -540,7 +542,8 @@ TEST(Tumbling, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies at equal heights, as far from the origin, since places are known in proportion: equal times.
+/// Equal bodies at equal heights have equal impact times. They are equally far from the origin, because the error of
+/// a position is proportional to the distance.
 TEST(Tumbling, TakesOfEqualTimesTheLowerBodiesFirst) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
   for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
@@ -555,7 +558,8 @@ TEST(Tumbling, TakesOfEqualTimesTheLowerBodiesFirst) {
   EXPECT_GT(events[4].time, events[3].time);
 }
 
-/// A needle and a sheet, a thousand times as long as thin, tumble in a room: no corner leaves it, and energy stays.
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room. No corner leaves it, and energy is
+/// conserved.
 TEST(Tumbling, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     SCOPED_TRACE(size);
@@ -578,20 +582,21 @@ TEST(Tumbling, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
         const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[body]));
         for (const Vector& vertex : made.shape.core.vertices) {
           const Vector corner = position_at(state.bodies[body].arc.path, state.time) + axes * vertex;
-          // What is computed here rounds as well: by 10⁻¹⁵ of the sizes.
+          // The test's own computation rounds by 10⁻¹⁵ of the sizes.
           EXPECT_GE(corner.minCoeff(), -1e-15 * size) << count;
           EXPECT_LE(corner.maxCoeff(), (3 + 2e-15) * size) << count;
         }
       }
     }
     EXPECT_GT(count, 10);
-    // Lever arms of the needle are known to an ulp of its length, that of its axis to an ulp of its thickness: moments
-    // 10⁶ apart turn 2⁻⁵² into 10⁻¹⁰ at worst; 10⁻¹² is what is seen to hold.
+    // The needle's lever arms are accurate to an ulp of its length, and that about its axis to an ulp of its
+    // thickness. With moments 10⁶ apart, 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
     EXPECT_NEAR(totals_of(tumbling.state()).energy, energy, 1e-12 * energy);
   }
 }
 
-/// It turns for 320 rad before it lands, and is stored anew every 8; its ball overlaps the floor all the time.
+/// It rotates by 320 rad before it lands, and is stored again every 8 rad. Its bounding ball overlaps the floor all
+/// the time.
 TEST(Tumbling, FollowsABodyThatTurnsForLong) {
   Scene scene = empty_scene(Model::frictionless, elastic, 60);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -599,11 +604,11 @@ TEST(Tumbling, FollowsABodyThatTurnsForLong) {
   add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
   const std::vector<Event> events = events_of(scene, 5);
   ASSERT_EQ(events.size(), 1U);
-  // Half a metre at 1/64 m/s, less a tolerance.
+  // Half a metre at 1/64 m/s, minus a tolerance.
   EXPECT_LE(events[0].time, 32);
   EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
   EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
-  // 320 rad of turning are known to 10⁻¹⁵ of themselves, stored forty times.
+  // 320 rad of rotation are accurate to 10⁻¹⁵, and stored forty times.
   const double angle = 10 * events[0].time;
   const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
   EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
@@ -612,7 +617,7 @@ TEST(Tumbling, FollowsABodyThatTurnsForLong) {
   EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
 }
 
-/// To the end, with nothing on the way but that bodies are stored anew.
+/// Runs to the end. The only events are that bodies are stored again.
 void run_through_renewals(Tumbling& tumbling) {
   while (const Event* event = tumbling.advance()) {
     ASSERT_EQ(event->kind, EventKind::renewal);
@@ -621,7 +626,7 @@ void run_through_renewals(Tumbling& tumbling) {
   }
 }
 
-/// How far the lowest corner of a body was over the floor z = 0 when it was struck.
+/// The height of a body's lowest corner over the floor z = 0 at the impact.
 double height_of(const Scene& scene, const Event& event) {
   const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[event.a.body]));
   const Matrix3<double> axes = unit::matrix_of(event.a.orientation);
@@ -632,7 +637,8 @@ double height_of(const Scene& scene, const Event& event) {
   return least;
 }
 
-/// About the middle axis an error grows by e with each radian: after 55 of them nothing would be known of how it lies.
+/// About the intermediate axis, an error grows by a factor of e per radian. After 55 radians the orientation would be
+/// unknown.
 TEST(Tumbling, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
     Scene scene = empty_scene(Model::frictionless, elastic, 2);
@@ -646,7 +652,7 @@ TEST(Tumbling, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// What lies hops for as long as it is asked to: each hop comes down to the same distance, not to half of it.
+/// A body at rest hops as long as the run lasts. Each hop comes down to the same distance, not to half of it.
 TEST(Tumbling, HopsOnAndOn) {
   Scene scene = empty_scene(Model::frictionless, {0.5, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -g};
@@ -662,8 +668,8 @@ TEST(Tumbling, HopsOnAndOn) {
   EXPECT_GT(tumbling.counts().slow, 1000U);
 }
 
-/// Two tetrahedra slide along each other with ε = 0, each turning; parts of a face and an edge touch. They draw apart
-/// along a direction that turns with neither, and are struck for ever by who does not look for it.
+/// Two rotating tetrahedra slide along each other with ε = 0, and parts of a face and an edge touch. They separate
+/// along a direction that rotates with neither. If the search ignores this direction, they collide forever.
 TEST(Tumbling, FindsAWayOutForFacesThatSlide) {
   Scene scene = empty_scene(Model::rough, {0, 0.3, 0, 0, 0}, 0.0625);
   const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
@@ -701,13 +707,13 @@ TEST(Tumbling, EndsAtItsDurationWhereNothingMeets) {
   Tumbling tumbling(scene);
   run_through_renewals(tumbling);
   EXPECT_EQ(tumbling.time(), 7);
-  // Both turn by √14 · 7 = 26.2 rad.
+  // Both rotate by √14 · 7 = 26.2 rad.
   EXPECT_EQ(tumbling.counts().renewals, 6U);
   EXPECT_EQ(tumbling.counts().events, 6U);
   EXPECT_EQ(tumbling.advance(), nullptr);
   const Totals totals = totals_of(tumbling.state());
   const Totals first = totals_of(Tumbling(scene).state());
-  // Under gravity alone; places are some 240 m down, of which the energies differ by an ulp or two.
+  // Only gravity acts. Positions are about 240 m down, and the energies differ by an ulp or two of such terms.
   EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
 }
 
@@ -720,11 +726,11 @@ TEST(Tumbling, KnowsHowBodiesTurnThatNothingHasComeNear) {
   EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
   const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
   const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
-  // 10 rad, each known to 10⁻¹⁵.
+  // 10 rad, each accurate to 10⁻¹⁵.
   EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
 }
 
-/// Spheres alone go to the one loop, what has polyhedra to the other; both are seen as they are.
+/// A scene of spheres uses one loop, and a scene with polyhedra the other. Both report their bodies as they are.
 TEST(SceneLoop, IsTheLoopThatTheSceneNeeds) {
   Scene scene = empty_scene(Model::frictionless, elastic, 3);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});

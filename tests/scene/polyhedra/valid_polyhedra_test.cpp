@@ -23,7 +23,7 @@ using carom::unit::add_sphere;
 using carom::unit::centred_box;
 using unit::Vector;
 
-/// A cube above a floor, another beside it, and a ball.
+/// A cube above a floor, another cube beside it, and a ball.
 Scene three() {
   Scene scene = carom::unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1);
   add_plane(scene, {0, 0, 2}, {0, 0, -1});
@@ -97,7 +97,7 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   EXPECT_NE(defect_of(scene), "");
   scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 - 1e-12);
   EXPECT_EQ(defect_of(scene), "");
-  // Any length but 0 of a quaternion means the same.
+  // A quaternion may have any length except 0.
   const double least = 1e-308;
   const double greatest = 1e308;
   for (const double length : {least, greatest}) {
@@ -108,7 +108,7 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   }
 }
 
-/// 4096 of its radii: of the same distance a greater body knows its place.
+/// 4096 of its radii. At the same distance, the position of a larger body is sufficiently accurate.
 TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   Scene scene = three();
   scene.planes.clear();
@@ -136,7 +136,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
        [](Scene& s) { s.polyhedra[1].position.x() = 1; }, [](Scene& s) { s.polyhedra[1].position.x() += 1e-9; }},
       {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from sphere 0 (ball 0): 0 m lie ",
        [](Scene& s) { s.spheres[0].position.y() = 0.75; }, [](Scene& s) { s.spheres[0].position.y() += 1e-9; }},
-      // Behind the plane altogether.
+      // Completely behind the plane.
       {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from plane 0 (plane 0): -7.5 m lie ",
        [](Scene& s) {
          s.planes[0].point.z() = 7;
@@ -152,14 +152,14 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
     Scene scene = three();
     one.touch(scene);
     EXPECT_TRUE(defect_of(scene).starts_with(one.begins)) << defect_of(scene);
-    // What is no defect runs.
+    // A scene without a defect runs.
     one.part(scene);
     EXPECT_EQ(defect_of(scene), "") << one.begins;
     EXPECT_NO_THROW(Tumbling{scene}) << one.begins;
   }
 }
 
-/// Where there are polyhedra, spheres too have to be certain to be apart: else the loop would not begin.
+/// In a scene with polyhedra, spheres must also be certain to be apart. Otherwise the loop cannot start.
 TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
   Scene scene = three();
   add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});

@@ -10,7 +10,7 @@
 
 #include "formulas/formulas.hpp"
 
-/// The collisions of docs/findings/engines that a reader can follow by hand.
+/// The collisions of docs/findings/engines that a reader can compute by hand.
 namespace carom {
 namespace {
 
@@ -23,7 +23,7 @@ Collision witness(const std::string& name) {
   return collision_from_json(nlohmann::json::parse(file));
 }
 
-/// The velocities of A by the formula of the subject, and by the subject itself where it is installed.
+/// The velocities of A by the subject's formula, and by the subject itself if it is installed.
 std::vector<Vector3<double>> velocities_by(const std::string& subject_name, const Collision& collision) {
   std::vector<Vector3<double>> velocities{(*formulas::formula_of(subject_name))(collision).a.velocity};
   const Subject subject = *subjects::subject_named(subject_name);
@@ -49,16 +49,17 @@ Vector3<Rational> coulomb_impulse(const Collision& collision) {
   return answers[0].truth.impulse;
 }
 
-/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0): friction along x alone ends at 3 F_x + F_y = −1, F_x + 3 F_y =
-/// 3, which each of Bullet's ten iterations comes nine times nearer. Across, at V_z⁺ = −F_x + F_y, the point slips on.
+/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Friction along x alone converges to 3 F_x + F_y = −1, F_x + 3
+/// F_y = 3. Each of Bullet's ten iterations reduces the error by a factor of nine. Across, the point continues to
+/// slip at V_z⁺ = −F_x + F_y.
 TEST(EngineWitnesses, BulletDoesNotStopASlipAcross) {
   const Collision c = witness("across_the_slip");
   EXPECT_EQ(coulomb_impulse(c), Vector3<Rational>(Rational(-5) / 4, Rational(7) / 4, -1));
   expect_impulse("bullet-double-coulomb-as-shipped", c, {-0.75, 1.25, 0}, std::pow(9, -9));
 }
 
-/// K = (2, 1; 1, 2), V⁻ = (−3, −1): the first iteration makes F_y = 1/2, then F_x = 5/4; in the second F_y falls to 0,
-/// and friction, which is left alone where there is no pressure, stays.
+/// K = (2, 1; 1, 2), V⁻ = (−3, −1). The first iteration gives F_y = 1/2, then F_x = 5/4. In the second iteration F_y
+/// falls to 0. Friction stays, because the solver does not change it without pressure.
 TEST(EngineWitnesses, BulletKeepsFrictionWithoutPressure) {
   const Collision c = witness("friction_without_pressure");
   EXPECT_LE((coulomb_impulse(c).unaryExpr([](const Rational& x) { return oracles::to_double(x); }) -
@@ -68,8 +69,8 @@ TEST(EngineWitnesses, BulletKeepsFrictionWithoutPressure) {
   expect_impulse("bullet-double-coulomb-as-shipped", c, {1.25, 0, 0}, some_roundings);
 }
 
-/// The same K, V⁻ = (1, −2), μ = 1/2: without friction F_y = 1, so ODE's box is [−1/2, 1/2]. With F_x = −1/2 the
-/// pressure is 5/4, and friction 2/5 of it.
+/// K = (2, 1; 1, 2), V⁻ = (1, −2), μ = 1/2. Without friction F_y = 1, so ODE's box is [−1/2, 1/2]. With F_x = −1/2
+/// the pressure is 5/4, and friction is 2/5 of it.
 TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
   const Collision c = witness("raised_pressure");
   EXPECT_LE((coulomb_impulse(c).unaryExpr([](const Rational& x) { return oracles::to_double(x); }) -
@@ -82,12 +83,12 @@ TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
 struct ByHand {
   const char* witness;
   const char* subject;
-  Vector3<double> velocity;  // of A after the impulse, worked out by hand
+  Vector3<double> velocity;  // of A after the impulse, computed by hand
   double rounding;           // of the engine's precision, relative
 };
 
-/// By the formula always, and by the engine where it is installed: what docs/findings/engines says of each. The speeds
-/// are below 16 (256 of the last two but one) and a few dozen roundings.
+/// The formula always gives the values of docs/findings/engines, and so must the engine if it is installed. The
+/// speeds are below 16 (256 in the two before the last) with a few dozen roundings.
 TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
   constexpr double single = 16 * 0x1p-20;
   constexpr double binary = 16 * 0x1p-48;
@@ -99,7 +100,7 @@ TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
            ByHand{"a_shorter_side", "cannon-coulomb", {0.8, 0.6, 6.4}, binary},
            ByHand{"mobility_for_slip", "oimo-coulomb", {-44, 0, -69}, 16 * binary},
            ByHand{"spin_across", "physx-coulomb", {-25, 0, 5}, 16 * single},
-           // As far as MuJoCo's contact is soft: 1e-4.
+           // MuJoCo's contact is soft by 1e-4.
            ByHand{"faster_by_the_slip", "mujoco-coulomb", {2.2, 0.6, 0}, 1e-4},
        }) {
     const Collision c = witness(by_hand.witness);

@@ -21,7 +21,8 @@ properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jo
   return properties::run_gate(subjects, options);
 }
 
-/// A subject judged in this process and over the line gets the same verdicts: no bit is lost, no case, no refusal.
+/// A subject in this process and the same subject over the protocol get the same verdicts. No bit, case or refusal is
+/// lost.
 TEST(Exec, ChangesNoVerdict) {
   for (const char* name : {"frictionless-double", "reflection-float", "reflection-llt-long-double",
                            "sticking-world-double", "reflection-adjugate-float"}) {
@@ -50,7 +51,8 @@ TEST(Exec, ChangesNoVerdict) {
   }
 }
 
-/// Of programs, each invariant that relates collisions is judged on every fourth case, and all others on every one.
+/// For programs, each invariant that relates collisions is judged on every fourth case. All others are judged on
+/// every case.
 TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   properties::GateOptions options;
@@ -63,7 +65,7 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count("swap").holds, 80U);
 }
 
-/// A law that reads no friction need not refuse a friction that makes no sense; every other defect it must refuse.
+/// A law that does not read friction need not refuse an invalid friction. It must refuse every other defect.
 TEST(Exec, NeedNotRefuseWhatItsModelDoesNotRead) {
   Subject careless = *subject_named("frictionless-double");
   careless.open = [] {
@@ -87,7 +89,7 @@ TEST(Exec, NeedNotRefuseWhatItsModelDoesNotRead) {
             500U);
 }
 
-/// Who claims nothing has passed nothing.
+/// A subject that claims nothing has passed nothing.
 TEST(Exec, IsNotSoundWhereItClaimsNothing) {
   Subject subject = *subject_named("frictionless-double");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
@@ -103,7 +105,7 @@ TEST(Exec, AnswersManyAtOnceAndNone) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   Session session = subject.open();
   EXPECT_TRUE(session({}).empty());
-  // More than the pipes hold at once, both ways.
+  // More than the pipes can buffer, in both directions.
   const std::vector<Collision> many(5000);
   EXPECT_EQ(session(many).size(), many.size());
   EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);

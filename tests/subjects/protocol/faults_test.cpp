@@ -20,7 +20,7 @@
 #include "support/program.hpp"
 #include "support/selected.hpp"
 
-/// What a gate makes of programs that do not keep to the protocol.
+/// The gate's reaction to programs that violate the protocol.
 namespace carom::tests {
 namespace {
 
@@ -30,13 +30,13 @@ std::string misbehaving(const std::string& fault, const std::string& name = "fau
   return std::string("exec:") + CAROM_MISBEHAVING + ' ' + fault + ' ' + name;
 }
 
-/// The gate's report on these subjects, in a family that all of them can solve, and of which twenty cases are asked at
-/// once: the fault is in the middle of these.
+/// The gate's report on these subjects. All of them can solve the family. The gate asks twenty cases at once, and the
+/// fault occurs in the middle of these.
 struct Gate {
   RunResult run;
   json report;
 
-  /// Half a second and more: a subject that hangs does so for that long.
+  /// The timeout is over half a second, which a subject that hangs costs each time.
   explicit Gate(std::vector<std::string> subjects, const char* timeout = "0.7") {
     const TemporaryDirectory directory;
     std::vector<std::string> arguments{"gate"};
@@ -104,7 +104,8 @@ std::string name_of(const Fault& fault) {
   return name;
 }
 
-/// The gate waits for what hangs, ten times and more. So those that it waits for are judged at once, each by a gate.
+/// The gate waits ten times or more for a subject that hangs. So these subjects run at the same time, each in its own
+/// gate.
 class Faults : public testing::TestWithParam<Fault> {
  protected:
   static void SetUpTestSuite() {
@@ -126,8 +127,9 @@ class Faults : public testing::TestWithParam<Fault> {
   static inline std::map<std::string, std::future<Gate>> waiting;
 };
 
-/// The report names the request and the reason; the sound subject beside it is judged to the end. What fails to start
-/// cannot be judged; what fails on a collision violates `finite`, and what fails in the end is at fault as well.
+/// The report names the request and the reason, and the sound subject is judged to the end. If a program fails to
+/// start, it is not judged. If it fails on a collision, it violates `finite`. If it fails at the end, it has an error
+/// as well.
 TEST_P(Faults, NameRequestAndReason) {
   const Gate gate = result(GetParam().fault);
   const std::string request = GetParam().says.front();
@@ -157,7 +159,7 @@ TEST(Faults, WithoutOneTheSameProgramIsSound) {
   EXPECT_EQ(gate.subject(0).at("status"), "sound");
 }
 
-/// Verdicts that were reached before a fault at the end are kept.
+/// Verdicts reached before a fault at the end are kept.
 TEST(Faults, LoseNoVerdict) {
   const Gate gate({misbehaving("hang-after-stop")});
   EXPECT_EQ(gate.subject(0).at("cases"), 120);
@@ -165,7 +167,7 @@ TEST(Faults, LoseNoVerdict) {
   EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
 }
 
-/// Also those of a batch that was not answered to its end: two answers before each failure, as often as it is started.
+/// Verdicts of an incomplete batch are kept too: two answers before each failure, for every start.
 TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   const Gate gate({misbehaving("signal")});
   const json& finite = gate.subject(0).at("families").at(0).at("invariants").at("finite");
@@ -174,7 +176,7 @@ TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   EXPECT_LT(gate.subject(0).at("cases"), 120) << "a subject that fails and fails is judged no further";
 }
 
-/// A crash is a finding like others: with a witness, shrunk, that replays, and all else is judged.
+/// A crash is a finding like others. It has a witness, which is shrunk and replays, and all other cases are judged.
 TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   const TemporaryDirectory out;
   const RunResult run = run_carom({"gate", misbehaving("crash-where-bouncy"), "--families", "generic", "--cases", "40",
@@ -202,7 +204,7 @@ TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   EXPECT_EQ(run_carom({"replay", file, "--subject", misbehaving("none")}).exit_status, 0);
 }
 
-/// A program that takes the name of another subject takes nothing else.
+/// If a program uses the name of another subject, it gets a number, and nothing else changes.
 TEST(Faults, AStolenNameIsNumbered) {
   const TemporaryDirectory out;
   const RunResult run =
@@ -223,14 +225,14 @@ TEST(Faults, NamesThatShareAFileNameAreToldApart) {
   EXPECT_TRUE(std::filesystem::exists(out.path() / "witnesses" / "x_y__2.finite.json"));
 }
 
-/// The protocol has a way to say it, so that it is no fault of the line but a wrong outcome.
+/// The protocol can express such numbers, so they are a wrong outcome, not a fault of the protocol.
 TEST(Faults, NumbersThatAreNotFiniteAreAViolation) {
   const Gate gate({misbehaving("nan-as-text")});
   EXPECT_EQ(gate.run.exit_status, 1);
   EXPECT_EQ(gate.subject(0).at("violations").at(0).at("invariant"), "finite");
 }
 
-/// The outcome is finite, and only what is said of the matrix is violated.
+/// The outcome is finite, so only the invariants about the matrix are violated.
 TEST(Faults, AMatrixThatIsNotFiniteIsAViolation) {
   const Gate gate({misbehaving("matrix-nan"), misbehaving("matrix", "sound")});
   std::vector<std::string> violated;
@@ -254,7 +256,7 @@ long largest_child() {
   return usage.ru_maxrss * 1024;
 }
 
-/// Leaves with 0 if a fault takes no more memory than its bounds.
+/// Exits with 0 if a fault uses no more memory than its bounds.
 [[noreturn]] void take_memory() {
   const Gate sound({misbehaving("none")});
   const long usual = largest_child();
@@ -262,7 +264,8 @@ long largest_child() {
     const Gate gate({misbehaving(fault)});
   }
 #ifndef __SANITIZE_ADDRESS__
-  // A line, its copy, its parts as JSON, and the 64 KiB of standard error: tens of MiB, where what came was a GiB.
+  // A line, its copy, its parts as JSON, and 64 KiB of standard error: tens of MiB, although the program writes a
+  // GiB.
   constexpr long most = 64L << 20U;
   EXPECT_LE(largest_child(), usual + most);
 #else
@@ -271,7 +274,7 @@ long largest_child() {
   std::exit(testing::Test::HasFailure() ? 1 : 0);
 }
 
-/// In a process of its own, which has no children of other tests.
+/// Runs in a separate process, which has no children of other tests.
 TEST(Faults, TakeNoMoreMemoryThanTheirBounds) { EXPECT_EXIT(take_memory(), testing::ExitedWithCode(0), ""); }
 
 TEST(Faults, AProgramThatCannotBeRunIsAnError) {
@@ -294,7 +297,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
 
 bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
 
-/// The processes whose command line holds this word, but for the program itself.
+/// The processes whose command line contains this word, except for this program.
 std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -310,7 +313,7 @@ std::vector<pid_t> processes_with(const std::string& word) {
   return found;
 }
 
-/// Each fault by a gate, all at once, since most of them wait.
+/// Each fault runs in its own gate, all at the same time, because most of them wait.
 TEST(Faults, LeaveNoProcessBehind) {
   std::map<std::string, std::future<std::size_t>> left;
   for (const char* fault : {"none", "hang", "grandchild", "daemon", "hang-after-stop", "half-a-line", "close-output"}) {
@@ -325,20 +328,20 @@ TEST(Faults, LeaveNoProcessBehind) {
   }
 }
 
-/// The process whose number a shell wrote into the file; 0 where there is none yet.
+/// The process id that a shell wrote into the file; 0 if there is none yet.
 pid_t process_in(const std::string& file) {
   const std::string text = content_of(file);
   return text.empty() ? 0 : std::stoi(text);
 }
 
-/// A shell may have jobs in the background when it becomes the gate, and they may have children of their own, which are
-/// handed to the gate when their parent ends. None of that is the gate's to end; what a subject left behind is.
+/// A shell may have background jobs when it becomes the gate. Their children pass to the gate when their parent ends.
+/// The gate must not end any of these. It must end processes that a subject leaves behind.
 TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const TemporaryDirectory directory;
   const std::string job = (directory.path() / "job").string();
   const std::string handed_over = (directory.path() / "handed-over").string();
   const std::string mark = "mark-of-" + std::to_string(getpid());
-  // "daemon" leaves a process in a session of its own; "hang" keeps the gate until the second job has lost its parent.
+  // "daemon" leaves a process in a separate session. "hang" delays the gate until the second job has lost its parent.
   const std::string script = R"(job=$1; handed_over=$2; shift 2
 sleep 1000 & echo $! > "$job"
 sh -c 'sleep 0.2; sleep 1000 & echo $! > "$1"' sh "$handed_over" &
@@ -358,7 +361,7 @@ exec "$@")";
 
 class Interrupted : public testing::TestWithParam<int> {};
 
-/// Ctrl-C and SIGTERM end the gate with what was judged, and end what it had started.
+/// After Ctrl-C or SIGTERM the gate reports its results so far, and ends all processes that it started.
 TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
   const TemporaryDirectory directory;
   const std::string mark = "mark-of-" + std::to_string(getpid());
@@ -390,7 +393,7 @@ TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
 INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM, SIGKILL),
                          [](const auto& each) { return "signal_" + std::to_string(each.param); });
 
-/// A file does not start programs by itself.
+/// A file starts no program by itself.
 TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   const TemporaryDirectory directory;
   const RunResult run = run_carom({"gate", misbehaving("nan-as-text"), "--families", "structured", "--cases", "1",

@@ -99,8 +99,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
 }
 
-/// Decimals that lie just beside the middle of two binary64 numbers, and closer to it than extended can tell: read as
-/// extended first, they are rounded to the middle, and then to the other side.
+/// Decimals next to the midpoint of two binary64 numbers, closer to it than extended resolves. If they are read as
+/// extended first, they round to the midpoint, and then to the wrong side.
 TEST(Reply, RoundsADecimalOnce) {
   for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
            {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},
@@ -121,7 +121,7 @@ TEST(Reply, RoundsADecimalOnce) {
 }
 
 TEST(Reply, RoundsAnIntegerOnce) {
-  // 2⁵³ + 1 is the middle of two binary64 numbers; one more digit makes it more than 64 bits.
+  // 2⁵³ + 1 is the midpoint of two binary64 numbers. One more digit makes it longer than 64 bits.
   for (const auto& [integer, nearest] : std::vector<std::pair<std::string, double>>{
            {"9007199254740993", 0x1p53}, {"-9007199254740993", -0x1p53}, {"36893488147419103233", 0x1p65}}) {
     const auto answer = answer_from(with(reply, "2.5", integer), 5, Precision::binary64);
@@ -137,7 +137,7 @@ TEST(Reply, MayLeaveTheRangeOfBinary64) {
   }
 }
 
-/// A binary64 number is 0.1 to those who read binary64, and has more digits to those who read more.
+/// A binary64 number reads as 0.1 in binary64, and has more digits in a wider format.
 TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};
@@ -202,7 +202,7 @@ TEST(Reply, IsRefusedWithThePlaceWhereItsMatrixIsWrong) {
   }
 }
 
-/// With an outcome that changes a velocity of a contact that collides.
+/// The outcome changes a velocity of a colliding contact.
 TEST(Matrix, IsOwedWhereTheContactCollides) {
   Collision hit;
   hit.a.position = {0, 1, 0};
@@ -243,11 +243,11 @@ TEST(ForeignText, IsMadePrintable) {
   EXPECT_EQ(printable("\xc2\x9b"
                       "31m",
                       100),
-            "?31m");  // C1: drives terminals as ESC [ does
+            "?31m");  // C1: controls terminals as ESC [ does
   EXPECT_EQ(printable("a\xe2\x80\xae"
                       "b",
                       100),
-            "a?b");  // turns the writing
+            "a?b");  // reverses the writing direction
   for (const char* control :
        {"\u061c", "\u200e", "\u200f", "\u2028", "\u202a", "\u202c", "\u2066", "\u2069", "\u0080"}) {
     EXPECT_EQ(printable(control, 100), "?");

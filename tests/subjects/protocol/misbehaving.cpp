@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A sound subject but for the fault that the first argument names. Its name on the line is its process id, where that
-// is of use to a test.
+// A sound subject with the fault that the first argument names. Its name is the second argument, or its process id if
+// there is none.
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -35,7 +35,7 @@ void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
   }
 }
 
-/// What happens in place of the reply, or before it; the result is the reply to write.
+/// The fault replaces the reply or precedes it. The result is the reply to write.
 using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
 
 const std::map<std::string, Fault>& faults() {
@@ -141,7 +141,7 @@ const std::map<std::string, Fault>& faults() {
   return all;
 }
 
-/// What is done to every matrix that is shown.
+/// The changes of every reported matrix.
 const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   static const std::map<std::string, std::function<void(json & reply)>> all{
       {"matrix", [](json&) {}},
@@ -153,14 +153,14 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   return all;
 }
 
-/// The exit status.
+/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::string fault = argc > 1 ? argv[1] : "none";
   if (fault == "exit-at-once") {
     std::cerr << "nothing to do here\n";
     return 7;
   }
-  // What a stopped gate leaves behind must not depend on the goodwill of the subject.
+  // The cleanup by a stopped gate must not depend on a cooperative subject.
   std::signal(SIGTERM, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   subjects::protocol::Introduction introduction{
@@ -223,5 +223,5 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace carom
 
-// NOLINTNEXTLINE(bugprone-exception-escape): to end so is one of its faults
+// NOLINTNEXTLINE(bugprone-exception-escape): an uncaught exception is a fault like the others
 int main(int argc, char** argv) { return carom::run(argc, argv); }

@@ -7,8 +7,7 @@
 
 #include "support/program.hpp"
 
-/// Programs that read one spelling wrongly, of those that the protocol leaves free, are found, and what shows it
-/// replays.
+/// Programs that misread one of the permitted spellings are found, and the witness replays.
 namespace carom::tests {
 namespace {
 
@@ -27,7 +26,7 @@ TEST_P(Misreading, IsViolatedAndItsWitnessesReplay) {
   EXPECT_EQ(subject.at("status"), "violated");
   const json& violations = subject.at("violations");
   ASSERT_FALSE(violations.empty());
-  // Three of them: a replay starts the program in every spelling.
+  // Only three of them, because a replay starts the program in every spelling.
   for (std::size_t i = 0; i < violations.size(); i += (violations.size() + 2) / 3) {
     const json& violation = violations.at(i);
     const std::string witness = (out.path() / violation.at("witness").get<std::string>()).string();

@@ -46,7 +46,7 @@ TEST(Serve, RefusesANumberThatIsNone) {
 }
 
 TEST(Serve, RefusesWhatTheGateWouldNotRead) {
-  constexpr std::size_t deep = 200000;  // levels: to walk through them takes more than a stack
+  constexpr std::size_t deep = 200000;  // levels: recursion through them would overflow the stack
   const std::string nested = std::string(deep, '[') + std::string(deep, ']');
   for (const std::string& request :
        {std::string(R"({"cmd":"stop","cmd":"start"})"), R"({"cmd":"solve","id":1,"collision":)" + nested + '}'}) {

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of a subject that is sound and one that is not.
+/// A report on one sound subject and one that is not sound.
 const json& real_report() {
   static const json report =
       json::parse(run_carom({"gate", "frictionless-double", "reflection-in-basis-double", "--families",
@@ -25,7 +25,7 @@ json& count_of(json& report, const char* invariant) {
   return report.at("subjects").at(0).at("families").at(0).at("invariants").at(invariant);
 }
 
-/// As if the sound subject violated restitution in head_on.
+/// Changes the report so that the sound subject violates restitution in head_on.
 json with_a_violation(json report) {
   count_of(report, "restitution") = {{"holds", 29}, {"violated", 1}, {"skipped", 0}};
   report.at("subjects").at(0)["status"] = "violated";

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// A run and its three shards; subjects of each precision, sound and faulty.
+/// A run and its three shards. The subjects are of each precision, sound and faulty.
 class Merge : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -82,7 +82,7 @@ class Merge : public testing::Test {
   static inline TemporaryDirectory* directory_ = nullptr;
 };
 
-/// What the whole and what is merged have in common: all but dates, times, and which case was shrunk.
+/// The common part of the whole run and the merged run. It excludes dates, times, and the choice of the shrunk case.
 json without_what_may_differ(json report) {
   report.at("environment").erase("date");
   for (json& subject : report.at("subjects")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 import { spawn } from "node:child_process";
 
-/** Chromium without a window, asked through its debugging pipe: JSON, each message ended by a zero byte. */
+/** Headless Chromium, controlled through its debugging pipe: JSON messages, each ended by a zero byte. */
 export class Browser {
   constructor(program, profile, options = []) {
     this.process = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--disable-quic", "--hide-scrollbars",
@@ -11,7 +11,7 @@ export class Browser {
     this.waiting = new Map();
     this.latest = 0;
     this.errors = []; // of the page's scripts
-    this.requests = []; // of the page, but for itself
+    this.requests = []; // of the page, except for the page itself
     let rest = "";
     this.process.stdio[4].setEncoding("utf8").on("data", (text) => {
       const messages = (rest + text).split("\0");
@@ -69,7 +69,7 @@ export class Browser {
     return result.value;
   }
 
-  /** Opens a page anew and waits until it says that it is ready, and is shown as it is then. */
+  /** Opens a page anew and waits until it reports that it is ready and is shown in that state. */
   async open(address) {
     await this.ask("Page.navigate", { url: "about:blank" });
     await this.ask("Page.navigate", { url: address });
@@ -77,18 +77,18 @@ export class Browser {
     await this.frame();
   }
 
-  /** To another place of the page that is open. */
+  /** Goes to another place of the open page. */
   async go(fragment) {
     await this.value(`location.hash = ${JSON.stringify(fragment)}; 0`);
     await this.frame();
   }
 
-  /** Until what is due is drawn and shown. */
+  /** Waits until the pending frame is drawn and shown. */
   frame() {
     return this.value("new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(() => go())))");
   }
 
-  /** Tells its time limit by failing: ctest has the last word on how long a test may take. */
+  /** Fails at its own time limit. ctest decides how long a test may take. */
   async until(condition) {
     for (let tries = 0; tries < 1200; ++tries) {
       if (await this.value(condition).catch(() => false)) {

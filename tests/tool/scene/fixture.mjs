@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// node fixture.mjs FILE: a replay to look at. Six balls and a cube in a room bounce, slide, roll and come to rest, and a
-// ball on the ground has an angular velocity that turns and changes. It is simple physics in small steps, good enough to
-// see what the page draws and to compare pictures with; nothing is judged by it.
+// node fixture.mjs FILE: writes a replay to look at. Six balls and a cube in a room bounce, slide, roll and come to
+// rest. A ball on the ground has an angular velocity that rotates and changes. It is simple physics in small steps,
+// sufficient to check the drawing and to compare pictures. No judgement uses it.
 import { writeFileSync } from "node:fs";
 
 const gravity = 9.81;
@@ -32,7 +32,7 @@ const planes = [0, 1, 2].flatMap((axis) => [1, -1].map((sign) => ({
   point: [0, 1, 2].map((i) => (i === axis && sign < 0 ? size[axis] : 0)),
 })));
 
-/** Whether the body lies on the floor, and what friction makes of its motion there. */
+/** Whether the body lies on the floor, and the effect of friction on its motion there. */
 function settle(body) {
   const radius = body.radius;
   if (body.p[2] > radius + 1e-4 || Math.abs(body.v[2]) > 0.12) {

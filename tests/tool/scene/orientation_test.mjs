@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// node --test orientation_test.mjs: how bodies turn and where they are between the starts of their arcs.
+// node --test orientation_test.mjs: orientations and positions of bodies between the starts of their arcs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -9,13 +9,13 @@ import { product, turn } from "../../../src/tool/replay/quaternion.mjs";
 
 const identity = [1, 0, 0, 0];
 
-/** The angle between two orientations. By the difference, for the angle of a cosine near 1 has half the digits. */
+/** The angle between two orientations. It uses the difference, because the angle of a cosine near 1 has half the digits. */
 function angle_between(p, q) {
   const sign = p.reduce((sum, x, i) => sum + x * q[i], 0) < 0 ? -1 : 1;
   return 4 * Math.asin(Math.min(1, Math.hypot(...p.map((x, i) => x - sign * q[i])) / 2));
 }
 
-/** Straight from the definition, in so many steps about the angular velocity in each one's middle. */
+/** Integrates the definition in this many steps, each about the angular velocity at its middle. */
 function finely_turned(w, b, duration, steps) {
   let q = identity;
   const h = duration / steps;
@@ -36,7 +36,7 @@ const changing = [
 test("one turn about any axis is the identity", () => {
   for (const w of [[2, 0, 0], [0, -3, 0], [1, 2, 2], [100, -30, 5]]) {
     const period = 2 * Math.PI / Math.hypot(...w);
-    // Some roundings of a number of size one: no more than a hundred.
+    // At most a hundred roundings of a number of size one.
     assert.ok(angle_between(turned(identity, w, [0, 0, 0], period), identity) < 100 * 2 ** -52);
   }
 });
@@ -60,7 +60,7 @@ test("about one axis, a rate that changes is integrated in one step", () => {
 test("an angular velocity that turns is as in fine steps", () => {
   for (const [w, b, duration] of changing) {
     const [coarse, fine] = [2e5, 4e5].map((steps) => finely_turned(w, b, duration, steps));
-    // Halving the steps of the reference, which is of second order, tells how exact the reference itself is.
+    // The reference is of second order. Halving its steps shows its own error.
     const own = angle_between(coarse, fine);
     const off = angle_between(turned(identity, w, b, duration), fine);
     assert.ok(off < 1e-5 + own, `${w} + ${b} s: ${off}`);

@@ -3,7 +3,7 @@ import { deflateSync, inflateSync } from "node:zlib";
 
 const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
 
-/** A picture of 8 bits a colour, as { width, height, pixels }: red, green and blue by turns, opacity left out. */
+/** A picture with 8 bits per colour, as { width, height, pixels }: red, green and blue in turn, without opacity. */
 export function decode(file) {
   if (!file.subarray(0, 8).equals(signature)) {
     throw new Error("not a PNG");

@@ -75,7 +75,7 @@ TEST_F(ReplayHtml, IsBrokenOutOfByNoName) {
                                   "</title><img src=x onerror=alert(1)>", "]]>", "\\u003c/script>", "{{replay}}",
                                   "{{title}}", "\xe2\x80\xa8 \"quoted\" \\ \n \x01"}) {
     const std::string page = replay_html(nasty, replay(nasty));
-    // HTML begins elements and comments with this letter alone.
+    // In HTML, only this letter begins elements and comments.
     EXPECT_EQ(count(page, "<"), count(harmless, "<")) << nasty;
     EXPECT_EQ(embedded(page), replay(nasty)) << nasty;
   }
@@ -94,7 +94,7 @@ TEST_F(ReplayHtml, LoadsNothingAndRunsWhatItContainsAlone) {
   for (const char* permitted : {"unsafe", "http", "*", "data:", "blob:", "self"}) {
     EXPECT_EQ(policy.find(permitted), std::string::npos) << policy;
   }
-  // Its own elements, without what is in the script.
+  // The page's own elements, without the content of the script.
   const std::string markup = page.substr(0, page.rfind("<script>"));
   for (const char* loading : {" src=", " href=", " style=", " onload=", "url(", "@import"}) {
     EXPECT_EQ(markup.find(loading), std::string::npos) << loading;

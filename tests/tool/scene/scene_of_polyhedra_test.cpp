@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// `carom scene` and `carom plan` on a scene of polyhedra: what they write, and what they say of energy.
+// Runs `carom scene` and `carom plan` on a scene of polyhedra, and checks their output and their statements about
+// energy.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -38,7 +39,7 @@ std::vector<std::string> split(const std::string& text, char mark) {
   return parts;
 }
 
-/// Sum of what impacts have done to the energy, beside what it was at its greatest.
+/// The sum of the energy changes by impacts, relative to the largest energy.
 double work_of_impacts(const json& record) {
   const json& causes = record["ledger"]["causes"];
   return (causes["impacts of bodies"].get<double>() + causes["impacts with planes"].get<double>()) /
@@ -63,7 +64,7 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
   EXPECT_EQ(record["impulses"]["judged"], record["impulses"]["all"]);
 
-  // A column for each name, of each event; orientations of length 1, or nothing where there is no second body.
+  // Each event has a column for each name. Orientations have length 1, or are empty if there is no second body.
   const std::vector<std::string> lines = split(content_of(out / "events.csv"), '\n');
   ASSERT_EQ(lines.size(), 2 + record["events"]["all"].get<std::size_t>());
   const std::vector<std::string> names = split(lines[0], ',');
@@ -127,13 +128,13 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   }
 }
 
-/// The note's law, of bodies whose matrix K does not keep the normal, makes energy; frictionless keeps it.
+/// The note's law creates energy if N is no eigenvector of the bodies' matrix K. `frictionless` conserves it.
 TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   const RunResult result =
       run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   const json records = json::parse(result.output);
-  // Some 75 impacts, of which each rounds by 2⁻⁵³ of its own.
+  // About 75 impacts, each with a rounding error of 2⁻⁵³.
   EXPECT_LE(std::abs(work_of_impacts(records[0])), 1e-14);
   EXPECT_GT(work_of_impacts(records[1]), 0.25);
   for (const json& record : records) {
@@ -149,7 +150,7 @@ TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   }
 }
 
-/// Of spheres reflection is frictionless, and gains nothing.
+/// For spheres reflection equals frictionless, and gains no energy.
 TEST(SceneOfSpheres, NeverGainsEnergyUnderReflection) {
   for (const char* scene : {"bouncing_spheres", "spinning_floor", "break", "cradle"}) {
     const RunResult result = run_carom({"scene", shipped(scene), "--laws", "reflection", "--format", "json"});
@@ -188,7 +189,7 @@ TEST(PlanOfPolyhedra, NamesTheirClasses) {
   EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
   EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
-  // Of them N is no eigenvector of K.
+  // For them N is no eigenvector of K.
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 

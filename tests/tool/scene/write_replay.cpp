@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// write_replay JSON HTML: the page of a replay, for the test that opens it. Exit 77 where the program has no replays.
+// write_replay JSON HTML: writes the page of a replay, for the test that opens it. The exit status is 77 if the
+// program is built without replays.
 #include <exception>
 #include <fstream>
 #include <iostream>

@@ -7,8 +7,8 @@ import { serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const { configured, model } = settings();
-const overlap = 64 * Number.EPSILON;  // the roundings of the spheres' distance, some 10, must leave no gap
-const step = 1 / 60;  // [s]; configured, its length enters nothing
+const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
+const step = 1 / 60;  // [s]; has no effect on the configured engine
 
 function make_body(body, sphere) {
   const [w, x, y, z] = body.immovable ? [1, 0, 0, 0] : unit(body.orientation);
@@ -30,8 +30,8 @@ function make_body(body, sphere) {
   return made;
 }
 
-// The impulse on the masses that turns their approach round, were they not to spin, in place of their weight: friction
-// is bounded by μ times it.
+// The engine bounds friction by μ times this gravity, in place of a weight. Times the mass, it is the impulse that
+// reverses the approach of bodies that cannot turn.
 function friction_gravity({ a, b, point, normal, restitution }) {
   const velocity_at_point = ({ position, velocity, angular_velocity }) =>
     new Vec3(...angular_velocity).cross(new Vec3(...point).vsub(new Vec3(...position))).vadd(new Vec3(...velocity));
@@ -40,7 +40,7 @@ function friction_gravity({ a, b, point, normal, restitution }) {
 }
 
 function make_world(a, b, { friction, restitution }) {
-  const world = new World();  // without gravity
+  const world = new World();  // has no gravity by default
   world.addBody(a);
   world.addBody(b);
   world.defaultContactMaterial.friction = model === 'coulomb' ? friction : 0;
@@ -57,8 +57,8 @@ function configure(world, collision) {
     world.solver.iterations = 100;
     world.solver.tolerance = 0;
   }
-  // Before the contact is solved: its SPOOK parameters as for an infinite relaxation, which leaves no softness and lets
-  // no velocity come from the overlap, and no limit on its impulse.
+  // Runs before the contact is solved. The SPOOK parameters are those of an infinite relaxation: the contact is rigid
+  // and the overlap causes no velocity. The impulse has no limit.
   world.bodies[0].addEventListener('collide', ({ contact }) => {
     Object.assign(contact, { a: 0, b: 1, eps: 0, maxForce: Infinity });
     for (const friction of world.frictionEquations) {

@@ -8,8 +8,8 @@ import { spheres, unit } from './posing.mjs';
 
 const Jolt = await initialize();
 const { configured, model } = settings();
-const overlap = 1e-5;  // some 80 roundings of binary32: the distance of the spheres must leave no gap
-const step = 1 / 60;  // [s]; configured, its length enters nothing
+const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leaves no gap between the spheres
+const step = 1 / 60;  // [s]; has no effect on the configured engine
 
 function make_world() {
   const layer_pairs = new Jolt.ObjectLayerPairFilterTable(1);
@@ -28,7 +28,7 @@ function make_world() {
     const physics = world.GetPhysicsSystem().GetPhysicsSettings();
     physics.mMinVelocityForRestitution = 0;  // [m/s]
     if (model === 'coulomb') {
-      physics.mNumVelocitySteps = 20;  // friction and the normal impulse take turns; more are no nearer to the law
+      physics.mNumVelocitySteps = 20;  // friction and the normal impulse alternate; more steps do not help
     }
   }
   return world;
@@ -36,7 +36,7 @@ function make_world() {
 
 const world = make_world();
 const bodies = world.GetPhysicsSystem().GetBodyInterface();
-// In the engine's memory, where nothing is collected; so these are filled again and again.
+// These objects are in the engine's memory, which has no garbage collection. They are reused.
 const vector = new Jolt.Vec3();
 const position = new Jolt.RVec3();
 const rotation = new Jolt.Quat();
@@ -52,7 +52,8 @@ function set_mass(properties, { mass, principal_inertia, orientation }) {
   properties.SetInverseInertia(filled(vector, principal_inertia.map((j) => 1 / j)), filled(rotation, [x, y, z, w]));
 }
 
-// The body's axes are those of the world: its principal axes are turned instead, so that its sphere is not rounded.
+// The body's axes are the world's axes, so that the sphere's position is not rounded. The principal axes are rotated
+// instead.
 function make_body(body, sphere, { friction, restitution }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
     new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
@@ -61,14 +62,14 @@ function make_body(body, sphere, { friction, restitution }) {
     body.immovable ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic, 0);
   settings.mLinearVelocity = filled(vector, body.velocity);
   settings.mAngularVelocity = filled(vector, body.angular_velocity);
-  settings.mFriction = model === 'coulomb' ? friction : 0;  // combined as √(μ μ), which rounds to μ
+  settings.mFriction = model === 'coulomb' ? friction : 0;  // the engine combines √(μ μ), which rounds to μ
   settings.mRestitution = restitution;
   if (configured) {
     settings.mLinearDamping = settings.mAngularDamping = 0;
     settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = 1e18;
   }
   const made = bodies.CreateBody(settings);
-  Jolt.destroy(settings);  // and with the body the shapes, which are counted
+  Jolt.destroy(settings);  // the shapes are reference-counted and end with the body
   if (!body.immovable) {
     set_mass(made.GetMotionProperties(), body);
   }
@@ -87,7 +88,7 @@ function solve(collision) {
   const b = make_body(collision.b, posed.b, collision);
   world.Step(step, 1);
   const outcome = { a: velocity_of(a), b: velocity_of(b) };
-  for (const body of [b, a]) {  // the last free number is the next used: so A has the lower one again, and comes first
+  for (const body of [b, a]) {  // the engine reuses the ID freed last: A gets the lower ID again, and comes first
     bodies.RemoveBody(body.GetID());
     bodies.DestroyBody(body.GetID());
   }

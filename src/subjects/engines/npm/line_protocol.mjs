@@ -7,7 +7,7 @@ function number(json) {
   return typeof json === 'number' ? json : notNumbers.get(json);
 }
 
-// What is wrong with the shape of a record becomes NaN, so that validate() names it with the rest.
+// A malformed record becomes NaN, so that validate() reports it with the other defects.
 function numbers(json, count) {
   return Array.isArray(json) && json.length === count ? json.map(number) : new Array(count).fill(NaN);
 }
@@ -39,7 +39,7 @@ function read_collision(json) {
   };
 }
 
-/** Every defect of a collision as text; empty where it is valid. */
+/** Every defect of a collision as text; empty if it is valid. */
 export function validate(collision) {
   const defects = [];
   const expect = (holds, field, expected) => {
@@ -110,8 +110,8 @@ function reply(request, claims, solve) {
 }
 
 /**
- * Answers the requests on standard input until `stop` or its end. `claims` are the name, version, precision and model
- * of the protocol; `solve` takes a valid collision and returns the velocities {a, b}.
+ * Answers the requests on standard input until `stop` or the end of the input. `claims` has the protocol's name,
+ * version, precision and model. `solve` takes a valid collision and returns the velocities {a, b}.
  */
 export async function serve(claims, solve) {
   let rest = '';
@@ -132,7 +132,7 @@ export async function serve(claims, solve) {
   }
 }
 
-/** What the command line asks for: `[configured|as-shipped] [frictionless|coulomb]`, of both the first by default. */
+/** The settings on the command line: `[configured|as-shipped] [frictionless|coulomb]`. The first of each is default. */
 export function settings() {
   const [setting = 'configured', model = 'frictionless', ...rest] = process.argv.slice(2);
   const known = ['configured', 'as-shipped'].includes(setting) && ['frictionless', 'coulomb'].includes(model);
@@ -143,7 +143,7 @@ export function settings() {
   return { configured: setting === 'configured', model };
 }
 
-/** The name of the subject with these settings of an engine, as `carom subjects` lists it. */
+/** The name of an engine's subject with these settings, as `carom subjects` lists it. */
 export function subject_name(engine, { configured, model }) {
   return engine + (model === 'coulomb' ? '-coulomb' : '') + (configured ? '' : '-as-shipped');
 }

@@ -4,13 +4,13 @@ import initialize from '@mujoco/mujoco';
 import { serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
-const silent = () => {};  // its warnings go to standard output, which belongs to the protocol
+const silent = () => {};  // warnings would go to standard output, which carries the protocol
 const mujoco = await initialize({ print: silent, printErr: silent });
 const { configured, model } = settings();
-const overlap = 64 * Number.EPSILON;  // the roundings of the spheres' distance, some 10, must leave no gap
-const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped its own default
+const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
+const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped, MuJoCo's default
 
-// All numbers are set anew for each case. An immovable body has no joint. The normal points from `geom1` to `geom2`.
+// Every case replaces the numbers. An immovable body has no joint. The normal points from `geom1` to `geom2`.
 function xml({ a, b }) {
   const body = (name, immovable) => `
     <body>
@@ -28,11 +28,11 @@ function xml({ a, b }) {
 
 function configure(option) {
   Object.assign(option, {
-    timestep: step,  // the gyroscopic torque vanishes with it
-    disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are no accident here
+    timestep: step,  // so short that the gyroscopic torque vanishes
+    disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are valid here
     enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // softness by N·K N instead of 1/m_A + 1/m_B
     cone: mujoco.mjtCone.mjCONE_ELLIPTIC.value,
-    impratio: 100,  // the softness along N over that across it; from 1e4 on the solver ends too soon
+    impratio: 100,  // ratio of the softness along N to that across N; from 1e4 on, the solver stops too early
   });
 }
 
@@ -57,35 +57,36 @@ function world_for(collision) {
 function set_contact(world, { restitution, friction }) {
   const without_friction = model === 'frictionless' || (configured && friction === 0);
   world.pair_dim[0] = without_friction ? 1 : 3;
-  world.pair_friction.fill(friction, 0, 2);  // 1e-5 where smaller
+  world.pair_friction.fill(friction, 0, 2);  // MuJoCo uses at least 1e-5
   if (configured) {
-    const impedance = mujoco.mjMAXIMP;  // as hard as it gets, and at every depth
+    const impedance = mujoco.mjMAXIMP;  // the hardest contact that MuJoCo has, at every depth
     world.pair_solimp.fill(impedance, 0, 2);
-    // No stiffness, and damping that asks for N·V⁺ = −ε N·V⁻ and N × V⁺ = 0 at the end of the step. It is divided by
-    // the impedance: that makes up for the softness along N; friction has next to none.
+    // Zero stiffness, and a damping that demands N·V⁺ = −ε N·V⁻ and N × V⁺ = 0 at the end of the step. The engine
+    // divides the damping by the impedance. Along N, this division compensates for the softness. Friction has almost no
+    // softness, so its damping contains the impedance as a factor, which cancels the division.
     world.pair_solref.set([0, -(1 + restitution) / step]);
     world.pair_solreffriction.set([0, -impedance / step]);
   }
 }
 
-// The body's origin is at its centre of mass, its axes are those of the world: its principal axes are turned instead.
+// The body's origin is its centre of mass, and its axes are the world's axes. The principal axes are rotated instead.
 function set_body(world, index, body, sphere) {
   const centre = body.immovable ? sphere.centre : sphere.centre_of_mass_from_centre.map((x) => -x);
   world.geom_pos.set(centre, 3 * index);
   world.geom_size[3 * index] = world.geom_rbound[index] = sphere.radius;
   if (!body.immovable) {
-    world.body_mass[index + 1] = body.mass;  // after the world's own body
+    world.body_mass[index + 1] = body.mass;  // index 0 is the world's own body
     world.body_inertia.set(body.principal_inertia, 3 * (index + 1));
     world.body_iquat.set(unit(body.orientation), 4 * (index + 1));
   }
 }
 
-// At P, where the origin is: v − w × c.
+// The velocity of the wall's material point at P, which is the origin: v − w × c.
 function velocity_of_wall({ velocity: v, angular_velocity: w }, { centre_of_mass: c }) {
   return v.map((x, i) => x - (w[(i + 1) % 3] * c[(i + 2) % 3] - w[(i + 2) % 3] * c[(i + 1) % 3]));
 }
 
-// No body has a prescribed velocity: a contact with a wall is posed in the frame of the wall's material point at P.
+// MuJoCo cannot prescribe a velocity. A contact with a wall is posed in the frame of the wall's material point at P.
 function solve(collision) {
   const { a, b } = collision;
   if (a.immovable && b.immovable) {
@@ -98,7 +99,7 @@ function solve(collision) {
   set_body(world, 0, a, posed.a);
   set_body(world, 1, b, posed.b);
   mujoco.mj_setConst(world, data);
-  world.geom_sameframe.fill(0);  // or offsets below 1e-6 are taken for none
+  world.geom_sameframe.fill(0);  // otherwise the engine treats offsets below 1e-6 as 0
   world.body_sameframe.fill(0);
   mujoco.mj_resetData(world, data);
   const movable = [a, b].filter(({ immovable }) => !immovable);

@@ -11,14 +11,14 @@ const { MassData, RigidBody, RigidBodyConfig, RigidBodyType, Shape, ShapeConfig 
 const { PositionCorrectionAlgorithm } = oimo.dynamics.constraint;
 
 const { configured, model } = settings();
-const overlap = 64 * Number.EPSILON;  // the roundings of the spheres' distance, some 10, must leave no gap
-const step = 1 / 60;  // [s]; configured, its length enters nothing
+const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
+const step = 1 / 60;  // [s]; has no effect on the configured engine
 
 // The settings are global.
 if (configured) {
   Setting.contactEnableBounceThreshold = 0;  // [m/s]
   Setting.maxTranslationPerStep = Setting.maxRotationPerStep = Infinity;  // limits of the velocities
-  // No velocity comes from the overlap.
+  // The overlap causes no velocity.
   Setting.defaultContactPositionCorrectionAlgorithm = PositionCorrectionAlgorithm.SPLIT_IMPULSE;
 }
 
@@ -27,7 +27,7 @@ function make_shape(sphere, rotation, { friction, restitution }) {
   config.geometry = new oimo.collision.geometry.SphereGeometry(sphere.radius);
   const centre = new Vec3(...sphere.centre_of_mass_from_centre).negate();
   config.position = centre.mulMat3(rotation.transpose());
-  config.friction = friction;  // of a contact: the geometric mean of both, so that it is what both are; as restitution
+  config.friction = friction;  // a contact has the geometric mean of two equal coefficients
   config.restitution = restitution;
   return new Shape(config);
 }

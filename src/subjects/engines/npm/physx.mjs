@@ -9,22 +9,22 @@ import { components, spheres, unit, xyz } from './posing.mjs';
 
 const require = createRequire(import.meta.url);
 
-// The package is built for browsers, and refuses to start where it sees Node.
+// The package is built for browsers and does not start if it detects Node.
 const { process } = globalThis;
 Object.assign(globalThis, { process: undefined, window: globalThis });
 const wasmBinary = readFileSync(require.resolve('physx-js-webidl/physx-js-webidl.wasm'));
-const PhysX = await initialize({ wasmBinary, print: console.error });  // standard output is the protocol's
+const PhysX = await initialize({ wasmBinary, print: console.error });  // standard output carries the protocol
 Object.assign(globalThis, { process, window: undefined });
 
 const { configured, model } = settings();
-const overlap = 2e-6;  // some 16 roundings of binary32: the distance of the spheres must leave no gap
+const overlap = 2e-6;  // about 16 roundings of binary32, so that rounding leaves no gap between the spheres
 
 const scale = new PhysX.PxTolerancesScale();
 const version = PhysX.PHYSICS_VERSION;
 const foundation = PhysX.CreateFoundation(version, new PhysX.PxDefaultAllocator(), new PhysX.PxDefaultErrorCallback());
 const physics = PhysX.CreatePhysics(version, foundation, scale);
-const material = physics.createMaterial(0, 0, 0);  // of both bodies, so that the mean of both is its own
-// In the engine's memory, where nothing is collected; so these are filled again and again.
+const material = physics.createMaterial(0, 0, 0);  // of both bodies, so their mean coefficients are its own
+// These objects are in the engine's memory, which has no garbage collection. They are reused.
 const pose = new PhysX.PxTransform(PhysX.PxIDENTITYEnum.PxIdentity);
 const vector = new PhysX.PxVec3(0, 0, 0);
 const ball = new PhysX.PxSphereGeometry(1);
@@ -36,8 +36,8 @@ function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
   return pose;
 }
 
-// The lower dominance group is not moved in a contact: an immovable body keeps its velocity to the last bit, where that
-// of a kinematic one would be the difference of two rounded poses. It collides with movable ones alone.
+// A contact does not move the lower dominance group, so an immovable body keeps its velocity exactly. The velocity of a
+// kinematic body would be the difference of two rounded poses. Immovable bodies collide only with movable ones.
 const movable = { dominance: 1, collides: new PhysX.PxFilterData(1, 3, 0, 0) };
 const immovable = { dominance: 0, collides: new PhysX.PxFilterData(2, 1, 0, 0) };
 
@@ -46,10 +46,10 @@ description.gravity = filled([0, 0, 0]);
 description.cpuDispatcher = PhysX.DefaultCpuDispatcherCreate(0);
 description.filterShader = PhysX.DefaultFilterShader();
 if (configured) {
-  description.bounceThresholdVelocity = 1e-45;  // [m/s], the least that is not 0
+  description.bounceThresholdVelocity = 1e-45;  // [m/s], the smallest positive binary32 number
 }
 
-// The body's origin and axes are those of the world, but for its principal axes.
+// The body's origin and axes are those of the world. Only the centre of mass and the principal axes are posed.
 function make_body(scene, body, sphere) {
   const made = physics.createRigidDynamic(pose_at([0, 0, 0]));
   const { dominance, collides } = body.immovable ? immovable : movable;
@@ -65,12 +65,12 @@ function make_body(scene, body, sphere) {
   made.setMassSpaceInertiaTensor(filled(body.immovable ? [1, 1, 1] : body.principal_inertia));
   if (configured || body.immovable) {
     made.setAngularDamping(0);
-    made.setMaxLinearVelocity(1e18);  // [m/s]: its square is still in range
+    made.setMaxLinearVelocity(1e18);  // [m/s]; the square must not overflow
     made.setMaxAngularVelocity(1e18);  // [rad/s]
   }
   if (configured) {
-    made.setMaxDepenetrationVelocity(0);  // no velocity from the overlap
-    made.setSolverIterationCounts(4, 255);  // of positions, as shipped, and of velocities: the most there are
+    made.setMaxDepenetrationVelocity(0);  // the overlap causes no velocity
+    made.setSolverIterationCounts(4, 255);  // 4 for positions, as shipped; 255 for velocities, the maximum
   }
   made.setLinearVelocity(filled(body.velocity));
   made.setAngularVelocity(filled(body.angular_velocity));
@@ -90,7 +90,7 @@ function solve(collision) {
   material.setRestitution(collision.restitution);
   const scene = physics.createScene(description);
   const bodies = ['a', 'b'].map((name) => make_body(scene, collision[name], posed[name]));
-  scene.simulate(1 / 60);  // [s]; configured, its length enters nothing
+  scene.simulate(1 / 60);  // [s]; has no effect on the configured engine
   scene.fetchResults(true);
   const [a, b] = bodies.map(velocity_of);
   [...bodies, scene].forEach((made) => made.release());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 
-/** v/‖v‖ for any v ≠ 0. Divided by its largest component first, so that the length neither over- nor underflows. */
+/** v/‖v‖ for any v ≠ 0. v is first divided by its largest component, so that the length does not over- or underflow. */
 export function unit(v) {
   const largest = Math.max(...v.map(Math.abs));
   const scaled = v.map((x) => x / largest);
@@ -8,20 +8,21 @@ export function unit(v) {
   return scaled.map((x) => x / length);
 }
 
-/** The object that engines take for a vector. */
+/** The object that engines take as a vector. */
 export function xyz([x, y, z]) {
   return { x, y, z };
 }
 
-/** The numbers of such an object. */
+/** The components of the object that engines take as a vector. */
 export function components({ x, y, z }) {
   return [x, y, z];
 }
 
 /**
  * A contact for engines that find contacts by themselves: two spheres, one fixed to each body, that meet at P with the
- * normal N. The origin is at P, for lever arms would lose digits far away from it. They overlap by `overlap` of the
- * longer lever arm: posed exactly touching, rounding leaves a gap; and along N no overlap changes a lever arm about N.
+ * normal N. The origin is at P because lever arms lose digits far from the origin. The spheres overlap by `overlap`
+ * times the longer lever arm, because rounding leaves a gap between spheres that touch exactly. The overlap is along N,
+ * so it changes no lever arm about N.
  */
 export function spheres({ a, b, point, normal }, overlap) {
   const n = unit(normal);
@@ -29,7 +30,7 @@ export function spheres({ a, b, point, normal }, overlap) {
   const lever_arms = centres_of_mass.map((x) => Math.hypot(...x));
   const longer = Math.max(...lever_arms) || 1;
   const sphere = (index, side) => {
-    // Larger than the lever arm, a sphere rounds the contact point of a small body; smaller, it rounds the normal.
+    // A sphere larger than the lever arm rounds the contact point of a small body. A smaller sphere rounds the normal.
     const radius = Math.max(lever_arms[index], longer / 16);
     const centre = n.map((x) => side * (radius - (overlap * longer) / 2) * x);
     const centre_of_mass = centres_of_mass[index];

@@ -5,32 +5,32 @@ import { serve, settings, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit, xyz } from './posing.mjs';
 
 const { configured, model } = settings();
-const overlap = 1e-5;  // some 80 roundings of binary32: the distance of the spheres must leave no gap
+const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leaves no gap between the spheres
 await RAPIER.init();
 
 function configure(world) {
-  // Gyroscopic torque and the limit on the angular velocity, a quarter of π each step, have no switch here. Both vanish
-  // with the step.
+  // Rapier cannot turn off the gyroscopic torque, or the limit of π/4 rad a step on the angular velocity. A short step
+  // makes both negligible.
   world.timestep = 1e-16;  // [s]
   if (model === 'frictionless') {
-    world.numSolverIterations = 1;  // with friction the engine's 4 are nearer to the law
+    world.numSolverIterations = 1;  // with friction, the default of 4 is nearer to the law
   }
-  world.integrationParameters.contact_natural_frequency = 0;  // no velocity from the overlap
-  world.lengthUnit = 1e15;  // a speed limit of 400 of these a second
+  world.integrationParameters.contact_natural_frequency = 0;  // the overlap causes no velocity
+  world.lengthUnit = 1e15;  // raises the speed limit, which is 400 length units a second
 }
 
-// The body's origin is at the centre of its sphere, and its axes are those of the world: its principal axes are turned
-// instead. So only the centre of mass is rounded.
+// The body's origin is the centre of its sphere, and its axes are the world's axes. The principal axes are rotated
+// instead. Only the centre of mass is rounded.
 function make_body(world, body, sphere, { friction, restitution }) {
   const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();
   description.setTranslation(...sphere.centre).setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
   const made = world.createRigidBody(description);
-  const mass = body.immovable ? 1 : body.mass;  // a kinematic body has a centre of mass, but acts as infinitely heavy
+  const mass = body.immovable ? 1 : body.mass;  // a kinematic body acts as infinitely heavy all the same
   const moments = body.immovable ? [1, 1, 1] : body.principal_inertia;
   const [w, x, y, z] = body.immovable ? [1, 0, 0, 0] : unit(body.orientation);
   const collider = RAPIER.ColliderDesc.ball(sphere.radius)
     .setMassProperties(mass, xyz(sphere.centre_of_mass_from_centre), xyz(moments), { w, x, y, z })
-    .setFriction(model === 'coulomb' ? friction : 0)  // two of the same average to the same
+    .setFriction(model === 'coulomb' ? friction : 0)  // the engine averages two equal coefficients to the same value
     .setRestitution(restitution);
   world.createCollider(collider, made);
   return made;

@@ -16,14 +16,15 @@ struct BulletSettings {
   double restitution_threshold = 0.2;  // [m/s]
 };
 
-/// The impulse on A of Bullet 3.24's btSequentialImpulseConstraintSolver (convertContact, setupContactConstraint,
-/// setupFrictionConstraint, solveSingleIteration), without gyroscopic torque and at depth 0.
+/// The impulse on A of Bullet 3.24's btSequentialImpulseConstraintSolver, without gyroscopic torque and at depth 0.
+/// Source: convertContact, setupContactConstraint, setupFrictionConstraint, solveSingleIteration.
 ///
-/// Directions: N; s₁ = V_T⁻/‖V_T⁻‖, or where ‖V_T⁻‖² ≤ 2⁻⁵² m²/s² a direction of the plane alone; and, where asked for,
-/// s₂ = s₁ × N. From F = 0, in each iteration for each direction d in this order, with V = V⁻ + K F:
+/// The directions are N and s₁, and s₂ = s₁ × N if it is requested. s₁ = V_T⁻/‖V_T⁻‖. If ‖V_T⁻‖² ≤ 2⁻⁵² m²/s², s₁ is
+/// a direction that depends only on the plane. F starts at 0. Each iteration visits each direction d in this order,
+/// with V = V⁻ + K F:
 ///
-///   F_N ← max(0, F_N + (e − N·V) / N·KN),   e = −ε N·V⁻, or 0 where −N·V⁻ is below the threshold,
-///   F_s ← the nearest to F_s − s·V / s·Ks in [−μ F_N, μ F_N] where F_N > 0; where it is 0, F_s stays as it was.
+///  F_N ← max(0, F_N + (e − N·V) / N·KN),   e = −ε N·V⁻, or 0 if −N·V⁻ is below the threshold,
+///  F_s ← the nearest value to F_s − s·V / s·Ks in [−μ F_N, μ F_N] if F_N > 0; if F_N = 0, F_s does not change.
 [[nodiscard]] inline Vector3<double> bullet_impulse(const Problem& problem, const BulletSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);
@@ -59,7 +60,7 @@ struct BulletSettings {
   return impulse;
 }
 
-/// As the subjects `bullet-double-coulomb` and `bullet-double-coulomb-as-shipped` have it.
+/// The impulse with the settings of the subjects `bullet-double-coulomb` and `bullet-double-coulomb-as-shipped`.
 [[nodiscard]] inline Vector3<double> bullet_impulse(const Collision& collision, bool configured) {
   return bullet_impulse(problem_of(collision), configured ? BulletSettings{200, true, 0} : BulletSettings{});
 }

@@ -12,21 +12,21 @@
 
 namespace carom::formulas {
 
-/// What of cannon-es's settings acts on one contact of two bodies, without gravity.
+/// The settings of cannon-es that affect one contact of two bodies, without gravity.
 struct CannonSettings {
-  double a;         // SPOOK's, of the contact and of the friction: the share of the overlap to remove in a second [1/s]
-  double b;         // SPOOK's: the share of the velocity to remove
-  double softness;  // SPOOK's ε [1/kg]
-  double largest_push;  // ContactEquation.maxForce, which bounds an impulse [N s]
-  double friction_gravity;  // ‖World.frictionGravity‖; times μ and a mass it bounds an impulse, and so is a speed [m/s]
+  double a;                 // SPOOK's, of contact and friction: the share of the overlap to remove per second [1/s]
+  double b;                 // SPOOK's: the share of the velocity to remove
+  double softness;          // SPOOK's ε [1/kg]
+  double largest_push;      // ContactEquation.maxForce, which limits an impulse [N s]
+  double friction_gravity;  // ‖World.frictionGravity‖; times μ and a mass it limits an impulse, so it is a speed [m/s]
   int iterations;           // GSSolver.iterations
   double tolerance;         // GSSolver.tolerance [N s]
-  double damping;           // linearDamping and angularDamping, the share of the velocity lost in a second
+  double damping;           // linearDamping and angularDamping, the share of the velocity lost per second
   double step;              // [s]
-  double overlap;           // of the shapes, by which the adapter poses the contact [m]
+  double overlap;           // of the shapes, with which the adapter poses the contact [m]
 };
 
-/// Stiffness 1e7 and relaxation 3; without gravity the bound on friction is 0.
+/// Stiffness 1e7 and relaxation 3. Without gravity the limit on friction is 0.
 [[nodiscard]] inline CannonSettings cannon_as_shipped(double overlap) {
   constexpr double step = 1.0 / 60;
   constexpr double relaxation = 1 + 4 * 3;
@@ -34,7 +34,7 @@ struct CannonSettings {
   return {4 / (step * relaxation), 12 / relaxation, softness, 1e6, 0, 10, 1e-7, 0.01, step, overlap};
 }
 
-/// SPOOK as for an infinite relaxation. The bound on friction is μ times the impulse that would stop and turn round the
+/// SPOOK as for an infinite relaxation. The limit on friction is μ times the impulse that would stop and reverse the
 /// two masses if they did not spin: (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
 [[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
   const Problem problem = problem_of(collision);
@@ -43,16 +43,16 @@ struct CannonSettings {
   return {0, 1, 0, none, (1 + problem.restitution) * approach, 100, 0, 0, 1.0 / 60, overlap};
 }
 
-/// The impulse of cannon-es: Gauss and Seidel on three rows, d = T_1, T_2, N in this order:
+/// The impulse of cannon-es: Gauss–Seidel on three rows, d = T_1, T_2, N in this order:
 ///
-///   F = λ_1 T_1 + λ_2 T_2 + λ_N N
-///   λ_d becomes λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), cut to its bounds
-///   B_d = −b d·V⁻ for T_1 and T_2, −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap for N, v of the centres of mass
-///   |λ_i| ≤ μ g / (1/m_A + 1/m_B), whatever the normal impulse is, and 0 ≤ λ_N ≤ maxForce
-///   T_1 = N × e_x where |N_x| < 0.9, else N × e_y; T_2 = N × T_1: both of one length, at most 1.
+///  F = λ_1 T_1 + λ_2 T_2 + λ_N N
+///  λ_d becomes λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), clamped to its limits
+///  B_d = −b d·V⁻ for T_1 and T_2, −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap for N, with v of the centres of mass
+///  |λ_i| ≤ μ g / (1/m_A + 1/m_B) for any normal impulse, and 0 ≤ λ_N ≤ maxForce
+///  T_1 = N × e_x if |N_x| < 0.9, else N × e_y; T_2 = N × T_1: both have the same length, at most 1.
 ///
-/// cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
-/// ContactEquation.computeB, Equation.computeGiMGt (which takes every direction for a unit vector), GSSolver.solve.
+/// Source: cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
+/// ContactEquation.computeB, Equation.computeGiMGt (which treats every direction as a unit vector), GSSolver.solve.
 [[nodiscard]] inline Vector3<double> cannon_impulse(const Collision& collision, const CannonSettings& settings) {
   struct Row {
     Vector3<double> direction;
@@ -96,9 +96,9 @@ struct CannonSettings {
   return impulse;
 }
 
-/// What cannon-es answers: each body's lever arm ends where its shape does, half the overlap beyond P, and the
-/// velocities of movable bodies are damped after the contact (World.internalStep). Precondition: the collision is valid
-/// and at least one body can move.
+/// The outcome of cannon-es. Each body's lever arm ends at its shape's surface, half the overlap beyond P. The
+/// velocities of movable bodies are damped after the contact (World.internalStep). Precondition: the collision is
+/// valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> cannon(const Collision& collision, const CannonSettings& settings) {
   Collision posed = collision;
   const Vector3<double> beyond = settings.overlap / 2 * problem_of(collision).normal;

@@ -22,8 +22,8 @@ using OutcomeOf = std::function<Outcome<double>(const Collision&)>;
 
 namespace detail {
 
-/// The overlap of the spheres that pose a contact (src/subjects/engines/npm/posing.mjs): this share of the longer lever
-/// arm [m].
+/// The overlap of the spheres that pose a contact (src/subjects/engines/npm/posing.mjs), as this share of the longer
+/// lever arm [m].
 [[nodiscard]] inline double overlap_of(const Collision& collision, double share) {
   const double longer =
       std::max((collision.point - collision.a.position).norm(), (collision.point - collision.b.position).norm());
@@ -32,12 +32,12 @@ namespace detail {
 
 }  // namespace detail
 
-/// Whether the subject turns spinning bodies by gyroscopic torque, and its formula does not.
+/// Whether the subject applies gyroscopic torque to spinning bodies, which its formula omits.
 [[nodiscard]] inline bool leaves_out_gyroscopic_torque(std::string_view subject) {
   return subject.ends_with("as-shipped") && (subject.starts_with("bullet") || subject.starts_with("ode"));
 }
 
-/// What the subject of this name is said to compute; null where there is no formula.
+/// The formula for the subject of this name; null if there is none.
 [[nodiscard]] inline const OutcomeOf* formula_of(std::string_view subject) {
   static const std::map<std::string, OutcomeOf, std::less<>> formulas = [] {
     std::map<std::string, OutcomeOf, std::less<>> all;

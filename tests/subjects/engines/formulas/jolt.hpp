@@ -11,7 +11,7 @@
 
 namespace carom::formulas {
 
-/// What of Jolt's settings acts on one contact of two bodies that it meets for the first time, without gravity.
+/// The settings of Jolt that affect the first contact of two bodies, without gravity.
 struct JoltSettings {
   int velocity_steps;                   // PhysicsSettings::mNumVelocitySteps
   double min_velocity_for_restitution;  // PhysicsSettings::mMinVelocityForRestitution [m/s]
@@ -24,21 +24,21 @@ struct JoltSettings {
 [[nodiscard]] inline JoltSettings jolt_as_shipped() { return {10, 1.0, 0.05, 500, 15 * std::numbers::pi, 1.0 / 60}; }
 [[nodiscard]] inline JoltSettings jolt_configured() { return {20, 0, 0, 1e18, 1e18, 1.0 / 60}; }
 
-/// A tangent as Jolt chooses it: of the world's plane x z where |n_x| > |n_y|, else of y z.
+/// The tangent that Jolt chooses: in the world's x z plane if |n_x| > |n_y|, else in the y z plane.
 [[nodiscard]] inline Vector3<double> jolt_tangent(const Vector3<double>& normal) {
   const bool in_xz = std::abs(normal.x()) > std::abs(normal.y());
   return (in_xz ? Vector3<double>(normal.z(), 0, -normal.x()) : Vector3<double>(0, normal.z(), -normal.y()))
       .normalized();
 }
 
-/// The impulse of Jolt's sequential impulses, friction first and each axis by itself:
+/// The impulse of Jolt's sequential impulses. Friction comes first, and each axis is solved separately:
 ///
-///   V = V⁻ + K F, and in each step                    (T_1 = jolt_tangent(N), T_2 = N × T_1, k_i = T_i·K T_i)
-///     f_i = F·T_i − T_i·V / k_i for i = 1, 2, of one V; where ‖f‖ > μ F·N, f becomes f μ F·N / ‖f‖
-///     F = (F·N) N + f_1 T_1 + f_2 T_2
-///     F·N becomes max(0, F·N − (N·V + ε' N·V⁻) / N·K N), ε' = ε where −N·V⁻ > the restitution's threshold, else 0.
+///  V = V⁻ + K F, and in each step                    (T_1 = jolt_tangent(N), T_2 = N × T_1, k_i = T_i·K T_i)
+///    f_i = F·T_i − T_i·V / k_i for i = 1, 2, with the same V; if ‖f‖ > μ F·N, f becomes f μ F·N / ‖f‖
+///    F = (F·N) N + f_1 T_1 + f_2 T_2
+///    F·N becomes max(0, F·N − (N·V + ε' N·V⁻) / N·K N), ε' = ε if −N·V⁻ > the restitution's threshold, else 0.
 ///
-/// The friction's limit is the normal impulse of the step before, which is 0 in the first. JoltPhysics:
+/// The friction limit is the normal impulse of the previous step, which is 0 in the first. Source: JoltPhysics:
 /// ContactConstraintManager.cpp, sSolveVelocityConstraint and CalculateFrictionAndNonPenetrationConstraintProperties;
 /// Vec3::GetNormalizedPerpendicular.
 [[nodiscard]] inline Vector3<double> jolt_impulse(const Problem& problem, const JoltSettings& settings) {
@@ -67,10 +67,10 @@ struct JoltSettings {
   return pushing * normal + friction;
 }
 
-/// What Jolt answers. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping · step
-/// and cut to their limits (MotionProperties::ApplyForceTorqueAndDragInternal); after it they are cut again
-/// (PhysicsSystem::JobIntegrateVelocity). Both act also where the bodies separate.
-/// Precondition: the collision is valid and at least one body can move.
+/// The outcome of Jolt. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping ·
+/// step and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal). Afterwards they are clamped
+/// again (PhysicsSystem::JobIntegrateVelocity). Both also act if the bodies separate. Precondition: the collision is
+/// valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> jolt(const Collision& collision, const JoltSettings& settings) {
   const auto limit_speeds = [&](auto& body) {
     shorten(body.velocity, settings.max_linear_velocity);

@@ -14,7 +14,8 @@ namespace detail {
 
 inline constexpr double mujoco_step = 0.002;  // as shipped [s]
 
-/// Where the increasing function passes zero: 0 where it is not negative there. Precondition: it does pass zero.
+/// The zero of the increasing function, or 0 if it is not negative there. Precondition: it has a zero, or is not
+/// negative at 0.
 template <class Function>
 [[nodiscard]] double root_of_increasing(const Function& function) {
   if (function(0.0) >= 0) {
@@ -34,8 +35,8 @@ template <class Function>
   return above;
 }
 
-/// The impulse of least ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}: the friction for each F_N, by
-/// the multiplier ν ≥ 0 of its limit, and then F_N, along which the cost is convex.
+/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. The multiplier ν ≥ 0
+/// of the limit gives the friction for each F_N. The cost is convex along F_N, which gives F_N.
 class LeastInCone {
  public:
   LeastInCone(const Matrix3<double>& q, const Vector3<double>& c, double friction)
@@ -56,7 +57,7 @@ class LeastInCone {
     return along > 0 ? root_of_increasing([&](double nu) { return friction_ * along - friction(along, nu).norm(); })
                      : 0;
   }
-  /// Of the least cost for F_N. As F_N → 0, ν F_N → ‖c_T‖ / μ.
+  /// The derivative of the least cost by F_N. As F_N → 0, ν F_N → ‖c_T‖ / μ.
   [[nodiscard]] double slope(double along) const {
     if (along <= 0) {
       return c_[0] - friction_ * c_.tail<2>().norm();
@@ -70,8 +71,8 @@ class LeastInCone {
   double friction_;
 };
 
-/// The impulses f ≥ 0 along the four edges of a pyramid, of least ½ f·Q f + c·f: the set of those that are not 0 for
-/// which no other would lessen it. Q is positive definite.
+/// The impulses f ≥ 0 along the four edges of a pyramid that minimise ½ f·Q f + c·f. The function tries every set of
+/// nonzero impulses and takes the least cost. Q is positive definite.
 [[nodiscard]] inline Eigen::Vector4d least_along_edges(const Eigen::Matrix4d& q, const Eigen::Vector4d& c) {
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   double least = 0;
@@ -96,7 +97,7 @@ class LeastInCone {
   return best;
 }
 
-/// {N, T0, T1} as MuJoCo takes it: T0 is the world's y axis, or z where N is nearer to y, made orthogonal.
+/// {N, T0, T1} as in MuJoCo: T0 is the world's y axis made orthogonal to N, or the z axis if N is nearer to y.
 [[nodiscard]] inline Matrix3<double> mujoco_frame(const Vector3<double>& n) {
   const Vector3<double> first = n[1] < 0.5 && n[1] > -0.5 ? Vector3<double>::UnitY() : Vector3<double>::UnitZ();
   Matrix3<double> frame;
@@ -106,7 +107,7 @@ class LeastInCone {
   return frame;
 }
 
-/// A step of gyroscopic torque, −h J⁻¹ (w × J w).
+/// The change of the angular velocity by gyroscopic torque in one step, −h J⁻¹ (w × J w).
 [[nodiscard]] inline Vector3<double> gyroscopic_change(const impulse::ContactBody<double>& body, double step) {
   if (body.inverse_mass == 0) {
     return Vector3<double>::Zero();
@@ -117,7 +118,7 @@ class LeastInCone {
   return step * (body.inertia.axes * torque.cwiseProduct(inverse));
 }
 
-/// The collision after a step without a contact, at the place where it was.
+/// The collision after one step without a contact, at the original position.
 [[nodiscard]] inline Collision after_mujoco_step(const Collision& collision, bool configured) {
   auto velocities = unchanged(collision);
   if (!configured) {
@@ -128,7 +129,7 @@ class LeastInCone {
   return with_velocities(collision, velocities);
 }
 
-/// In the basis `frame`, {N, T0, T1}.
+/// The optimisation problem in the basis `frame`, {N, T0, T1}.
 struct MujocoProblem {
   Matrix3<double> frame;
   Matrix3<double> k;  // K
@@ -160,40 +161,43 @@ struct MujocoProblem {
 
 }  // namespace detail
 
-/// Without friction: the half line F_N ≥ 0 in place of the cone that `mujoco_impulse` has.
+/// Without friction: the half line F_N ≥ 0 replaces the cone of `mujoco_impulse`.
 [[nodiscard]] inline Vector3<double> mujoco_frictionless_impulse(const Collision& collision, bool configured) {
   const detail::MujocoProblem problem = detail::mujoco_problem(collision, configured);
   const double soft = problem.k(0, 0) + problem.softness;
   return problem.frame.col(0) * (problem.c[0] < 0 && soft > 0 ? -problem.c[0] / soft : 0.0);
 }
 
-/// MuJoCo 3.14.0. One step of length h solves a convex problem: with R the softness of the contact, the least
+/// The impulse of MuJoCo 3.14.0. One step of length h solves a convex problem. With the softness R of the contact, it
+/// minimises
 ///
-///   ½ F·(K + R) F + c·F   over the cone ‖F_T‖ ≤ μ F_N,   c = V⁻ + ΔV − V_r,
+///  ½ F·(K + R) F + c·F   over the cone ‖F_T‖ ≤ μ F_N,   c = V⁻ + ΔV − V_r.
 ///
-/// ΔV the change of V in a step without a contact (of the velocities as shipped, by gyroscopic torque) and V_r the
-/// velocity that is asked for. So F = 0 where c_N ≥ μ ‖c_T‖, else for some ν ≥ 0, that is 0 inside the cone,
+/// ΔV is the change of V in a step without a contact. As shipped, this is the change by gyroscopic torque. V_r is the
+/// requested velocity. So F = 0 if c_N ≥ μ ‖c_T‖. Otherwise, for some ν ≥ 0 that is 0 inside the cone,
 ///
-///   (K + R + ν (P − μ² N Nᵀ)) F = −c,   P the projection across N.
+///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P the projection across N.
 ///
-/// Without μ² N Nᵀ, R and ΔV it is the law `coulomb`. With it, where the contact point slips, V_T⁺ = −ν F_T as there
-/// but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies part faster, by μ times the slip.
+/// Without μ² N Nᵀ, R and ΔV it is the law `coulomb`. With it, if the contact point slips, V_T⁺ = −ν F_T as in
+/// `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
 ///
-///   Configured, h → 0 and V_r = −ε N·V⁻ N but for softness, with d = 0.9999: c_N = (1+ε) N·V⁻ / d, c_T = V_T⁻,
-///   R_N = (1−d)/d N·K N and R_T = R_N / 100. Without friction the cone is a half line, and F that of `frictionless`.
+/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With d = 0.9999, c_N = (1+ε) N·V⁻ / d, c_T = V_T⁻,
+/// R_N = (1−d)/d N·K N and R_T = R_N / 100. Without friction the cone is a half line, and F equals that of
+/// `frictionless`.
 ///
-///   As shipped, h = 0.002 s and there is no ε: c = h b V⁻ + ΔV, less h k d r along N, with d = 0.9, b = 2/τ, k = 1/τ²,
-///   τ = 0.95 · 0.02 s and the depth r. R_N = (1−d)/d λ, λ = 1/m_A + 1/m_B. With friction the cone is a pyramid of the
-///   edges E = N ± μ T0, N ± μ T1 (`mujoco_frame`): F = Σ f_E E, f_E ≥ 0, with 2 μ² (1+μ²) R_N as R for each f_E.
+/// As shipped: h = 0.002 s, and there is no ε. c = h b V⁻ + ΔV, minus h k d r along N, with d = 0.9, b = 2/τ,
+/// k = 1/τ², τ = 0.95 · 0.02 s and the depth r. R_N = (1−d)/d λ, λ = 1/m_A + 1/m_B. With friction, the cone is a
+/// pyramid with the edges E = N ± μ T0, N ± μ T1 (`mujoco_frame`). F = Σ f_E E, f_E ≥ 0, with R = 2 μ² (1+μ²) R_N for
+/// each f_E.
 ///
-/// Friction below 1e-5 acts as 1e-5, except where μ = 0 configured: that is posed without friction.
+/// Friction below 1e-5 acts as 1e-5. The exception is μ = 0 configured, which is posed without friction.
 ///
 /// Source: src/engine/engine_core_constraint.c, `mj_diagApprox` and `mj_makeImpedance` (R, b, k),
-/// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual this is);
+/// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual this is).
 /// src/engine/engine_solver.c minimises it.
 ///
-/// Left out: that R_N is 1e-15 kg⁻¹ at least, which matters from 1e11 kg on; the growth of d with a depth, for there is
-/// next to none; and that the solver as shipped stops at a tolerance.
+/// The formula omits three effects. R_N is at least 1e-15 kg⁻¹, which matters from 1e11 kg on. d grows with the
+/// depth, which is nearly zero. The solver as shipped stops at a tolerance.
 [[nodiscard]] inline Vector3<double> mujoco_impulse(const Collision& collision, bool configured) {
   if ((collision.a.immovable && collision.b.immovable) || (configured && collision.friction == 0)) {
     return mujoco_frictionless_impulse(collision, configured);

@@ -11,8 +11,9 @@
 
 namespace carom::formulas {
 
-/// The x in a box, lower ≤ x ≤ upper, where each component of A x + b is 0, or pushes x against its bound: a linear
-/// complementarity problem, with one solution since A is positive definite. All 27 ways to be at a bound are tried.
+/// The x in a box, lower ≤ x ≤ upper, for which each component of A x + b is 0, or pushes x against its bound. This
+/// is a linear complementarity problem. It has one solution, because A is positive definite. The function tries all
+/// 27 combinations of bounds.
 [[nodiscard]] inline Vector3<double> in_box(const Matrix3<double>& a, const Vector3<double>& b,
                                             const Vector3<double>& lower, const Vector3<double>& upper) {
   Vector3<double> best = Vector3<double>::Zero();
@@ -52,16 +53,16 @@ struct OdeSettings {
   double force_mixing = 1e-10;  // CFM
 };
 
-/// The impulse on A of ODE 0.16's dWorldStep on one contact joint (joints/contact.cpp, lcp.cpp: dSolveLCP), without
-/// gyroscopic torque and at depth 0.
+/// The impulse on A of ODE 0.16's dWorldStep on one contact joint, without gyroscopic torque and at depth 0. Source:
+/// joints/contact.cpp, lcp.cpp: dSolveLCP.
 ///
-/// Directions: N; s₁ = V_T⁻/‖V_T⁻‖ where asked for, else the first of the plane alone; s₂ = N × s₁. With
-/// A = K + CFM/step in these and w the limit on friction, F is the one solution of
+/// The directions are N, s₁ and s₂ = N × s₁. s₁ = V_T⁻/‖V_T⁻‖ if it is requested. Otherwise s₁ is the first direction
+/// of the plane. Let A = K + CFM/step in these directions, and w the limit on friction. F is the only solution of
 ///
-///   F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ but where F is at its bound;  V⁺ = V⁻ + A F.
+///  F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ unless F is at its bound;  V⁺ = V⁻ + A F.
 ///
-/// w = μ · step in N s where μ is a limit on the force; else μ times the *frictionless* F_N, for it is set before the
-/// rows of friction are solved and not changed after.
+/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, because it is
+/// set before the rows of friction are solved and does not change afterwards.
 [[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);
@@ -79,7 +80,7 @@ struct OdeSettings {
   return basis * in_box(a, b, {0, -limit, -limit}, {none, limit, limit});
 }
 
-/// As the subjects `ode-double-coulomb` and `ode-double-coulomb-as-shipped` have it.
+/// The impulse with the settings of the subjects `ode-double-coulomb` and `ode-double-coulomb-as-shipped`.
 [[nodiscard]] inline Vector3<double> ode_impulse(const Collision& collision, bool configured) {
   return ode_impulse(problem_of(collision), configured ? OdeSettings{true, true, 1.0 / 60.0, 0} : OdeSettings{});
 }

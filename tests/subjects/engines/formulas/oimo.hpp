@@ -7,21 +7,21 @@
 
 namespace carom::formulas {
 
-/// OimoPhysics 1.2.2, the contact of two bodies that touch for the first time. Let N be the normal, T the two
-/// directions across it, in any basis, and V = V⁻ + K F. From F = 0, repeat 10 times (`configured`: 100 times)
+/// The outcome of OimoPhysics 1.2.2 for the first contact of two bodies. Let N be the normal, T the two directions
+/// orthogonal to it in any basis, and V = V⁻ + K F. F starts at 0. Repeat 10 times (`configured`: 100 times):
 ///
-///   F_T ← F_T − K_TT⁻¹ V_T,  and where ‖F_T‖ > μ F_N,  F_T ← F_T μ F_N / ‖F_T‖,
-///   F_N ← max(0, F_N + (R − V_N) / K_NN),
+///  F_T ← F_T − K_TT⁻¹ V_T,  and if ‖F_T‖ > μ F_N,  F_T ← F_T μ F_N / ‖F_T‖,
+///  F_N ← max(0, F_N + (R − V_N) / K_NN).
 ///
-/// V being renewed by each line. R = −ε V_N⁻ where V_N⁻ < −0.5 m/s (`configured`: < 0), else 0. The two by two system
-/// is solved whole and the limit is a cone, so that the answer does not depend on the basis. Friction comes before the
-/// normal impulse, with the limit that the iteration before left: there is none in the first.
+/// Each line updates V. R = −ε V_N⁻ if V_N⁻ < −0.5 m/s (`configured`: < 0), else 0. The two by two system is solved
+/// as a whole and the limit is a cone, so the answer does not depend on the basis. Friction comes before the normal
+/// impulse and uses the limit of the previous iteration. So there is no friction in the first iteration.
 ///
 /// Source: src/oimo/dynamics/constraint/solver/pgs/PgsContactConstraintSolver.hx, `preSolveVelocity` and
-/// `solveVelocity`; R in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
+/// `solveVelocity`. R is in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
 ///
-/// Left out: the limits of 20 m and π a step on the velocities after it, which `configured` lifts; and that bodies
-/// whose principal moments have a product below 1e-32 (kg m²)³ are not turned.
+/// The formula omits two effects. Afterwards the velocities are limited to 20 m and π per step, which `configured`
+/// lifts. Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
 [[nodiscard]] inline Outcome<double> oimo(const Collision& collision, bool configured) {
   const Problem problem = problem_of(collision);
   const Vector3<double>& n = problem.normal;

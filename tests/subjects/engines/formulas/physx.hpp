@@ -9,7 +9,7 @@
 
 namespace carom::formulas {
 
-/// A step of PhysX's default angular damping, before the contact is solved: w ← (1 − 0.05 1/s · 1/60 s) w.
+/// One step of PhysX's default angular damping, before the contact is solved: w ← (1 − 0.05 1/s · 1/60 s) w.
 [[nodiscard]] inline Collision with_damped_spins(Collision collision) {
   for (Body* body : {&collision.a, &collision.b}) {
     if (!body->immovable) {
@@ -19,30 +19,31 @@ namespace carom::formulas {
   return collision;
 }
 
-/// PhysX 5.6.1 with its default solver, PGS: the contact of two bodies that touch for the first time. Let N be the
-/// normal, v_A and v_B the velocities of the centres of mass, u = v_A − v_B, and the axes of friction
+/// The outcome of PhysX 5.6.1 with its default solver, PGS, for the first contact of two bodies. Let N be the normal,
+/// v_A and v_B the velocities of the centres of mass, u = v_A − v_B, and T0 and T1 the axes of friction:
 ///
-///   T0 = u_T / ‖u_T‖ where u_T = u − (N·u) N is longer than 0.01 m/s, else N turned by a right angle about the x axis
-///   (about z where N is within 45° of x) and normalised;  T1 = N × T0.
+///  T0 = u_T / ‖u_T‖ if u_T = u − (N·u) N is longer than 0.01 m/s,
+///  else N rotated by a right angle about the x axis (about z if N is within 45° of x) and normalised;
+///  T1 = N × T0.
 ///
-/// From F = 0 repeat, V = V⁻ + K F being renewed by each line,
+/// F starts at 0. Repeat, where each line updates V = V⁻ + K F,
 ///
-///   F_N ← max(0, F_N + (R − V_N) / K_NN),
-///   F_0 ← clamp(F_0 − 0.8 V_0 / K_00, ±μ F_N),
-///   F_1 ← clamp(F_1 − 0.8 V_1 / K_11, ±μ F_N),
+///  F_N ← max(0, F_N + (R − V_N) / K_NN),
+///  F_0 ← clamp(F_0 − 0.8 V_0 / K_00, ±μ F_N),
+///  F_1 ← clamp(F_1 − 0.8 V_1 / K_11, ±μ F_N),
 ///
-/// 4 + 1 times (`configured`: 4 + 255), the first time without friction. R = −ε V_N⁻ where V_N⁻ < −2 m/s (`configured`:
-/// < 0), else 0. As shipped, the spins are damped first; and in the first 4 iterations, in place of this 0, R is what
-/// the depth of an overlap asks for, 0.8 · depth · 60 Hz.
+/// 4 + 1 times (`configured`: 4 + 255), the first time without friction. R = −ε V_N⁻ if V_N⁻ < −2 m/s (`configured`:
+/// < 0), else 0. As shipped, the spins are damped first. Instead of this 0, the first 4 iterations then use the
+/// correction of the overlap, R = 0.8 · depth · 60 Hz.
 ///
-/// Friction is limited along each of two axes, which the slip of the contact point does not choose; and what it changes
-/// of V_N in the last iteration stays.
+/// Friction is limited along each of two axes, which do not depend on the slip of the contact point. The change of
+/// V_N by friction in the last iteration remains.
 ///
 /// Source: physx/source/lowleveldynamics/src: DyContactPrep.cpp, `setupFinalizeSolverConstraints` (T0, T1, 0.8);
 /// DyContactPrepShared.h, `constructContactConstraint` (R); DySolverConstraintsShared.h, `solveDynamicContacts`, and
 /// DySolverConstraints.cpp, `solveContact` (the lines); DySolverControl.cpp, `solveV_Blocks` (the iterations).
 ///
-/// Left out: the limit of 100 rad/s as shipped. `depth` is in m.
+/// The formula omits the limit of 100 rad/s as shipped. `depth` is in m.
 [[nodiscard]] inline Outcome<double> physx(const Collision& given, bool configured, double depth) {
   const Collision collision = configured ? given : with_damped_spins(given);
   const Problem problem = problem_of(collision);

@@ -8,11 +8,11 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// What engines compute of a contact with friction, as formulas in double: written from their sources, to say what they
-/// do and to be held against what they answer.
+/// Formulas in double for the results of engines on a contact with friction. They are written from the engines'
+/// sources, describe the engines, and are compared with their answers.
 namespace carom::formulas {
 
-/// What the formulas read of a contact.
+/// The part of a contact that the formulas read.
 struct Problem {
   Vector3<double> normal;    // N, unit, from B to A
   Matrix3<double> k;         // K, the collision matrix [1/kg]
@@ -28,12 +28,12 @@ struct Problem {
           collision.restitution, collision.friction};
 }
 
-/// The velocities after F on A and −F on B. F in N s.
+/// The velocities after the impulse F on A and −F on B. F is in N s.
 [[nodiscard]] inline Outcome<double> outcome_of(const Collision& collision, const Vector3<double>& impulse_on_a) {
   return impulse::apply_impulse(impulse::make_contact<double>(collision), impulse_on_a);
 }
 
-/// Cuts a vector to this length.
+/// Shortens a vector to this length.
 inline void shorten(Vector3<double>& vector, double length) {
   if (vector.norm() > length) {
     vector *= length / vector.norm();

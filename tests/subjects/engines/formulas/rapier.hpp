@@ -12,19 +12,19 @@
 
 namespace carom::formulas {
 
-/// What of Rapier's settings acts on one contact of two bodies that it meets for the first time, without gravity.
+/// The settings of Rapier that affect the first contact of two bodies, without gravity.
 struct RapierSettings {
   double step;               // World.timestep [s]
   int substeps;              // numSolverIterations
   double natural_frequency;  // contact_natural_frequency [Hz]
   double length_unit;        // lengthUnit [m]
-  double overlap;            // of the shapes, by which the adapter poses the contact [m]
+  double overlap;            // of the shapes, with which the adapter poses the contact [m]
 };
 
 [[nodiscard]] inline RapierSettings rapier_as_shipped(double overlap) { return {1.0 / 60, 4, 30, 1, overlap}; }
 [[nodiscard]] inline RapierSettings rapier_configured(double overlap) { return {1e-16, 4, 0, 1e15, overlap}; }
 
-/// A body as it turns in the substeps. The contact keeps the lever arm and the inertia that it had before.
+/// A body that rotates in the substeps. The contact keeps its original lever arm and inertia.
 class RapierBody {
  public:
   RapierBody(const Body& body, const Vector3<double>& lever_arm) : body_(body), lever_arm_(lever_arm) {
@@ -34,7 +34,8 @@ class RapierBody {
     }
   }
 
-  /// The gyroscopic torque: L = J ω becomes L − t ω × L of the length of L. rigid_body.rs, gyroscopic_corrected_angvel.
+  /// Applies the gyroscopic torque: L = J ω becomes L − t ω × L, scaled to the length of L. Source: rigid_body.rs,
+  /// gyroscopic_corrected_angvel.
   void twist(Vector3<double>& angular_velocity, double time) const {
     if (body_.immovable) {
       return;
@@ -49,7 +50,7 @@ class RapierBody {
     }
   }
 
-  /// How far the material point at the contact moves. RigidBodyVelocity::integrate_linearized.
+  /// The displacement of the material point at the contact. Source: RigidBodyVelocity::integrate_linearized.
   [[nodiscard]] Vector3<double> move(const Vector3<double>& velocity, const Vector3<double>& angular_velocity,
                                      double time) {
     const Vector3<double> before = rotation_ * lever_arm_;
@@ -67,7 +68,7 @@ class RapierBody {
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();  // since then
 };
 
-/// One contact as the substeps of Rapier change it.
+/// One contact with its changes in the substeps of Rapier.
 class RapierContact {
  public:
   RapierContact(const Collision& collision, const RapierSettings& settings)
@@ -148,12 +149,12 @@ class RapierContact {
   }
 
   Problem problem_;
-  impulse::Contact<double> contact_;  // with the velocities of the moment
+  impulse::Contact<double> contact_;  // with the current velocities
   RapierBody a_;
   RapierBody b_;
   RapierSettings settings_;
   double substep_;      // [s]
-  double distance_;     // of the material points at P along N; negative where they overlap [m]
+  double distance_;     // of the material points at P along N; negative if they overlap [m]
   double recovery_;     // erp_inv_dt [1/s]
   double softness_;     // cfm_factor
   double pushing_ = 0;  // the normal impulse of this substep [N s]
@@ -161,20 +162,32 @@ class RapierContact {
   bool has_pushed_ = false;
 };
 
-/// What Rapier answers. V is the relative velocity of the moment, p and f the normal impulse and the friction of one
-/// substep, which act as they change:
+/// The outcome of Rapier. V is the current relative velocity. p and f are the normal impulse and the friction of one
+/// substep. Their changes act at once.
 ///
-///   in each substep   ω by the gyroscopic torque; p N + f acts once more, as it did in the substep before (at first 0)
-///                     p = s max(0, p − (N·V + b) / N·K N), soft, and driven by the overlap
-///                     the speeds are cut to their limits, and the bodies move
-///                     p = max(0, p − (N·V + g) / N·K N), g = the gap over the substep, 0 where they overlap
-///                     f = f − (P K P)⁻¹ P V, P the projection across N; where ‖f‖ > μ p, f becomes f μ p / ‖f‖
-///   after the last    p = max(0, p − (N·V + ε N·V⁻) / N·K N), where ε > 0
+/// In each substep:
 ///
-/// With one short substep that is a push of p = −N·V⁻ / N·K N, friction of at most μ p, and what restitution then needs
-/// along N. Rapier: staged_island_solver/worker.rs, run_worker; contact_with_twist_friction.rs,
-/// ContactWithTwistFriction::{warmstart, solve} and ContactWithTwistFrictionBuilder::{update, update_rhs_wo_bias,
-/// apply_restitution}; contact_constraint_element.rs, the parts with `Slim` in their names.
+///  ω changes by the gyroscopic torque; p N + f acts again, as in the previous substep (at first 0)
+///  p = s max(0, p − (N·V + b) / N·K N), soft, and driven by the overlap
+///
+///  the speeds are clamped to their limits, and the bodies move
+///  p = max(0, p − (N·V + g) / N·K N), g = the gap over the substep, 0 if they overlap
+///
+///  f = f − (P K P)⁻¹ P V, P the projection across N; if ‖f‖ > μ p, f becomes f μ p / ‖f‖
+///
+/// After the last substep:
+///
+///  p = max(0, p − (N·V + ε N·V⁻) / N·K N), if ε > 0
+///
+/// With one short substep this is an impulse of p = −N·V⁻ / N·K N, friction of at most μ p, and the rest of the
+/// restitution along N.
+///
+/// Source: Rapier: staged_island_solver/worker.rs, run_worker; contact_constraint_element.rs, the parts with `Slim`
+/// in their names.
+///
+/// Source: contact_with_twist_friction.rs, ContactWithTwistFriction::{warmstart, solve} and
+/// ContactWithTwistFrictionBuilder::{update, update_rhs_wo_bias, apply_restitution}.
+///
 /// Precondition: the collision is valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> rapier(const Collision& collision, const RapierSettings& settings) {
   RapierContact contact(collision, settings);
