@@ -6,6 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../consumer/commands.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component carom)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component carom-scene)
 set(prefix "${WORK}/moved to/here")
 file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")

@@ -20,6 +20,7 @@
 #include <carom/properties/trial/nearest_name.hpp>
 
 #include "commands/options.hpp"
+#include "commands/plan_command.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
 #include "io/json_file.hpp"
@@ -28,6 +29,7 @@
 #include "io/staged_output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
+#include "plan/contacts_of_scene.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
@@ -311,5 +313,7 @@ void add_scene(CLI::App& app, Chosen& chosen) {
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_scene_file(*arguments); }; });
 }
+
+void add_plan_of_scenes(CLI::App& app, Chosen& chosen) { add_plan_with(app, chosen, plan::contacts_of_scene); }
 
 }  // namespace carom::tool

@@ -8,4 +8,7 @@ namespace carom::tool {
 /// The command `scene`.
 void add_scene(CLI::App& app, Chosen& chosen);
 
+/// The command `plan`, of scenes and of collisions.
+void add_plan_of_scenes(CLI::App& app, Chosen& chosen);
+
 }  // namespace carom::tool
