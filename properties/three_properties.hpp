@@ -12,16 +12,16 @@
 #include <carom/collision/precision.hpp>
 #include <carom/collision/solved_outcome.hpp>
 
-/// Read this first: what every collision response has, whatever its law.
+/// Read this first. It declares the properties of every collision response, under every law.
 ///
 /// Two bodies A and B touch at a point P. The normal N points from B to A. V⁻ and V⁺ are the relative velocities of the
 /// two contact points before and after the impulse F, and C is the collision matrix: C F = V⁺ − V⁻.
 ///
-/// A solver is any callable from a collision to the velocities after the impulse, const Collision& → Outcome<S> with S
-/// one of float, double and long double. A solver that shows its matrix returns SolvedOutcome<S>. Each property below
-/// is a function of a solver and a valid collision. The invariants that the property names judge the answer in exact
-/// arithmetic. They allow for the rounding of the
-/// solver's precision: inputs and outputs may be moved by 32 units in the last place to fulfil the property exactly.
+/// A solver is any callable from a collision to the velocities after the impulse: const Collision& → Outcome<S>. S is
+/// float, double or long double. A solver that shows its matrix returns SolvedOutcome<S>. Each property below is a
+/// function of a solver and a valid collision. The invariants that the property names judge the answer in exact
+/// arithmetic. They allow for the rounding of the solver's precision: the inputs and outputs may move by 32 units in
+/// the last place to satisfy the property exactly.
 ///
 ///     RC_GTEST_PROP(MySolver, NeverPenetrates, (const carom::Collision& collision)) {
 ///       RC_ASSERT(carom::properties::non_penetrating_post_velocity(my_solver, collision));
@@ -30,27 +30,27 @@ namespace carom::properties {
 
 /// One of the three properties.
 struct Property {
-  std::string_view name;       // a key: lower case, with underscores
+  std::string_view name;       // a key in lower case, with underscores
   std::string_view title;      // in words
   std::string_view statement;  // one sentence
-  /// The invariants that judge it, by their names in the catalogue. Their theorems are the property's
-  /// (`Proof`, invariants/proof.hpp).
+  /// The catalogue names of the invariants that judge the property. Their theorems prove it (`Proof`,
+  /// invariants/proof.hpp).
   std::vector<std::string_view> invariants;
 };
 
 /// Non-penetrating post-velocity, positive definiteness of C, and conservation of momentum.
 [[nodiscard]] std::span<const Property> three_properties();
 
-/// The judge's word on one answer.
+/// The judge's decision on one answer.
 struct Ruling {
   bool holds = true;
-  bool is_in_domain = true;  // where the property does not speak of the collision, it holds
+  bool is_in_domain = true;  // if false, the property does not apply to the collision, and `holds` is true
   std::string text = {};     // what is violated, or why the collision is not in the domain
 
   explicit operator bool() const { return holds; }
 };
 
-/// How RapidCheck prints it.
+/// Prints a ruling for RapidCheck.
 inline void showValue(const Ruling& ruling, std::ostream& out) { out << (ruling.holds ? "it holds" : ruling.text); }
 
 namespace detail {
@@ -73,18 +73,18 @@ template <class S>
 
 }  // namespace detail
 
-// A `precision` is to be given where it is not that of S.
+// Pass `precision` if the solver computes in another precision than that of S.
 
-/// After the impulse the bodies do not approach at the contact: N·V⁺ ≥ 0. It speaks of contacts with a movable body.
+/// After the impulse the bodies do not approach at the contact: N·V⁺ ≥ 0. It applies to contacts with a movable body.
 template <class Solver>
 [[nodiscard]] Ruling non_penetrating_post_velocity(Solver&& solver, const Collision& collision,
                                                    std::optional<Precision> precision = std::nullopt) {
   return detail::ruling("non_penetrating_post_velocity", collision, solver(collision), precision);
 }
 
-/// The collision matrix is symmetric and positive definite, with λI ⪯ C and λ = 1/m_A + 1/m_B > 0, and it is the matrix
-/// of the solve: C F = V⁺ − V⁻. It speaks of contacts with a movable body for which the solver shows C [1/kg], in world
-/// axes.
+/// The collision matrix is symmetric and positive definite, with λI ⪯ C and λ = 1/m_A + 1/m_B > 0. It is the matrix of
+/// the solve: C F = V⁺ − V⁻. The property applies to contacts with a movable body for which the solver shows C [1/kg],
+/// in world axes.
 template <class Solver>
 [[nodiscard]] Ruling positive_definiteness(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {
@@ -95,8 +95,8 @@ template <class Solver>
 }
 
 /// One body gains the linear momentum that the other loses: m_A Δv_A = −m_B Δv_B. Each body turns by the moment of its
-/// impulse, J Δw = r × (m Δv), so the angular momentum about every point is kept as well. If one body is immovable, the
-/// second part speaks alone.
+/// impulse, J Δw = r × (m Δv), so the angular momentum about every point is kept as well. If one body is immovable,
+/// only the second part applies.
 template <class Solver>
 [[nodiscard]] Ruling momentum_conservation(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {

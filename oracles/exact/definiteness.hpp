@@ -5,7 +5,7 @@
 
 #include <carom/oracles/exact/rational.hpp>
 
-/// Only the lower triangle of a matrix is read.
+/// These functions read only the lower triangle of a matrix.
 namespace carom::oracles {
 
 /// The seven principal minors, the determinant last. T is a ring.
@@ -20,7 +20,8 @@ template <class T>
 /// Whether xᵀ M x > 0 for every x ≠ 0, by the leading minors (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
 
-/// Whether xᵀ M x ≥ 0 for every x. Leading minors do not decide this (they can vanish), all seven principal minors do.
+/// Whether xᵀ M x ≥ 0 for every x. All seven principal minors are needed: leading minors can vanish and do not decide
+/// this.
 [[nodiscard]] bool is_positive_semidefinite(const Matrix3<Rational>& matrix);
 
 /// M − bound I.

@@ -8,10 +8,10 @@
 
 #include <carom/oracles/exact/rational.hpp>
 
-/// For the files that use CGAL alone, and not installed.
+/// Only the files that use CGAL include this header. It is not installed.
 namespace carom::oracles {
 
-/// The number that a Rational's bytes are.
+/// Reads and makes the CGAL number that a Rational stores in its bytes.
 struct Rational::Number {
   static const CGAL::Gmpq& of(const Rational& number) {
     return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_.data()));

@@ -12,7 +12,8 @@
 namespace carom::oracles {
 namespace {
 
-/// What a coefficient has to be multiplied by for √s to stand in place of its own root: √(s_x / s).
+/// The factor √(from / to) that converts a coefficient of √from into a coefficient of √to. Throws std::logic_error if
+/// the factor is irrational.
 Rational change_of_root(const Rational& from, const Rational& to) {
   RootBelow ratio = root_below(from / to);
   if (!ratio.is_exact) {
@@ -44,7 +45,7 @@ Radical Radical::root_of(const Rational& x) {
 template <class Operation>
 Radical Radical::combined(const Radical& x, const Radical& y, const Operation& operation) {
   if (!x.is_rational() && !y.is_rational() && x.under_root_ != y.under_root_) {
-    // Written with the root of x.
+    // Write y with the root of x.
     const Rational coefficient = y.coefficient_ * change_of_root(y.under_root_, x.under_root_);
     return combined(x, {y.rational_, coefficient, x.under_root_}, operation);
   }
@@ -67,7 +68,7 @@ Rational approximately(const Radical& number) {
   if (sign_of(number.rational_part()) * sign_of(number.coefficient()) >= 0) {
     return number.rational_part() + by_root;
   }
-  // Without cancellation: (p² − q² s) / (p − q √s).
+  // This form avoids cancellation: (p² − q² s) / (p − q √s).
   const Rational& p = number.rational_part();
   const Rational& q = number.coefficient();
   return (p * p - q * q * number.under_the_root()) / (p - by_root);

@@ -15,14 +15,14 @@ class Radical;
 /// −1, 0 or 1.
 [[nodiscard]] int sign_of(const Radical& number);
 
-/// p + q √s with rational p, q and s ≥ 0, exactly: the numbers in which friction has its truth, ℚ(√s). Numbers whose
-/// roots differ by more than a rational factor cannot be combined; of a law there is one root a collision. √s is
-/// irrational wherever q is not zero.
+/// The exact number p + q √s with rational p, q and s ≥ 0. The truth of a law with friction lies in this field, ℚ(√s).
+/// Two numbers cannot be combined if their roots differ by more than a rational factor. A law needs only one root for
+/// each collision. √s is irrational if q is not zero.
 class Radical {
  public:
   Radical() = default;
   template <std::same_as<int> Int>
-  Radical(Int whole) : rational_(whole) {}  // NOLINT(google-explicit-constructor): formulas say 0, 1 and 2
+  Radical(Int whole) : rational_(whole) {}  // NOLINT(google-explicit-constructor): formulas contain 0, 1 and 2
   explicit Radical(const Rational& rational) : rational_(rational) {}
   explicit Radical(double number) : rational_(number) {}
 
@@ -31,7 +31,7 @@ class Radical {
 
   [[nodiscard]] const Rational& rational_part() const { return rational_; }     // p
   [[nodiscard]] const Rational& coefficient() const { return coefficient_; }    // q
-  [[nodiscard]] const Rational& under_the_root() const { return under_root_; }  // s; of no account where q = 0
+  [[nodiscard]] const Rational& under_the_root() const { return under_root_; }  // s; meaningless if q = 0
   [[nodiscard]] bool is_rational() const { return sign_of(coefficient_) == 0; }
 
   Radical operator-() const { return {-rational_, -coefficient_, under_root_}; }
@@ -40,7 +40,7 @@ class Radical {
   Radical& operator*=(const Radical& other) { return *this = *this * other; }
   Radical& operator/=(const Radical& other) { return *this = *this / other; }
 
-  /// These throw std::logic_error where the roots differ by more than a rational factor.
+  /// The operators throw std::logic_error if the roots differ by more than a rational factor.
   friend Radical operator+(const Radical& x, const Radical& y);
   friend Radical operator-(const Radical& x, const Radical& y);
   friend Radical operator*(const Radical& x, const Radical& y);
@@ -75,13 +75,13 @@ class Radical {
 /// Within 2⁻¹⁵⁰ of the number, relatively.
 [[nodiscard]] Rational approximately(const Radical& number);
 
-/// Within one unit in the last place: for scales and for print.
+/// Within one unit in the last place. Use it for scales and for print.
 [[nodiscard]] double to_double(const Radical& number);
 
-/// The binary64 number nearest to it, but for numbers within 2⁻¹⁵⁰ of the middle between two.
+/// The nearest binary64 number, except if the number is within 2⁻¹⁵⁰ of the middle between two of them.
 [[nodiscard]] double nearest_double(const Radical& number);
 
-/// "p + q √(s)", "p" where it is rational.
+/// "p + q √(s)", or "p" if the number is rational.
 [[nodiscard]] std::string to_text(const Radical& number);
 
 }  // namespace carom::oracles

@@ -82,7 +82,7 @@ int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number
 
 RootBelow root_below(const Rational& number) {
   CAROM_EXPECTS(number >= 0, number);
-  // √(n/d) = √(n d 4^k) / (d 2^k): the integer root of a number of 320 bits or more loses less than 2⁻¹⁶⁰ of itself.
+  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root of a number of at least 320 bits has a relative error below 2⁻¹⁶⁰.
   constexpr std::size_t least_bits = 322;
   const CGAL::Gmpq& x = Rational::Number::of(number);
   const CGAL::Gmpz product = x.numerator() * x.denominator();
@@ -107,7 +107,7 @@ Rational sqrt(const Rational& number) {
 
 std::ostream& operator<<(std::ostream& out, const Rational& number) {
   const CGAL::Gmpq& value = Rational::Number::of(number);
-  std::ostringstream text;  // one field, whatever the width
+  std::ostringstream text;  // one field, for any width
   text << value.numerator();
   if (value.denominator() != 1) {
     text << '/' << value.denominator();
@@ -117,7 +117,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 
 Rational lift(long double number) {
   CAROM_EXPECTS(std::isfinite(number), number);
-  // Doubles take the mantissa off in pieces, whatever format long double has here.
+  // The loop takes the mantissa off in doubles, so it works for every format of long double.
   int exponent = 0;
   Rational result;
   for (long double rest = std::frexp(number, &exponent); rest != 0;) {
@@ -137,7 +137,7 @@ Outcome<Rational> lift(const Outcome<long double>& outcome) {
 }
 
 double nearest_double(const Rational& number) {
-  // mpq_get_d rounds toward zero, so the nearest number is this one or its neighbour away from zero.
+  // mpq_get_d rounds toward zero, so the nearest number is `below` or its neighbour away from zero.
   const double below = to_double(number);
   const double away = number < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   const double above = std::nextafter(below, away);

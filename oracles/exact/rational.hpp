@@ -14,18 +14,19 @@
 
 namespace carom::oracles {
 
-/// An exact rational number: CGAL::Gmpq, kept out of sight. Every finite floating-point number is one. CGAL's headers
-/// take seconds to compile, and the operators of Gmpq, some hundred functions, take part in overload resolution
-/// wherever two matrices are added or multiplied: only the files that include gmpq.hpp see them.
+/// An exact rational number, which hides a CGAL::Gmpq. Every finite floating-point number is a rational number. Only
+/// the files that include gmpq.hpp see CGAL, because its headers take seconds to compile. The operators of Gmpq are
+/// some hundred functions. They would take part in overload resolution for each sum and product of matrices.
 class Rational {
  public:
   Rational();  // zero
-  /// Formulas say 0, 1 and 2. Of no other type: a double would lose its fraction on the way to int.
+  /// Formulas contain 0, 1 and 2. No other type is accepted: a double would lose its fraction in the conversion to int.
   template <std::same_as<int> Int>
   Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.
   Rational(int numerator, int denominator);
-  /// The number itself, without rounding. Precondition: finite (CGAL ends the process on any other).
+  /// The number itself, without rounding. Precondition: the number is finite. CGAL ends the process for any other
+  /// number.
   explicit Rational(double number);
   /// An integer in decimal digits.
   explicit Rational(const std::string& digits);
@@ -40,7 +41,7 @@ class Rational {
   Rational& operator*=(const Rational& other) { return *this = *this * other; }
   Rational& operator/=(const Rational& other) { return *this = *this / other; }
 
-  /// The number · 2^exponent: the exponent may lie outside the range of double.
+  /// The number · 2^exponent. The exponent may be outside the range of double.
   [[nodiscard]] Rational times_power_of_two(int exponent) const;
 
   friend Rational operator+(const Rational& left, const Rational& right);
@@ -59,13 +60,13 @@ class Rational {
     return left.compared_with(right) <=> 0;
   }
   friend Rational abs(const Rational& number) { return number < 0 ? -number : number; }
-  /// As to_text.
+  /// Writes the text of `to_text`.
   friend std::ostream& operator<<(std::ostream& out, const Rational& number);
   friend double to_double(const Rational& number);
   friend int sign_of(const Rational& number);
   friend struct RootBelow root_below(const Rational& number);
 
-  struct Number;  // the access to CGAL's number, in gmpq.hpp
+  struct Number;  // access to CGAL's number, in gmpq.hpp
 
  private:
   template <class Make>
@@ -84,26 +85,26 @@ class Rational {
 /// Precondition: every number of the outcome is finite.
 [[nodiscard]] Outcome<Rational> lift(const Outcome<long double>& outcome);
 
-/// Within one unit in the last place: for scales and for print.
+/// Within one unit in the last place. Use it for scales and for print.
 [[nodiscard]] double to_double(const Rational& number);
 
-/// The binary64 number nearest to it, ties to even.
+/// The nearest binary64 number, ties to even.
 [[nodiscard]] double nearest_double(const Rational& number);
 
 /// −1, 0 or 1.
 [[nodiscard]] int sign_of(const Rational& number);
 
-/// √x from below, to within 2⁻¹⁶⁰ of itself; exact where √x is rational. Precondition: x ≥ 0.
+/// √x rounded down, with a relative error of at most 2⁻¹⁶⁰. It is exact if √x is rational. Precondition: x ≥ 0.
 struct RootBelow {
   Rational root;
   bool is_exact;
 };
 [[nodiscard]] RootBelow root_below(const Rational& number);
 
-/// √x. Throws std::domain_error where it is irrational. Precondition: x ≥ 0.
+/// √x. Throws std::domain_error if it is irrational. Precondition: x ≥ 0.
 [[nodiscard]] Rational sqrt(const Rational& number);
 
-/// "p/q" in lowest terms, "p" where q = 1.
+/// "p/q" in lowest terms, or "p" if q = 1.
 [[nodiscard]] std::string to_text(const Rational& number);
 
 [[nodiscard]] bool is_finite(const Outcome<long double>& outcome);

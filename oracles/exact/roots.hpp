@@ -7,12 +7,12 @@
 
 namespace carom::oracles {
 
-/// The coefficients of a polynomial over ℚ, that of x⁰ first; at least one.
+/// The coefficients of a polynomial over ℚ, from x⁰ up. There is at least one.
 using Coefficients = std::vector<Rational>;
 
-/// The distinct roots x > 0 of `polynomial` with side(x) > 0, in ascending order, each to within 2^−bits of itself.
-/// They are isolated and counted exactly, by CGAL's algebraic kernel. Preconditions: `polynomial` is not zero; bits >
-/// 0.
+/// The distinct roots x > 0 of `polynomial` with side(x) > 0, in ascending order. Each has a relative error of at most
+/// 2^−bits. CGAL's algebraic kernel isolates and counts them exactly. Preconditions: `polynomial` is not zero; `side`
+/// has a coefficient; bits > 0.
 [[nodiscard]] std::vector<Rational> positive_roots(const Coefficients& polynomial, const Coefficients& side, int bits);
 
 }  // namespace carom::oracles

@@ -11,8 +11,8 @@
 namespace carom::oracles {
 namespace {
 
-/// An upper bound of the condition number of a symmetric positive definite matrix: its largest eigenvalue is at most
-/// the trace t, the product of the other two at most (t/2)², hence κ ≤ t³ / (4 det).
+/// An upper bound of the condition number of a symmetric positive definite matrix. Its largest eigenvalue is at most
+/// the trace t. The product of the other two is at most (t/2)². Hence κ ≤ t³ / (4 det).
 double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
   const Vector3<Approximation> c0 = matrix.col(0);
@@ -21,7 +21,8 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// N·v and N·(w × (P − X)) of each body, each product of components at most that of the sums of their sizes.
+/// An upper bound of the sum of the sizes of the terms of N·V⁻: N·v and N·(w × (P − X)) of each body. A product of
+/// vectors is bounded by the product of their 1-norms.
 double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
@@ -32,7 +33,7 @@ double sum_of_sizes(const Collision& c) {
   return size(c.normal) * sum;
 }
 
-/// A number known to six digits, and so its sign (case_bounds.hpp).
+/// Whether the number, and so its sign, is known to six digits (case_bounds.hpp).
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
   return std::abs(normal_velocity) > case_bounds::known_share_of_normal_velocity * sensitivity_above;
 }

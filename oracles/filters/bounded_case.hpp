@@ -15,7 +15,7 @@
 
 namespace carom::oracles {
 
-/// What the filters know of a valid collision: approximations with bounds, each worked out when first asked for. For
+/// The facts that the filters know of a valid collision: approximations with bounds. Each is computed on first use. For
 /// one thread.
 class BoundedCase {
  public:
@@ -28,69 +28,69 @@ class BoundedCase {
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
   [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
 
-  /// Whether no number is out of the ordinary (moderate.hpp): scales and sensitivities are then surely finite.
+  /// Whether every number is moderate (moderate.hpp). Scales and sensitivities are then certainly finite.
   [[nodiscard]] bool is_moderate() const;
 
   struct NormalVelocity {
-    double value;  // rounded, to six digits
+    double value;  // rounded, correct to six digits
     int sign;      // −1, 0 or 1
   };
-  /// N·V⁻, where the bounds decide it.
+  /// N·V⁻, if the bounds decide it.
   [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
 
   /// At least Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
-  /// ‖y_k⁻‖; also a lower bound of any sensitivity, of which it is a term.
+  /// ‖y_k⁻‖. It is also a lower bound of every sensitivity, because it is a term of the sensitivity.
   [[nodiscard]] const Sensitivity& norms_before() const;
 
-  /// The norms of the derivatives of an equation by the vectors of an outcome; worked out by `differentiate` when first
-  /// asked for.
+  /// The norms of the derivatives of an equation with respect to the vectors of an outcome. `differentiate` computes
+  /// them on first use.
   template <class Differentiate>
   [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
     return slopes_[equation].get(differentiate);
   }
 
-  /// The collision with its numbers as inputs of differentiation.
+  /// The collision, with its numbers as inputs of differentiation.
   [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
-  /// The law's answer to a contact that collides, to about 100 bits, with its bound; not certified, since no equation
-  /// holds exactly for it. Preconditions: as of colliding_truth.
+  /// The law's answer to a contact that collides, to about 100 bits, with its bound. It is not certified, because no
+  /// equation holds exactly for it. Preconditions: those of the function `colliding_truth` (models.hpp).
   [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model, Branch branch) const;
 
-  /// A lower bound of the sensitivity of that answer, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's answer
-  /// is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half
-  /// covers the rounding of the sum, of which ten digits are kept, and its own. Preconditions: is_moderate(), and as of
-  /// colliding_truth.
+  /// A lower bound of the sensitivity of `colliding_truth`, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's
+  /// answer is homogeneous of degree one in the velocities. So the sum over the velocities alone is at least ‖y_k‖
+  /// (Euler). The factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten digits.
+  /// Preconditions: is_moderate(), and those of `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model, Branch branch) const;
 
-  /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp), where
-  /// bounds decide it. Precondition: a body is movable.
+  /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp). No
+  /// value if the bounds do not decide it. Precondition: a body is movable.
   [[nodiscard]] std::optional<bool> is_inside_cone() const;
   [[nodiscard]] std::optional<bool> reaches_cone() const;
 
-  /// Whether on the cone's surface the sensitivity of `rough` is surely finite. Preconditions: is_moderate(); a body is
-  /// movable.
+  /// Whether the sensitivity of `rough` on the cone's surface is certainly finite. Preconditions: is_moderate(); a body
+  /// is movable.
   [[nodiscard]] bool has_clear_divisor() const;
 
-  /// Whether κ(K) < 2²⁰: binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
+  /// Whether κ(K) < 2²⁰. Binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  /// K and λ with bounds.
+  /// K and λ, with bounds.
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of ‖K‖_F where binary64 cannot have lost it, and of λ
-  /// (case_bounds.hpp). Precondition: is_moderate().
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if that is larger and rounding cannot have destroyed
+  /// it (case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
-  /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
+  /// The inertia tensor of a body in world coordinates, rounded. It is zero if the body is immovable.
   [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
 
  private:
-  /// What is known of one model.
+  /// The facts about one model.
   struct OfModel {
     Lazy<Truth<Enclosure>> truth;
     Lazy<Sensitivity> sensitivity_below;
@@ -108,7 +108,7 @@ class BoundedCase {
   Lazy<BasicCollision<Enclosure>> enclosed_;
   Lazy<BasicCollision<Approximation>> approximate_;
   Lazy<ApproximateResponse> approximate_response_;
-  Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large, and seldom asked for
+  Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large and seldom used
   Lazy<double> normal_velocity_sensitivity_above_;
   Lazy<Sensitivity> norms_before_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;

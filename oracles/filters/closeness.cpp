@@ -40,7 +40,7 @@ bool Closeness::shows(const Equation& equation) const {
   return is_of_normal_velocity && knows_normal_velocity();
 }
 
-/// N·V⁺ has the slopes ‖N‖ by velocities and ‖r × N‖ by angular velocities. The latter cancels where r is along N.
+/// The slopes of N·V⁺ are ‖N‖ for velocities and ‖r × N‖ for angular velocities. r × N cancels if r is along N.
 bool Closeness::knows_normal_velocity() const {
   const Collision& c = bounds_->collision();
   const double normal = c.normal.norm();
@@ -56,8 +56,8 @@ bool Closeness::knows_normal_velocity() const {
   return noise <= closeness_bounds::share_for_noise * scale;
 }
 
-/// E⁺ − W has the slopes ‖m (v̂ − u)‖, u the velocity of a driven wall at the contact point, and ‖J ŵ‖. They cancel
-/// where the body is nearly at rest after the impulse, or moves along with the wall.
+/// The slopes of E⁺ − W are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of a driven wall at the contact point. The slopes
+/// cancel if the body is nearly at rest after the impulse, or moves with the wall.
 bool Closeness::shows_energy() const {
   if (bounds_ == nullptr || !creates_no_energy(model_)) {
     return false;
@@ -84,7 +84,7 @@ bool Closeness::shows_energy() const {
     return is_close_[v] && is_close_[w];
   };
   const Outcome<double>& after = outcome_->rounded();
-  // Where every error is zero, nothing is missed; else the scale has to be a number.
+  // If every error is zero, no law can fail. Otherwise the scale must be large enough for the judge.
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, bounds_->inertia_of_a(), OutcomeVector::velocity_of_a,
                   OutcomeVector::angular_velocity_of_a) &&

@@ -8,28 +8,28 @@
 
 namespace carom::oracles {
 
-/// An outcome ŷ that is close to the truth y keeps every law within what is allowed, and no law has to be evaluated for
-/// it. The truth satisfies each law g exactly (ExactCase::truth is certified, the tests prove the inequalities), g is
-/// affine in the outcome, or convex: the kinetic energy, and what is missed of it is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖.
-/// Why that is within what is allowed, rounding and all, is said in inequalities in closeness_bounds.hpp.
+/// If an outcome ŷ is close to the truth y, it keeps every law within the allowance, and no law has to be evaluated.
+/// The truth satisfies each law g exactly: ExactCase::truth is certified, and tests prove the inequalities. g is affine
+/// in the outcome, or convex (the kinetic energy). The residual of g is therefore at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖.
+/// The inequalities in closeness_bounds.hpp show that this is within the allowance, including all rounding.
 class Closeness {
  public:
-  /// Close to nothing.
+  /// A closeness that shows nothing.
   Closeness() = default;
 
-  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the model is one of `models_with_truth`; the allowance is
-  /// that of a yardstick that uses bounds; collision and outcome are moderate.
+  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the model is one of `models_with_truth`; the allowance
+  /// belongs to a yardstick that uses bounds; collision and outcome are moderate.
   Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome& outcome, const PerVector<double>& error_above,
             double allowance);
 
-  /// Whether it shows that the equation holds. Precondition: the equation speaks of this collision.
+  /// Whether closeness shows that the equation holds. Precondition: the equation applies to this collision.
   [[nodiscard]] bool shows(const Equation& equation) const;
 
-  /// Whether it shows that the energy grows by no more than the work of a driven wall.
+  /// Whether closeness shows that the energy grows by at most the work of a driven wall.
   [[nodiscard]] bool shows_energy() const;
 
-  /// Whether it shows that the vectors are as before the impulse, to within a · ‖y_k⁻‖. Precondition: so are those of
-  /// the truth.
+  /// Whether closeness shows that the vectors are unchanged by the impulse, to within a · ‖y_k⁻‖. Precondition: the
+  /// truth leaves these vectors unchanged.
   [[nodiscard]] bool shows_untouched(std::span<const OutcomeVector> which) const;
 
  private:

@@ -9,14 +9,14 @@
 
 namespace carom::oracles {
 
-/// Whether xᵀ M x ≥ 0 for every x, where the bounds decide it.
+/// Whether xᵀ M x ≥ 0 for every x, or no value if the bounds do not decide it.
 [[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
 [[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix);
 
-/// Whether bound I ⪯ M: by enclosures where these decide it, else exactly.
+/// Whether bound I ⪯ M. Enclosures decide if they can; otherwise rationals decide.
 [[nodiscard]] bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
-/// Whether M ⪯ bound I, the same.
+/// Whether M ⪯ bound I. Enclosures decide if they can; otherwise rationals decide.
 [[nodiscard]] bool is_at_most_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
 }  // namespace carom::oracles

@@ -7,14 +7,14 @@
 
 namespace carom::oracles {
 
-/// A value that is made when it is first asked for, and then kept. For one thread.
+/// A value that is computed on first use and then kept. For one thread.
 template <class T>
 class Lazy {
  public:
   Lazy() = default;
   explicit Lazy(T known) : value_(std::move(known)) {}
 
-  /// The value, made by `make()` the first time. Precondition: `make` does not ask for the same value.
+  /// The value. The first call makes it with `make()`. Precondition: `make` does not request the same value.
   template <class Make>
   const T& get(const Make& make) const {
     if (!value_) {
@@ -27,7 +27,7 @@ class Lazy {
   mutable std::optional<T> value_;
 };
 
-/// Many such values, each with a key. A reference to one stays valid.
+/// Lazy values, each with a key. A reference to a value stays valid.
 template <class Key, class T>
 class LazyMap {
  public:

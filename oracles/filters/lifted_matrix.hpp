@@ -15,17 +15,17 @@
 
 namespace carom::oracles {
 
-/// A collision matrix as a subject shows it, and without rounding. For one thread.
+/// The collision matrix that a subject shows, as reported and without rounding. For one thread.
 class LiftedMatrix {
  public:
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
 
   explicit LiftedMatrix(Matrix3<Rational> exact) : exact_(std::move(exact)) {}
 
-  /// As it was reported; nullptr where it was given exactly.
+  /// The matrix as reported; nullptr if it was given exactly.
   [[nodiscard]] const Matrix3<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 
-  /// Whether every number is. Where not, only this and `reported` may be asked.
+  /// Whether every number is finite. If not, only this function and `reported` may be called.
   [[nodiscard]] bool is_finite() const {
     return !reported_ || std::all_of(reported_->data(), reported_->data() + reported_->size(),
                                      [](long double x) { return std::isfinite(x); });
@@ -36,8 +36,8 @@ class LiftedMatrix {
         [this]() -> Matrix3<Rational> { return reported_->unaryExpr([](long double x) { return lift(x); }); });
   }
 
-  /// In the numbers T: exact rationals; approximations and enclosures with their bounds; of any other T rounded.
-  /// Precondition for approximations: it was reported.
+  /// The matrix in numbers of type T: exact rationals, or approximations and enclosures with their bounds. Any other T
+  /// is rounded. Precondition for approximations: the matrix was reported.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
     CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));
@@ -52,7 +52,7 @@ class LiftedMatrix {
   }
 
  private:
-  /// Dual numbers have a scalar of their own.
+  /// Dual numbers convert from their own scalar type.
   template <class T>
   static T rounded(double x) {
     if constexpr (requires(T number) { number.value; }) {

@@ -17,10 +17,10 @@
 
 namespace carom::oracles {
 
-/// An outcome as it is judged: exactly, as approximations, as enclosures, and rounded. For one thread.
+/// An outcome in the forms in which it is judged: exact, approximate, enclosed, and rounded. For one thread.
 class LiftedOutcome {
  public:
-  /// Where a number is not finite, only `is_moderate` may be asked.
+  /// If a number is not finite, only `is_moderate` may be called.
   explicit LiftedOutcome(const ReportedOutcome& reported) : reported_(reported), is_moderate_(is_moderate(reported)) {
     if (reported.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*reported.collision_matrix);
@@ -37,17 +37,17 @@ class LiftedOutcome {
     }
   }
 
-  /// As the subject reported it; nullptr where it was computed in ℚ.
+  /// The outcome as the subject reported it; nullptr if it was computed in ℚ.
   [[nodiscard]] const Outcome<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 
-  /// The collision matrix that was shown with it; nullptr where none was.
+  /// The collision matrix that was shown with the outcome; nullptr if there was none.
   [[nodiscard]] const LiftedMatrix* collision_matrix() const { return collision_matrix_.get(); }
 
-  /// Whether it was reported, and holds no number that is out of the ordinary (`is_moderate`): its products then stay
-  /// in the range of numbers.
+  /// Whether the outcome was reported and every number in it is moderate (moderate.hpp). Its products then stay in the
+  /// range of numbers.
   [[nodiscard]] bool is_moderate() const { return is_moderate_; }
 
-  /// Precondition: reported.
+  /// Precondition: the outcome was reported.
   [[nodiscard]] Outcome<Approximation> approximate() const {
     CAROM_EXPECTS(reported_.has_value());
     return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
@@ -65,7 +65,7 @@ class LiftedOutcome {
     return further().exact.get([this] { return lift(*reported_); });
   }
 
-  /// Whether `rounded` is the reported outcome itself. Precondition: reported.
+  /// Whether `rounded` is the reported outcome itself. Precondition: the outcome was reported.
   [[nodiscard]] bool is_exactly_rounded() const {
     CAROM_EXPECTS(reported_.has_value());
     bool is_exact = true;
@@ -75,11 +75,11 @@ class LiftedOutcome {
     return is_exact;
   }
 
-  /// ‖ŷ_k‖, but for a few roundings.
+  /// ‖ŷ_k‖, up to a few roundings.
   [[nodiscard]] PerVector<double> norms() const { return norms_of(rounded()); }
 
  private:
-  /// What most outcomes are judged without.
+  /// Forms that most judgements do not need.
   struct Further {
     Lazy<Outcome<Enclosure>> enclosed;
     Lazy<Outcome<Rational>> exact;
@@ -89,7 +89,7 @@ class LiftedOutcome {
     return *further_.get([] { return std::make_unique<Further>(); });
   }
 
-  /// Each number moderate.
+  /// Whether every number is moderate.
   static bool is_moderate(const Outcome<long double>& reported) {
     bool moderate = true;
     for (const Vector3<long double>* part : vectors(reported)) {

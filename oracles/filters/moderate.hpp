@@ -6,25 +6,24 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/quantities.hpp>
 
-/// Collisions whose numbers are all of ordinary size, so that nothing that is made of them leaves the range of
-/// binary64.
+/// Collisions whose numbers all have ordinary sizes, so that no number computed from them leaves the range of binary64.
 namespace carom::oracles {
 
-/// Of a collision's numbers the zeros, and those between these.
+/// The limits of the nonzero numbers of a moderate collision. Zeros are moderate.
 inline constexpr double smallest_moderate = 0x1p-64;
 inline constexpr double largest_moderate = 0x1p+44;
-/// Of masses.
+/// The upper limit of masses.
 inline constexpr double largest_moderate_mass = 0x1p+64;
-/// Of moments of inertia.
+/// The limits of moments of inertia.
 inline constexpr double smallest_moderate_moment = 0x1p-104;
 inline constexpr double largest_moderate_moment = 0x1p+104;
-/// Of normals and orientations, of which the direction alone matters.
+/// The limits of the components of normals and orientations. Only the direction of these vectors matters.
 inline constexpr double smallest_moderate_direction = 0x1p-110;
 inline constexpr double largest_moderate_direction = 0x1p+110;
-/// Of the components of an outcome, which may be as small as they like.
+/// The upper limit of the components of an outcome. They may be arbitrarily small.
 inline constexpr double largest_moderate_outcome = 0x1p+63;
 
-/// What the inequalities (2) to (5) of `is_moderate` say, each found by running the laws over magnitudes
+/// The constants of inequalities (2) to (5) of `is_moderate`. Each was found by running the laws over magnitudes
 /// (docs/internals/bounds.md).
 inline constexpr double largest_scale_of_moderate = 0x1p+245;
 inline constexpr double largest_scale_of_moderate_friction = 0x1p+569;
@@ -32,15 +31,15 @@ inline constexpr double largest_sensitivity_of_moderate = 0x1p+594;
 inline constexpr double largest_on_the_way_of_moderate = 0x1p+920;
 inline constexpr double least_slope_of_moderate = 0x1p-280;
 
-/// Whether every number of the collision is moderate, and the extents of its bodies (quantities.hpp) are. If it is
-/// valid, then, for a moderate outcome, M being the largest moderate mass:
+/// Whether every number of the collision and the extents of its bodies (quantities.hpp) are moderate. For a valid
+/// moderate collision and a moderate outcome, with M the largest moderate mass:
 ///
-///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M;
-///   (2) Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) ≤ 2²⁴⁵ for every law g: its scale; ≤ 2⁵⁶⁹ for those
-///       of friction, which have the impulse in second degree;
-///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the truth y of either law, by (1), and Σ_q ‖∂K/∂q‖ ‖q‖ too;
-///   (4) whatever is computed on the way is at most 2⁹²⁰, so that nothing overflows;
-///   (5) a slope ∂g/∂ŷ_k of an affine law is zero or at least 2⁻²⁸⁰ in size.
+///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M.
+///   (2) The scale Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) of every law g is at most 2²⁴⁵. For the laws of
+///       friction it is at most 2⁵⁶⁹, because they have the impulse in second degree.
+///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the truth y of either law, by (1). Σ_q ‖∂K/∂q‖ ‖q‖ has the same bound.
+///   (4) Every intermediate number is at most 2⁹²⁰, so that nothing overflows.
+///   (5) A slope ∂g/∂ŷ_k of an affine law is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
   bool moderate = true;
   for_each_number(

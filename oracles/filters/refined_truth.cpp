@@ -27,7 +27,7 @@ Outcome<Approximation> ApproximateResponse::operator()(const Vector3<Approximati
 
 namespace {
 
-/// A collision in the arithmetics of refinement.
+/// A collision in the number types that refinement uses.
 struct Arithmetics {
   const Collision& rounded;
   const BasicCollision<Enclosure>& enclosed;
@@ -35,7 +35,8 @@ struct Arithmetics {
   const ApproximateResponse& response;
 };
 
-/// The impulse by which a linear law brings about what it asks for of a change, and what that adds to the velocities.
+/// The impulse by which a linear law causes the wanted change of relative velocity, and the changes of the body
+/// velocities.
 template <class Law>
 Truth<Enclosure> refined(const Arithmetics& of, const Vector3<Enclosure>& wanted) {
   const auto middle = [](const auto& x) { return x.middle(); };

@@ -11,31 +11,31 @@
 
 namespace carom::oracles {
 
-/// The number as an approximation, with what it is not known to.
+/// Converts x to the other number type. The result includes the error bound of x.
 [[nodiscard]] Approximation approximation_of(const Enclosure& x);
 
 [[nodiscard]] Enclosure enclosure_of(const Approximation& x);
 
-/// How a collision answers to impulses, approximately.
+/// The approximate response of a collision to impulses.
 struct ApproximateResponse {
   explicit ApproximateResponse(const BasicCollision<Approximation>& collision);
 
-  /// The change of all velocities, by superposition.
+  /// The changes of all velocities, by superposition.
   [[nodiscard]] Outcome<Approximation> operator()(const Vector3<Approximation>& impulse) const;
 
   std::array<Outcome<Approximation>, 3> units;
   Matrix3<Approximation> matrix;
 };
 
-/// The law's answer to a contact that collides, to about 100 bits, at a small part of the cost: one step of iterative
-/// refinement (J. Wilkinson), with bounds. Any impulse F̂ that the law permits leaves the change ΔV − K F̂ to be made up
-/// for; F is F̂ and the impulse for that, exactly, so that F̂ needs no bound, and the second impulse, smaller by the
-/// precision of binary64, no more than that of approximations. Preconditions: as of impulse_for.
+/// The law's answer to a contact that collides, to about 100 bits, at a small part of the cost. It takes one step of
+/// iterative refinement (J. Wilkinson), with bounds. Any impulse F̂ that the law permits leaves the change ΔV − K F̂. The
+/// impulse F is exactly F̂ plus the impulse for this remaining change, so F̂ needs no bound. The second impulse is
+/// smaller by the precision of binary64, so approximations suffice for it. Preconditions: those of impulse_for.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
                                              const BasicCollision<Approximation>& approximate, Model model,
                                              Branch branch, const ApproximateResponse& approximate_response);
 
-/// Whether every number has a bound.
+/// Whether every number has a finite bound.
 [[nodiscard]] bool is_bounded(const Truth<Enclosure>& truth);
 
 }  // namespace carom::oracles

@@ -5,7 +5,7 @@
 namespace carom::oracles {
 namespace {
 
-/// Two movable bodies, and no number that is zero or that stands twice.
+/// A collision with two movable bodies, in which no number is zero and no number occurs twice.
 Collision general_collision() {
   Collision c;
   double next = 1;

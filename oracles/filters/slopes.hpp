@@ -5,18 +5,18 @@
 #include <carom/oracles/numbers/inputs.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// How an equation g(x, y) answers to changes of the inputs and of the outcome.
+/// The derivatives of an equation g(x, y) with respect to the inputs x and the outcome y.
 namespace carom::oracles {
 
-/// ∂g_i/∂x_j, g = left − right.
+/// ∂g_i/∂x_j, with g = left − right.
 template <class S, std::size_t N, int Size>
 [[nodiscard]] S derivative_of(const Sides<Dual<S, N>, Size>& sides, std::size_t component, std::size_t input) {
   const auto row = static_cast<Eigen::Index>(component);
   return sides.left[row].derivative[input] - sides.right[row].derivative[input];
 }
 
-/// ‖∂g/∂ŷ_k‖, by the Frobenius norm, of the four vectors of an outcome. N is at least its twelve numbers; R is the type
-/// of the outcome's numbers.
+/// ‖∂g/∂ŷ_k‖, in the Frobenius norm, for the four vectors of an outcome. N is at least 12, the count of an outcome's
+/// numbers. R is the type of these numbers.
 template <class S, std::size_t N, class OneEquation, class R>
 [[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
                                          const Outcome<R>& outcome) {
@@ -45,11 +45,12 @@ template <class S, class OneEquation, class R>
                              [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }
 
-/// Of an equation that is affine in the outcome: they do not depend on it. Precondition: name_of(equation).
+/// ‖∂g/∂ŷ_k‖ for an equation that is affine in the outcome. These norms do not depend on the outcome. Precondition:
+/// name_of(equation) is set.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 
-/// The vectors of an outcome that an equation speaks of: those by which its derivative is not zero, for a collision in
-/// which nothing vanishes.
+/// The vectors of an outcome that occur in an equation. The derivative with respect to each of them is not zero, for a
+/// collision in which nothing vanishes.
 [[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
 
 }  // namespace carom::oracles

@@ -8,15 +8,15 @@
 
 namespace carom::oracles {
 
-/// What decides: the cheapest that can.
+/// The stages of a decision, from cheap to expensive. The cheapest stage that can decide does so.
 enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
 inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
                                        Stage::rational};
 static_assert(counts_from_zero_to(all_stages, Stage::rational));
 
-/// How much each stage has decided, by the calling thread since it began: comparisons, of which a verdict takes one or
-/// more.
+/// For each stage, the number of comparisons that it has decided since the calling thread began. A verdict takes one or
+/// more comparisons.
 using StageCounts = EnumArray<Stage, std::uint64_t, all_stages.size()>;
 
 namespace detail {
@@ -27,8 +27,9 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
 
-/// Approximations carry bounds of n u or more of the sum of a law's terms, n the most roundings of a term, thirty:
-/// where less than some tens of n u is allowed, they would decide too seldom to be tried.
+/// The bounds of an approximation are at least n u times the sum of the sizes of a law's terms. n = 30 is the largest
+/// number of roundings of a term. For an allowance below some tens of n u, approximations decide too seldom to be worth
+/// trying.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

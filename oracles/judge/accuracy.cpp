@@ -15,7 +15,7 @@
 namespace carom::oracles {
 namespace {
 
-/// Twice the kinetic energy, m v² + Σ I_i w_i² over the movable bodies, w along the body axes: a sum without
+/// Twice the kinetic energy, m v² + Σ I_i w_i² over the movable bodies, with w along the body axes. The sum has no
 /// cancellation.
 template <class T>
 T twice_energy(const BasicCollision<T>& collision, const Outcome<T>& change) {
@@ -44,7 +44,7 @@ std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
 template <class T>
 inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;
 
-/// The collision and the outcome in the field of a truth.
+/// The collision and the outcome in the field of the truth.
 template <class T>
 BasicCollision<T> collision_in(const ExactCase& exact_case) {
   return map_numbers<T>(exact_case.collision(), [](double number) { return T(number); });
@@ -54,7 +54,7 @@ Outcome<T> outcome_in(const LiftedOutcome& outcome) {
   return map_outcome<T>(outcome.exact(), [](const Rational& x) { return T(x); });
 }
 
-/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm; none where the arithmetic does not decide it.
+/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm. No value if the arithmetic does not decide it.
 template <class T>
 std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
                                            const Outcome<T>& outcome) {
@@ -64,7 +64,7 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
-/// An outcome's deviation from the truth, in one arithmetic, and what of the accuracy follows from it alone.
+/// An outcome's deviation from the truth in one arithmetic, and the part of the accuracy that follows from it alone.
 template <class T>
 struct Deviation {
   PerVector<Components<T>> of_vector;
@@ -103,14 +103,15 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as,
                                       ? exact_case.energy_norm_of_change(model, is_exact<T>, find_norm_of_change)
                                       : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
-    // Where the squares leave the range of numbers the error counts as infinite: nothing passes by it.
+    // If the squares leave the range of numbers, the error counts as infinite, and nothing passes by it.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
     accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
   return result;
 }
 
-/// The accuracy by this sensitivity; none where the arithmetic cannot decide or show it.
+/// The accuracy with this sensitivity. No value if the arithmetic cannot decide it, or cannot give it precisely enough
+/// for print.
 template <class T>
 std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick) {
@@ -124,7 +125,8 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
     }
     result.allowed[k] = *allowed;
     if constexpr (!is_exact<T>) {
-      // Good for print where it is known to a thousandth, or is no thousandth of what is allowed.
+      // A component is good enough for print if its radius is at most a thousandth of the component or of the
+      // allowance.
       constexpr double thousandth = 0x1p-10;
       for (const T& component : deviation.of_vector[k]) {
         if (component.radius() > thousandth * std::max(component.magnitude_below(), allowance)) {
@@ -171,7 +173,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 
 namespace {
 
-/// Against the answer to a contact with this approach.
+/// The accuracy with respect to the answer to a contact with approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
@@ -196,8 +198,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
-  // What is allowed by a lower bound of the sensitivity is allowed, if the sensitivity is a number at all. The errors
-  // are the same either way, so that what is reported does not depend on what is known.
+  // If a lower bound of the sensitivity allows an error, the sensitivity allows it too, provided that the sensitivity
+  // is finite. The errors are the same in both cases, so the reported errors do not depend on `known`.
   if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(model) &&
       outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(model);
@@ -255,13 +257,13 @@ Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome&
   if (!passes(result, yardstick)) {
     return own;
   }
-  // Both may pass; the outcome is an answer to the one that it is nearer to.
+  // If both answers pass, the outcome counts as the nearer answer.
   const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
   if (passes(own, yardstick) && !is_nearer) {
     return own;
   }
   result.is_of_truth = false;
-  result.error_above = Accuracy{}.error_above;  // what it is near to is not the truth
+  result.error_above = Accuracy{}.error_above;  // this answer is not the truth
   return result;
 }
 

@@ -9,40 +9,42 @@
 
 namespace carom::oracles {
 
-/// How far an outcome is from the truth.
+/// The distance of an outcome from the truth.
 struct Accuracy {
   PerVector<double> error{};                 // ‖ŷ_k − y_k‖
-  PerVector<double> error_above = infinite;  // at least the error; infinite where the judge is not filtered
+  PerVector<double> error_above = infinite;  // at least the error; infinite if the judge is not filtered
   Sensitivity sensitivity{};                 // Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖
-  bool is_decided = true;  // false where the sensitivity, or what is allowed of it, leaves the range of numbers: then
-                           // nothing else here means anything
+  bool is_decided = true;  // false if the sensitivity, or the allowance times it, leaves the range of numbers: then no
+                           // other member is meaningful
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick
-  bool has_digits = true;   // relative_error ≤ 10^−digits, decided exactly; where the yardstick gives digits
-  bool is_of_truth = true;  // false where the outcome passes by the other of two answers
-  double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, Δ the change of the velocities;
-                              // infinite where Δ_exact = 0 and Δ is not
+  bool has_digits = true;   // relative_error ≤ 10^−digits, decided exactly; set if the yardstick gives digits
+  bool is_of_truth = true;  // false if the outcome passes by the other of two answers
+  double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, with Δ the change of the
+                              // velocities; infinite if Δ_exact = 0 and Δ ≠ 0
 
   /// Whether the error of every vector is within the yardstick.
   [[nodiscard]] bool is_allowed() const { return allowed == PerVector<bool>{true, true, true, true}; }
 
-  /// η = max_k of error over u times sensitivity: by how many ulps the inputs would have to move to make it exact.
+  /// η = max_k error_k / (u · sensitivity_k), in ulps: the distance that the inputs would have to move to make the
+  /// outcome exact.
   [[nodiscard]] double backward_error(double unit_roundoff) const;
 
-  /// Correct digits of the change of the velocities; at most 40, which stands for exact.
+  /// Correct decimal digits of the change of the velocities. The maximum, 40, means exact.
   [[nodiscard]] double digits() const;
 
  private:
   static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
-/// Correct digits of the change of the velocities, as Accuracy::digits, of an outcome beside an exact one.
+/// Correct decimal digits of the change of the velocities of a computed outcome, compared with an exact one (see
+/// Accuracy::digits).
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// Where the case has two answers by this model, that of the answer by which the outcome passes; of the truth where
-/// there is none. Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most
-/// `known`, by a filtered yardstick, the sensitivity may be a lower bound in place of the number itself, at a small
-/// part of the cost: the backward error then comes out too large, but at most `known`.
+/// The accuracy of an outcome. If the case has two answers by this model, it refers to the answer by which the outcome
+/// passes. If the outcome passes by neither, it refers to the truth. With a filtered yardstick, a backward error that
+/// is certainly at most `known` may be computed with a lower bound of the sensitivity. This costs much less. The
+/// backward error is then too large, but at most `known`. Precondition: the model is one of `models_with_truth`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

@@ -15,7 +15,7 @@
 namespace carom::oracles {
 namespace {
 
-/// What is left of left − right once what an inequality permits is taken away.
+/// The components of left − right that an inequality does not permit. For an equation, all components.
 template <class T, int N, class IsPermitted>
 Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermitted& is_permitted) {
   Components<T> all = difference(sides.left, sides.right);
@@ -32,7 +32,8 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
   return result;
 }
 
-/// The same of numbers known to within an error: what may be missing counts.
+/// The components that may be missing, for numbers with error bounds. A component whose sign is uncertain counts as
+/// missing.
 template <class OneEquation, class T>
 Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
                             const Outcome<T>& outcome) {
@@ -40,8 +41,8 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// What underflow takes from the outputs, over u, with s = η/u: a number that is off by η is off by u s. F and the
-/// approach that it is made of are off by u s, and so r × F by (1 + ‖r‖ + m ‖r‖) u s.
+/// The loss of the outputs by underflow, divided by u. s = η/u, so an error of η equals u s. F, and the approach
+/// velocity from which F is computed, have an error of u s. So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
 PerVector<double> lost_to_underflow(const Collision& c, double s) {
   PerVector<double> lost{};
   const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -58,8 +59,8 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ and what underflow takes. An output is its velocity before the impulse plus a change, and so is known
-/// to u times the larger of both: its own size alone would allow nothing where the exact sum is zero.
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. An output is the sum of its velocity before the impulse and a change, so
+/// its error is u times the larger of both. The size of the output alone would allow no error if the exact sum is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
   PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
@@ -69,7 +70,7 @@ PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutc
   return sizes;
 }
 
-/// Σ_k ‖∂g/∂ŷ_k‖ times the size of the output.
+/// Σ_k ‖∂g/∂ŷ_k‖ times the sizes of the outputs.
 template <class S>
 S part_by_outputs(const PerVector<S>& slopes, const PerVector<double>& sizes) {
   S part(0);
@@ -85,8 +86,8 @@ bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
-/// Whether slopes have to be taken at all digits of the outcome: those of a law that is not affine may cancel, and what
-/// extended has beyond binary64 may be all that is left.
+/// Whether the slopes must be computed from all digits of the outcome. The slopes of a law that is not affine may
+/// cancel. The digits of extended beyond binary64 may be all that remains.
 template <class OneEquation>
 bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
@@ -96,7 +97,7 @@ bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome)
   }
 }
 
-/// The part by outputs, in binary64. The slopes of a law that is affine in the outcome are the case's.
+/// The part by outputs, in binary64. If a law is affine in the outcome, its slopes are those that the case stores.
 template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                        const PerVector<double>& sizes) {
@@ -113,9 +114,9 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
   return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
 
-/// What of a law that is quadratic in the outcome its slopes do not tell, per allowance a: the outputs being known to
-/// s_k = a (‖ŷ_k‖ + ‖y_k⁻‖), the energy is known to (m s_v² + I s_w²) / 2 where its slopes vanish, as they do for a
-/// body that moves with a driven wall.
+/// The second-order part of the scale of a law that is quadratic in the outcome, divided by the allowance a. The slopes
+/// do not contain it. The outputs have errors s_k = a (‖ŷ_k‖ + ‖y_k⁻‖). So the energy has an error of (m s_v² + I s_w²)
+/// / 2 if its slopes vanish, for example for a body that moves with a driven wall.
 template <class OneEquation>
 double part_by_curvature(const OneEquation& /*affine*/, const ExactCase& /*exact_case*/,
                          const LiftedOutcome& /*outcome*/, double /*allowance*/) {
@@ -136,7 +137,8 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
-/// F is known to a m (‖ŷ_v‖ + ‖y_v⁻‖) of the body that it is read off, and squares of it where they vanish.
+/// F has an error of a m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body that F is computed from. If the
+/// slopes vanish, the squares of F have the square of this error.
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Collision& c = exact_case.collision();
@@ -146,8 +148,8 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
-/// Friction and slip are known to a times what they are read off, and their product to the product of both, where their
-/// slopes vanish.
+/// Friction and slip have errors of a times the velocities that they are computed from. If their slopes vanish, their
+/// product has the product of both errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                       double allowance) {
   const Collision& c = exact_case.collision();
@@ -182,8 +184,8 @@ struct ByShownMatrix {
   }
 };
 
-/// C stands for K, which the inputs determine: it is known to a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius norm, and C F to ‖F‖
-/// times that.
+/// C stands for K, which the inputs determine. K has an error of a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius norm. C F has an
+/// error of ‖F‖ times that.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
@@ -196,7 +198,8 @@ double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs&
                                       sizes);
 }
 
-/// Whether that product keeps its digits. Of a moderate collision the sensitivity of K is no extreme number.
+/// Whether the product in part_by_curvature keeps its digits. For a moderate collision, the sensitivity of K is no
+/// extreme number.
 bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                         double allowance) {
   const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
@@ -208,7 +211,7 @@ bool is_moderate(const LiftedMatrix& shown) {
   return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
 }
 
-/// All parts; none where the sum leaves the range of numbers.
+/// The sum of all parts. No value if it leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                const PerVector<double>& sizes, double allowance) {
@@ -220,7 +223,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
       return scale;
     }
   }
-  // Products of extreme numbers leave the range of binary64. Extended has more range, and digits.
+  // Products of extreme numbers leave the range of binary64. Extended has a wider range and more digits.
   using Wide = long double;
   const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
   const auto parts = [&](const auto& at) {
@@ -232,8 +235,8 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
-/// A lower bound of the scale at a small part of its cost: of the two parts the one by outputs.
-/// Precondition: collision and outcome are moderate.
+/// A lower bound of the scale at a small part of its cost: the part by outputs alone. Precondition: collision and
+/// outcome are moderate.
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
@@ -242,7 +245,7 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
   return is_in_range(part) ? part : 0;
 }
 
-/// Whether approximations alone show that the law holds; where they do not, nothing is known.
+/// Whether approximations alone show that the law holds. If false, nothing is known.
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                   const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {
@@ -254,7 +257,7 @@ bool surely_holds(const OneEquation& equation, Relation relation, const ExactCas
          norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false);
 }
 
-/// Both sides and by how much they miss each other, rounded for print.
+/// The two sides and their distance, rounded for print.
 template <class T, int N>
 Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
   Comparison comparison{false, true, norm(missed), allowed, {}, {}};
@@ -290,7 +293,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
       return {};
     }
     const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
-    // Elsewhere the whole scale may leave the range of numbers where a part of it does not.
+    // For numbers that are not moderate, the whole scale may leave the range of numbers although a part of it does not.
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
         (is_moderate &&

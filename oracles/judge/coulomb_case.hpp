@@ -9,16 +9,17 @@
 
 namespace carom::oracles {
 
-/// All answers of the law `coulomb` to a case: the velocities as they are where it does not collide.
+/// All answers of the law `coulomb` to a case. If the case does not collide, the only answer is the unchanged
+/// velocities.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case);
 
-/// Which of the answers an outcome is nearest to, and how near.
+/// The answer nearest to an outcome, and its distance in digits.
 struct NearestAnswer {
-  std::size_t number;  // of the answer, from 0
-  double digits;       // correct ones of the change of the velocities, as Accuracy::digits
+  std::size_t number;  // index of the answer, from 0
+  double digits;       // correct digits of the change of the velocities (see Accuracy::digits)
 };
 
-/// Preconditions: the answers are those of the case, and the outcome is finite.
+/// The answer nearest to `outcome`. Preconditions: `answers` are those of the case; the outcome is finite.
 [[nodiscard]] NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,
                                            const Outcome<long double>& outcome);
 

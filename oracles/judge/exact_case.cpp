@@ -28,9 +28,9 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// τ_k of `sensitivity`; zero where it is beyond the range of numbers.
+/// τ_k of `sensitivity`. It is zero if it is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
-  // A lever arm is perturbed by the places that it is the difference of.
+  // A lever arm is a difference of two positions, so both of their lengths perturb it.
   const auto reach = [&](const Body& body) { return norm_of(c.point) + length_of_position(body); };
   double speed = 0;
   double lambda = 0;
@@ -57,9 +57,10 @@ Sensitivity second_order_scale(const Collision& c) {
   return scale;
 }
 
-/// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: the derivatives of N·(v + w × r) are V by N, N by v, r × N by w, and N × w by r = P − X.
+/// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖. The derivatives of N·(v + w × r) are: V with respect to N, N with respect to v, r × N with
+/// respect to w, and N × w with respect to r = P − X.
 double sensitivity_of_normal_velocity(const Collision& c) {
-  // What is zero cannot be perturbed relatively, though its derivative be infinite.
+  // A zero cannot be perturbed relatively, even if its derivative is infinite.
   const auto weighted = [](const Vector3<double>& derivative, double length) {
     return length == 0 ? 0 : norm_of(derivative) * length;
   };
@@ -154,7 +155,7 @@ bool ExactCase::reaches_cone() const {
 
 namespace {
 
-/// The truth of the law `rough` in the field T, certified.
+/// The certified truth of the law `rough` in the field T.
 template <class T>
 Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
   Truth<T> truth = colliding_truth(c, Model::rough, branch);
@@ -232,7 +233,7 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
     Sensitivity sum = bounds_.norms_before();
     const Outcome<double> outcome = unchanged(collision());
     for (const OutcomeVector k : all_outcome_vectors) {
-      // The derivative of a vector by itself is the identity, whose Frobenius norm is √3.
+      // The derivative of a vector with respect to itself is the identity, whose Frobenius norm is √3.
       sum[k] += std::sqrt(3.0) * norm_of(*vectors(outcome)[k]);
     }
     return sum;
@@ -280,7 +281,8 @@ bool ExactCase::has_two_answers(Model model, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
-  // In binary64 if that keeps ten digits, else in double-double arithmetic if that keeps three, else exactly.
+  // Use binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact
+  // arithmetic.
   return of_model_[model].colliding_sensitivity[branch].get([&]() -> Sensitivity {
     std::optional<Sensitivity> known;
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() &&

@@ -9,17 +9,17 @@
 
 namespace carom::oracles {
 
-/// A valid collision and what is exactly known of it, each worked out when first asked for. For one thread.
+/// A valid collision and exact facts about it. Each fact is computed on first use. For one thread.
 class ExactCase {
  public:
-  /// Without the filter, facts that decide (the sign of N·V⁻, collinear, head-on, bounds of K) are worked out in ℚ
-  /// alone; they are the same. Precondition: the collision is valid.
+  /// If `filtered` is false, the facts that decide (the sign of N·V⁻, collinear, head-on, bounds of K) are computed in
+  /// ℚ alone. The facts are identical. Precondition: the collision is valid.
   explicit ExactCase(const Collision& collision, bool filtered = true);
 
   [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
 
-  /// What the filters know of it.
+  /// The facts that the filters know.
   [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
 
   [[nodiscard]] Approach approach() const;
@@ -27,29 +27,29 @@ class ExactCase {
   /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
   [[nodiscard]] double normal_velocity_sensitivity() const;
 
-  /// The permitted inputs, if the first order is blind to what they do; nullptr elsewhere, and where nothing is
-  /// allowed.
+  /// The permitted inputs, if the first order does not describe their effect. nullptr otherwise, and also if the
+  /// allowance is 0 or at least ½.
   [[nodiscard]] const PermittedInputs* permitted_inputs(double allowance) const;
 
-  /// Whether inputs that differ relatively by `allowance` include both colliding and separating contacts.
+  /// Whether the inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
 
-  /// By which of its formulas the law answers where the contact collides. Preconditions: a body is movable; the model
-  /// is one of `models_with_truth`.
+  /// The formula by which the law answers if the contact collides. Preconditions: a body is movable; the model is one
+  /// of `models_with_truth`.
   [[nodiscard]] Branch branch(Model model) const;
 
-  /// The law's answer, certified: both sides of each of its defining equations are the same.
-  /// Throws std::logic_error where they are not. Precondition: the model is one of `models_with_truth`, and its answer
-  /// is rational: it does not lie on the cone.
+  /// The law's answer, certified: both sides of each defining equation are equal. Throws std::logic_error if they are
+  /// not. Preconditions: the model is one of `models_with_truth`; its answer is rational, so it does not lie on the
+  /// cone.
   [[nodiscard]] const Truth<Rational>& truth(Model model) const { return truth(model, approach()); }
 
-  /// The same as if the contact had this approach.
+  /// The certified answer that the law would give if the contact had approach `as`.
   [[nodiscard]] const Truth<Rational>& truth(Model model, Approach as) const;
 
-  /// The same where it lies on the cone, in ℚ(√s).
+  /// The certified answer if it lies on the cone, in ℚ(√s).
   [[nodiscard]] const Truth<Radical>& truth_on_cone(Model model) const;
 
-  /// use(truth), one of the two.
+  /// Calls use(truth) with the rational truth or with the truth on the cone.
   template <class Use>
   decltype(auto) with_truth(Model model, Approach as, const Use& use) const {
     const Approach answered = answered_as(model, as);
@@ -57,58 +57,61 @@ class ExactCase {
                                                                                : use(truth(model, answered));
   }
 
-  /// The outcome of the truth, each number rounded to the nearest of binary64.
+  /// The outcome of the truth, each number rounded to the nearest binary64 number.
   [[nodiscard]] Outcome<double> nearest_truth(Model model) const;
 
-  /// The same to about 100 bits, with its bound; not certified, since no equation holds exactly for it.
+  /// The truth to about 100 bits, with its bound. It is not certified, because no equation holds exactly for it.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model, Approach as) const;
 
-  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖, a the
-  /// allowance, and τ_k what an impulse of 2 (‖V⁻‖ at most) / λ can change of vector k. Where the structure of a
-  /// contact makes the first order vanish (a central one that grazes), products of two roundings are all that is left.
-  /// Inside the grazing band it is that of the colliding answer, since inputs within the allowance collide; but not of
-  /// a law that acts at once, whose two answers are judged apart. Near the cone's surface it is the larger one of both
-  /// sides, whose answers meet there.
+  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ and a the
+  /// allowance. τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 V / λ, with V an upper bound of
+  /// ‖V⁻‖. The first order vanishes for some contacts, such as a central one that grazes. Only products of two
+  /// roundings then remain.
   ///
-  /// If the first order is blind (PermittedInputs), it is at least the distance of the answers to permitted inputs,
-  /// over the allowance.
+  /// In the grazing band, the sensitivity is that of the colliding answer, because inputs within the allowance collide.
+  /// The exception is a law that acts at once, whose two answers are judged separately. Near the cone's surface, the
+  /// sensitivity is the larger one of both sides, whose answers meet there.
+  ///
+  /// If the first order is blind (PermittedInputs), the sensitivity is at least the distance of the answers to
+  /// permitted inputs, divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Model model, double allowance) const;
 
-  /// The same as if the contact had this approach, away from the band.
+  /// The sensitivity that the answer would have if the contact had approach `as`, away from the grazing band.
   [[nodiscard]] Sensitivity sensitivity_as(Model model, Approach as, double allowance) const;
 
-  /// Whether inputs that differ relatively by `allowance` have answers that are far from each other: those of a law
-  /// that acts at once, in the grazing band; of `rough` where friction by itself lies in the cone.
+  /// Whether inputs that differ relatively by `allowance` have answers that are far from each other. This is so for a
+  /// law that acts at once in the grazing band. `rough` acts at once if friction by itself lies in the cone.
   [[nodiscard]] bool has_two_answers(Model model, double allowance) const;
 
-  /// Whether no number is out of the ordinary, so that the sensitivity of the law is surely finite.
+  /// Whether every number is moderate, so that the law's sensitivity is certainly finite.
   [[nodiscard]] bool is_moderate(Model model) const;
 
-  /// Whether they have answers of all kinds: they collide or not, and where they do friction lies inside its cone or on
-  /// it, so that it acts at once or not at all. Nothing is then asked of an outcome by itself.
+  /// Whether inputs that differ relatively by `allowance` have answers of every kind. Some collide and some do not. If
+  /// they collide, F lies inside the friction cone or on it, so the law acts at once or does not. The judge then
+  /// requires nothing of an outcome by itself.
   [[nodiscard]] bool is_open(Model model, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a small part of its cost: where the contact collides that of BoundedCase,
-  /// elsewhere ‖y_k⁻‖, whether grazing or not. Precondition: is_moderate(model).
+  /// A lower bound of `sensitivity`, at a small part of its cost. If the contact collides, it is the bound of
+  /// BoundedCase. Otherwise it is ‖y_k⁻‖, grazing or not. Precondition: is_moderate(model).
   [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
 
   /// K, exactly (`response_matrix`).
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
 
-  /// Σ_q ‖∂K/∂q‖ ‖q‖; if the first order is blind, with the squares of what lever arms are perturbed by.
+  /// Σ_q ‖∂K/∂q‖ ‖q‖. If the first order is blind, the sum includes the squares of the perturbations of the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
 
-  /// Whether λI ⪯ K, decided exactly. Where a body is movable it always is: K − λI is the sum of [r]ᵀ J⁻¹ [r] over the
-  /// movable bodies, a congruence of a positive diagonal matrix each (an identity that the tests prove by exact random
-  /// testing). Not asked by a filtered yardstick.
+  /// Whether λI ⪯ K, decided exactly. If a body is movable, this is always true: K − λI is the sum of [r]ᵀ J⁻¹ [r] over
+  /// the movable bodies. Each term is a congruence of a positive diagonal matrix. The tests prove this identity by
+  /// exact random testing. A filtered yardstick does not ask for it.
   [[nodiscard]] bool is_definite() const;
 
   /// Whether K ⪯ bound I, decided exactly.
   [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
-  /// The kinetic-energy norm of the change of the velocities by the law, rounded; worked out by `from_truth` when first
-  /// asked for, once for each of the two judges: bounds may leave it unknown.
+  /// The kinetic-energy norm of the change of the velocities by the law, rounded. `from_truth` computes it on first
+  /// use. The exact judge and the filtered judge each have a value of their own, because bounds may leave it unknown.
   template <class FromTruth>
   [[nodiscard]] double energy_norm_of_change(Model model, bool exactly, const FromTruth& from_truth) const {
     const OfModel& of_model = of_model_[model];
@@ -122,7 +125,7 @@ class ExactCase {
   [[nodiscard]] bool is_head_on() const;
 
  private:
-  /// What is known of one model.
+  /// The facts about one model.
   struct OfModel {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
@@ -136,12 +139,13 @@ class ExactCase {
   [[nodiscard]] const Sensitivity& colliding_first_order(Model model, Branch branch) const;
   [[nodiscard]] bool is_inside_cone() const;
   [[nodiscard]] bool reaches_cone() const;
-  /// Whether the impulse does not vanish with N·V⁻. On the cone it does.
+  /// Whether the law acts at once: its impulse does not vanish with N·V⁻. On the cone it vanishes.
   [[nodiscard]] bool acts_at_once_here(Model model, double allowance) const;
-  /// Whether inputs that differ relatively by `allowance` are answered on both sides of the cone's surface.
+  /// Whether the answers to inputs that differ relatively by `allowance` lie on both sides of the cone's surface.
   [[nodiscard]] bool is_near_cone_surface(Model model, double allowance) const;
-  /// What a contact that does not collide is answered as if it did: on the cone friction vanishes with N·V⁻, and there
-  /// is no other answer.
+  /// The approach of the answer if the contact is treated as `as`. A contact that does not collide, and whose answer as
+  /// a colliding contact would lie on the cone, keeps its own approach. On the cone the impulse vanishes with N·V⁻, so
+  /// there is no other answer.
   [[nodiscard]] Approach answered_as(Model model, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 

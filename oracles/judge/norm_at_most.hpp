@@ -12,14 +12,14 @@
 
 namespace carom::oracles {
 
-/// Whether ‖v‖ ≤ bound: always decided for rationals, for numbers known to within an error where the errors decide it.
-/// Precondition: the bound is finite.
+/// Whether ‖v‖ ≤ bound. Exact numbers always decide it. Numbers with error bounds give no value if the errors do not
+/// decide it. Precondition: the bound is finite.
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
 [[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound);
 
-/// For print.
+/// Rounded for print.
 [[nodiscard]] inline double rounded(const Rational& number) { return to_double(number); }
 [[nodiscard]] inline double rounded(const Radical& number) { return to_double(number); }
 [[nodiscard]] inline double rounded(const Enclosure& number) { return number.middle(); }

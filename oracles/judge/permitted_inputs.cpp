@@ -28,12 +28,12 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   };
   a_ = body_with_arm(c.a);
   b_ = body_with_arm(c.b);
-  // ‖δ‖ ≤ a ‖N‖ turns N by at most asin(a), a chord of less than a / (1 − a).
+  // ‖δ‖ ≤ a ‖N‖ turns N by at most asin(a), which is a chord of less than a / (1 − a).
   unit_normal_ = {c.normal / norm_of(c.normal), allowance / (1 - allowance)};
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
   };
-  // Of what cancels in V⁻ binary64 may keep nothing.
+  // Enclosures are needed because cancellation in V⁻ may leave binary64 without a correct digit.
   const Vector3<double> velocity =
       middle(oracles::relative_velocity<Enclosure>(bounds.enclosed(), unchanged(bounds.enclosed())));
   relative_velocity_ = {velocity, (at_point(a_) - at_point(b_)).radius};
@@ -75,7 +75,7 @@ bool PermittedInputs::is_finite() const {
   return finite && std::isfinite(response_at_point(unit_normal_).largest());
 }
 
-/// A quaternion that moves by a of its length turns by 2 asin(a) at most, and moves v by 2 a ‖v‖.
+/// A quaternion that moves by a of its length turns by at most 2 asin(a), and moves v by 2 a ‖v‖.
 VectorBall PermittedInputs::rotated(const VectorBall& v, const Quaternion<double>& orientation) const {
   return {turned<double>(orientation, v.centre), v.radius + 2 * allowance_ * v.largest()};
 }
@@ -102,7 +102,7 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// N·K F′ = N·b for F′ = φ′ N: φ′ − φ is N·(b − K φ N) over N·K N, which is at least λ for a unit normal.
+/// N·K F′ = N·b for F′ = φ′ N. φ′ − φ is N·(b − K φ N) over N·K N, which is at least λ for a unit normal.
 VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
@@ -111,7 +111,7 @@ VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const S
   return ScalarBall{share, missed / divisor} * unit_normal_;
 }
 
-/// K F′ = b: F′ − F is K⁻¹ (b − K F), of length at most ‖b − K F‖ / λ.
+/// K F′ = b. F′ − F is K⁻¹ (b − K F), and its length is at most ‖b − K F‖ / λ.
 VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const {
   const double missed = wanted.radius + response_at_point({impulse, 0}).radius;
   return {impulse, missed / least_inverse_mass_};
@@ -125,7 +125,8 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
   const VectorBall tangential = cross(unit_normal_, difference);
   const ScalarBall divisor =
       ScalarBall{norm_of(tangential.centre), tangential.radius} + -(friction_ * dot(unit_normal_, difference));
-  // The cone is convex, and F lies in it for κ = 0: it is left for good at the κ that puts F on its surface, if any.
+  // The cone is convex, and F lies in it for κ = 0. So F leaves the cone for good at the κ that puts F on its surface,
+  // if any.
   const auto share = [](double above, double below) { return below > 0 ? std::max(above, 0.0) / below : infinity; };
   return {stops_approach, difference, share(numerator.least(), divisor.largest()),
           share(numerator.largest(), divisor.least())};
@@ -173,7 +174,7 @@ PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& im
   PerVector<double> distance{};
   const auto add_body = [&](const OfBody& of, OutcomeVector velocity, OutcomeVector spin) {
     const Change change = response(of, all);
-    // The velocity before is perturbed, and so is its sum with the change.
+    // The perturbation of the velocity before the impulse counts twice: by itself, and in the sum with the change.
     distance[velocity] = change.velocity.radius + 2 * allowance_ * norm_of(of.body.velocity);
     distance[spin] = change.angular_velocity.radius + 2 * allowance_ * norm_of(of.body.angular_velocity);
   };

@@ -6,48 +6,52 @@
 
 namespace carom::oracles {
 
-/// All collisions whose quantities differ from those of one by at most `allowance` times their lengths
-/// (quantities.hpp), and an enclosure of the law over them. It judges the cases in which the first order of the
-/// backward error is blind: a lever arm, or a body, is not much longer than its position is rounded by.
+/// All collisions whose quantities differ from those of a given collision by at most `allowance` times their lengths
+/// (quantities.hpp). The class encloses the law over them. It judges the cases in which the first order of the backward
+/// error is blind. In these cases, a lever arm or a body is not much longer than the rounding of its position.
 ///
-/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K. An impulse that makes up
-/// for a relative velocity of length d is at most d / λ, for any lever arms.
+/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K. An impulse that cancels
+/// a relative velocity of length d is at most d / λ, for any lever arms.
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
   PermittedInputs(const BoundedCase& bounds, double allowance);
 
-  /// Whether derivatives say little of how the law answers to these inputs. With a the allowance and
-  /// ρ = a (‖P‖ + ‖X‖ + s) that of a lever arm r, for a movable body:
+  /// Whether derivatives do not describe the law's answers to these inputs. a is the allowance, and ρ = a (‖P‖ + ‖X‖ +
+  /// s) is the allowance of a lever arm r. True if, for a movable body:
   ///
-  ///   (1) 32 ρ > ‖r‖, r ≠ 0: the lever arm changes by a good part of itself;
+  ///   (1) 32 ρ > ‖r‖, r ≠ 0: the lever arm changes by a large part of itself;
   ///   (2) 32 ρ > √(min I / m): the body's thickness is no more than the rounding of its position;
-  ///   (3) ‖N‖ Σ ‖w‖ ‖r‖ > 32 Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: w, r and N are parallel but for little, and N·V⁻ owes its rounding
-  ///       to products that no single quantity changes.
+  ///
+  /// or if, for the collision:
+  ///
+  ///   (3) ‖N‖ Σ ‖w‖ ‖r‖ > 32 Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: w, r and N are nearly parallel, and the rounding of N·V⁻ comes from
+  ///       products that no single quantity changes.
   [[nodiscard]] static bool first_order_is_blind(const Collision& collision, double allowance,
                                                  double normal_velocity_sensitivity);
 
-  /// Whether velocities, lever arms, and the bodies' responses to an impulse are enclosed by finite numbers.
+  /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;
 
-  /// How far the answers to permitted inputs are from the law's answer to a contact that collides. `impulse` is the
-  /// impulse of that answer. If `from_rest`, the distance is from no impulse at all. Infinite beyond the range of
-  /// numbers. Preconditions: a body is movable; the model is one of `models_with_truth`.
+  /// The distance of the answers to permitted inputs from the law's answer to a contact that collides. `impulse` is the
+  /// impulse of that answer. If `from_rest`, the distance is from the answer without an impulse. Infinite beyond the
+  /// range of numbers. Preconditions: a body is movable; the model is one of `models_with_truth`.
   [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
                                                       bool from_rest) const;
 
-  /// Whether permitted inputs are answered on both sides of the cone's surface by the law `rough`. Precondition: a body
-  /// is movable.
+  /// Whether the answers of the law `rough` to permitted inputs lie on both sides of the cone's surface. Precondition:
+  /// a body is movable.
   [[nodiscard]] bool reach_both_sides_of_cone() const;
 
-  /// At least Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies, of what K changes by the squares of the changes δr of lever arms.
+  /// At least Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies. This is the change of K by the squares of the changes δr of lever
+  /// arms.
   [[nodiscard]] double second_order_of_matrix() const;
 
-  /// V⁻, and N·V⁻ / ‖N‖.
+  /// V⁻ and N·V⁻ / ‖N‖.
   [[nodiscard]] const VectorBall& relative_velocity() const { return relative_velocity_; }
   [[nodiscard]] const ScalarBall& normal_velocity() const { return normal_velocity_; }
 
-  /// N / ‖N‖, and the lever arms.
+  /// N / ‖N‖ and the lever arms.
   [[nodiscard]] const VectorBall& unit_normal() const { return unit_normal_; }
   [[nodiscard]] const VectorBall& lever_arm_of_a() const { return a_.arm; }
   [[nodiscard]] const VectorBall& lever_arm_of_b() const { return b_.arm; }
@@ -65,7 +69,7 @@ class PermittedInputs {
     VectorBall velocity;
     VectorBall angular_velocity;
   };
-  /// The impulses P_I and D = P_II − P_I of the law `rough`, and the least and the largest κ that puts F on its cone.
+  /// The impulses P_I and D = P_II − P_I of the law `rough`, and the least and the largest κ that put F on its cone.
   struct RoughParts {
     VectorBall stops_approach;
     VectorBall difference;
@@ -93,7 +97,7 @@ class PermittedInputs {
   ScalarBall restitution_;
   ScalarBall friction_;
   ScalarBall whole_share_;                                    // 1 + e_t
-  double least_inverse_mass_ = 0;                             // of λ
+  double least_inverse_mass_ = 0;                             // lower bound of λ
   Vector3<double> stops_approach_ = Vector3<double>::Zero();  // P_I
   Vector3<double> stops_point_ = Vector3<double>::Zero();     // P_II
 };

@@ -4,7 +4,7 @@
 namespace carom::oracles {
 namespace {
 
-/// Permitted inputs and outputs, and the residual of each equation.
+/// The residual of each equation for permitted inputs and outputs.
 class Residual {
  public:
   Residual(const PermittedInputs& inputs, const Collision& collision, const Outcome<double>& after,
@@ -33,7 +33,8 @@ class Residual {
   double operator()(const equation::FrictionAgainstSlip& of) const {
     return squared_normal() * dot(friction(of.read_off_a), slip()).radius;
   }
-  /// The work of a driven wall: its velocity at the contact point, and the impulse on the other body.
+  /// The work of a driven wall depends on the wall's velocity at the contact point and on the impulse on the other
+  /// body.
   double operator()(const equation::Energy&) const {
     double radius = 0;
     for (const bool a : {true, false}) {
@@ -47,7 +48,8 @@ class Residual {
     return radius;
   }
 
-  // No lever arm enters these, or none that is not as long as the places themselves.
+  // These equations contain no lever arm, or only lever arms about the world's origin, which are as long as the
+  // positions themselves.
   double operator()(const equation::LinearMomentum&) const { return 0; }
   double operator()(const equation::TotalAngularMomentum&) const { return 0; }
   double operator()(const equation::Untouched&) const { return 0; }

@@ -6,14 +6,14 @@
 
 namespace carom::oracles {
 
-/// The residual that permitted inputs and outputs can have beyond their first order: the products in which a lever arm
-/// takes part, enclosed. It is 0 for an equation that no lever arm enters. `after` is the outcome. `sizes` are the
-/// lengths by ulps of which its vectors are perturbed. Precondition: the equation speaks of this collision.
+/// The residual of permitted inputs and outputs beyond their first order: an enclosure of the products that contain a
+/// lever arm. It is 0 for an equation without a lever arm. `after` is the outcome. `sizes` are the lengths of its
+/// vectors, and each vector is perturbed by ulps of its length. Precondition: the equation applies to this collision.
 [[nodiscard]] double permitted_residual(const Equation& equation, const PermittedInputs& inputs,
                                         const Collision& collision, const Outcome<double>& after,
                                         const PerVector<double>& sizes);
 
-/// The same of V⁺ − V⁻ = C F, for a matrix C that is held fast. F is read off A or off B.
+/// The residual of V⁺ − V⁻ = C F, for a matrix C that stays fixed. F is computed from the velocity change of A or of B.
 [[nodiscard]] double permitted_residual_of_change(const Matrix3<double>& matrix, bool read_off_a,
                                                   const PermittedInputs& inputs, const Collision& collision,
                                                   const Outcome<double>& after, const PerVector<double>& sizes);

@@ -8,34 +8,36 @@
 
 namespace carom::oracles {
 
-/// The limit that sound outcomes were found to stay below on every physically possible body, in ulps.
+/// The limit of the backward error [ulps]. Sound outcomes were found to stay below it on every physically possible
+/// body.
 inline constexpr double default_limit_ulps = 32;
 
-/// Where more is allowed, lower bounds of what is allowed decide nothing: up to here what is allowed of a moderate
-/// collision (moderate.hpp) is a finite number, as it has to be for a pass.
+/// The largest allowance for which lower bounds may decide. Up to this limit, the allowance times a sensitivity or
+/// scale of a moderate collision (moderate.hpp) is finite, as a pass requires.
 inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
-/// How much rounding is allowed. A residual passes up to `allowance` times its scale, the sum of ‖∂g/∂q‖ ‖q‖ over the
-/// quantities (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs: it then vanishes for inputs and outputs
-/// that differ by so much. In binary32 the outputs are also allowed the loss by underflow.
+/// The amount of rounding that is allowed. A residual passes if it is at most `allowance` times its scale. The scale is
+/// the sum of ‖∂g/∂q‖ ‖q‖ over the quantities (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs. The
+/// residual then vanishes for inputs and outputs that differ by at most the allowance. In binary32 the outputs are also
+/// allowed the loss by underflow.
 struct Yardstick {
-  double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, with nothing allowed
+  double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, which is allowed no rounding
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision
   double limit_ulps = default_limit_ulps;
-  std::optional<int> digits;  // decides in place of ulps where given
+  std::optional<int> digits;  // if set, decides instead of ulps
 
-  /// Whether enclosures may decide what they can. The verdicts are the same without, only slower.
+  /// Whether enclosures may decide if they can. Without them, the verdicts are the same but slower.
   bool filtered = true;
 
-  /// Whether lower bounds of what is allowed may decide.
+  /// Whether lower bounds of the allowed error may decide.
   [[nodiscard]] bool uses_bounds() const {
     return filtered && allowance() > 0 && allowance() <= largest_allowance_for_bounds;
   }
 
   [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
 
-  /// The allowance times a scale; none where that leaves the range in which binary64 has all its digits: nothing can
-  /// then be decided by it.
+  /// The allowance times a scale. No value if the product leaves the range in which binary64 has all its digits. It
+  /// then cannot decide anything.
   [[nodiscard]] std::optional<double> allowed(double scale) const {
     const double product = allowance() * scale;
     const bool is_zero = product == 0 && (scale == 0 || allowance() == 0);

@@ -3,7 +3,7 @@
 
 namespace carom::oracles {
 
-/// What happens at the contact.
+/// The state of the contact before the impulse.
 enum class Approach {
   colliding,   // N·V⁻ < 0 and a body can move
   resting,     // N·V⁻ = 0
@@ -11,7 +11,7 @@ enum class Approach {
   inert,       // both bodies immovable
 };
 
-/// Of a contact with a movable body, by the sign of N·V⁻: −1, 0 or 1.
+/// The approach at a contact that has a movable body. `sign` is the sign of N·V⁻: −1, 0 or 1.
 [[nodiscard]] constexpr Approach approach_of_sign(int sign) {
   if (sign < 0) {
     return Approach::colliding;

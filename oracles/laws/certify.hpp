@@ -8,8 +8,8 @@
 
 namespace carom::oracles {
 
-/// Substitutes an outcome into the equations that define the model: where it is the model's answer, both sides of each
-/// are the same. T is an exact field. Throws std::logic_error that names the equation where they are not.
+/// Substitutes an outcome into the equations that define the model. If the outcome is the model's answer, both sides of
+/// each equation are equal. Otherwise throws std::logic_error that names the equation. T is an exact field.
 /// Precondition: the model is one of `models_with_truth`.
 template <class T>
 void certify(const BasicCollision<T>& collision, Model model, Approach approach, const Outcome<T>& outcome) {

@@ -5,16 +5,16 @@
 
 namespace carom::oracles {
 
-/// What Eigen asks of a scalar type T that is a field of its own: real, signed, constructed from int, without
-/// functions of analysis; with the costs of reading, adding and multiplying, in cycles or so. NumTraits<T> derives
-/// from it.
+/// The traits that Eigen requires of a scalar type T that is its own real type. T is signed, is constructed from int,
+/// and has no functions of analysis. `Read`, `Add` and `Multiply` are costs in approximate cycles. NumTraits<T> derives
+/// from this struct.
 template <class T, int Read, int Add, int Multiply>
 struct EigenScalar : Eigen::GenericNumTraits<T> {
   using Real = T;
   using NonInteger = T;
   using Nested = T;
   using Literal = T;
-  static int digits10() { return 0; }  // of no fixed number of digits
+  static int digits10() { return 0; }  // the number of digits is not fixed
   enum {
     IsInteger = 0,
     IsSigned = 1,

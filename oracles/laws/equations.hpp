@@ -9,7 +9,8 @@
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/laws/truth.hpp>
 
-/// The equations, and which of them define each law: what has to be trusted. Everything is judged by these.
+/// The equations, and the set of equations that defines each law. The judge judges everything by these equations, so
+/// they have to be trusted.
 namespace carom::oracles {
 
 template <class T, int N>
@@ -21,7 +22,7 @@ struct Sides {
 template <class T>
 using Scalar1 = Eigen::Matrix<T, 1, 1>;
 
-/// ‖N × F‖² and (μ N·F)², of an impulse F on A.
+/// ‖N × F‖² and (μ N·F)² for an impulse F on A.
 template <class T>
 [[nodiscard]] Sides<T, 1> squared_cone(const BasicCollision<T>& c, const Vector3<T>& impulse) {
   const Vector3<T> tangential = c.normal.cross(impulse);
@@ -29,7 +30,7 @@ template <class T>
   return {Scalar1<T>(tangential.dot(tangential)), Scalar1<T>(limit * limit)};
 }
 
-/// V⁺ − V⁻ and C F, of a collision matrix C and an impulse F on A (note eq. 24).
+/// V⁺ − V⁻ and C F for a collision matrix C and an impulse F on A (note eq. 24).
 template <class T>
 [[nodiscard]] Sides<T, 3> change_by_matrix(const BasicCollision<T>& c, const Outcome<T>& after,
                                            const Matrix3<T>& matrix, const Vector3<T>& impulse) {
@@ -48,8 +49,8 @@ template <class T>
   return {c.normal.cross(impulse_on_a(c, after, read_off_a)), c.normal.cross(relative_velocity<T>(c, after))};
 }
 
-/// The equations that are affine in the outcome: their derivatives by it are one and the same for all outcomes of a
-/// collision.
+/// The equations that are affine in the outcome. For one collision, their derivatives with respect to the outcome are
+/// the same for every outcome.
 enum class AffineEquation {
   linear_momentum,
   angular_momentum_of_a,
@@ -68,9 +69,10 @@ enum class AffineEquation {
   untouched_velocity_of_b,
   untouched_angular_velocity_of_b,
 };
-/// Each gives the two sides of an equation or inequality, (collision, outcome) → Sides, for any outcome, exact or not,
-/// in any field T; its name where it is affine in the outcome; and whether its derivatives by the outcome are sums that
-/// may cancel, as r × N does, so that rounding may be most of them.
+/// Each struct maps (collision, outcome) to the two sides of an equation or inequality. The outcome may be exact or
+/// not, and T may be any field. `name` is set if the equation is affine in the outcome. `slopes_may_cancel` is true if
+/// the derivatives with respect to the outcome are sums that may cancel, such as r × N. Rounding may then be most of
+/// their value.
 namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
@@ -104,8 +106,8 @@ struct AngularMomentum {
   }
 };
 
-/// What A gains in angular momentum about the origin, B loses. With linear momentum kept it then holds about every
-/// point. Precondition: both bodies are movable.
+/// The angular momentum about the origin that A gains is the angular momentum that B loses. If linear momentum is kept
+/// too, this holds about every point. Precondition: both bodies are movable.
 struct TotalAngularMomentum {
   static constexpr bool slopes_may_cancel = false;
 
@@ -117,7 +119,7 @@ struct TotalAngularMomentum {
   }
 };
 
-/// A velocity or an angular velocity is as before. They are two equations, since their units are two.
+/// A velocity or an angular velocity is unchanged. The two are separate equations because their units differ.
 struct Untouched {
   OutcomeVector vector;
 
@@ -169,7 +171,7 @@ struct NonPenetration {
   }
 };
 
-/// N·F ≥ 0: contacts push. F is read off A or off B. Precondition: that body is movable.
+/// N·F ≥ 0: contacts push. F is computed from the velocity change of A or of B. Precondition: that body is movable.
 struct Push {
   bool read_off_a;
 
@@ -185,7 +187,8 @@ struct Push {
   }
 };
 
-/// N × F = 0 (note eq. 10 to 18). F is read off A or off B. Precondition: that body is movable.
+/// N × F = 0 (note eq. 10 to 18). F is computed from the velocity change of A or of B. Precondition: that body is
+/// movable.
 struct FrictionlessDirection {
   bool read_off_a;
 
@@ -202,7 +205,7 @@ struct FrictionlessDirection {
   }
 };
 
-/// N × V⁺ = N × V⁻ (note eq. 20, 21 without the basis).
+/// N × V⁺ = N × V⁻ (note eq. 20 and 21, without the basis).
 struct ReflectionPlane {
   static constexpr bool slopes_may_cancel = false;
 
@@ -214,7 +217,7 @@ struct ReflectionPlane {
   }
 };
 
-/// N × V⁺ = 0. Of contacts that collide.
+/// N × V⁺ = 0, for contacts that collide.
 struct Sticks {
   static constexpr bool slopes_may_cancel = false;
 
@@ -226,8 +229,8 @@ struct Sticks {
   }
 };
 
-/// ‖N × F‖² ≤ (μ N·F)², the friction cone where N·F ≥ 0. F is read off A or off B. Not affine. Precondition: that body
-/// is movable.
+/// ‖N × F‖² ≤ (μ N·F)², which is the friction cone if N·F ≥ 0. F is computed from the velocity change of A or of B. Not
+/// affine. Precondition: that body is movable.
 struct FrictionCone {
   bool read_off_a;
 
@@ -241,8 +244,8 @@ struct FrictionCone {
   }
 };
 
-/// (N × F) × (N × V⁺) = 0: friction acts along the slip after the impulse. F is read off A or off B. Not affine.
-/// Precondition: that body is movable.
+/// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse. F is computed from the velocity change
+/// of A or of B. Not affine. Precondition: that body is movable.
 struct FrictionAlongSlip {
   bool read_off_a;
 
@@ -257,7 +260,8 @@ struct FrictionAlongSlip {
   }
 };
 
-/// (N × F)·(N × V⁺) ≤ 0: friction does not push the slip on. As FrictionAlongSlip.
+/// (N × F)·(N × V⁺) ≤ 0: friction does not act in the direction of the slip. F is computed from the velocity change of
+/// A or of B. Not affine. Precondition: that body is movable.
 struct FrictionAgainstSlip {
   bool read_off_a;
 
@@ -272,8 +276,9 @@ struct FrictionAgainstSlip {
   }
 };
 
-/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by no more than the work that a driven wall does with
-/// its contact point's velocity. Not affine, but convex in the outcome. Precondition: a body is movable.
+/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W. W is the work of a driven wall, computed
+/// with the wall's velocity at the contact point. Not affine, but convex in the outcome. Precondition: a body is
+/// movable.
 struct Energy {
   static constexpr bool slopes_may_cancel = true;
 
@@ -302,14 +307,14 @@ struct Energy {
 
 }  // namespace equation
 
-/// What the judge holds an outcome against.
+/// An equation or inequality that the judge evaluates at an outcome.
 using Equation =
     std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
                  equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
                  equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::FrictionCone,
                  equation::FrictionAlongSlip, equation::FrictionAgainstSlip, equation::Energy>;
 
-/// Those that are affine in the outcome, in the order of their names.
+/// The equations that are affine in the outcome, in the order of AffineEquation.
 inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomentum{},
                                                            equation::AngularMomentum{true},
                                                            equation::AngularMomentum{false},
@@ -331,7 +336,7 @@ inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomen
   return std::visit([](const auto& one) { return one.name(); }, equation);
 }
 
-/// A value for each of them.
+/// One value for each affine equation.
 template <class T>
 using PerAffineEquation = EnumArray<AffineEquation, T, affine_equations.size()>;
 
@@ -347,8 +352,9 @@ consteval bool stand_in_the_order_of_their_names() {
 }  // namespace detail
 static_assert(detail::stand_in_the_order_of_their_names());
 
-/// The equations that define the answer of a model to a contact with this approach: calls visit(name, equation) for
-/// each. They determine it. Precondition: the model is one of `models_with_truth`.
+/// Calls visit(name, equation) for each equation that defines the answer of a model to a contact with this approach.
+/// For every model except `rough`, these equations determine the answer; `certify_rough` checks the rest of `rough`.
+/// Precondition: the model is one of `models_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approach approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {
@@ -361,7 +367,7 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
     visit_untouched("the velocities of B being untouched", false);
     return;
   }
-  // There is an impulse at the contact, F on A and −F on B.
+  // The contact transmits one impulse, F on A and −F on B.
   if (c.a.immovable) {
     visit_untouched("the immovable A being untouched", true);
   } else {
@@ -375,7 +381,7 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
   if (!c.a.immovable && !c.b.immovable) {
     visit("linear momentum", equation::LinearMomentum{});
   }
-  // What the model says of F, or of V⁺.
+  // The law's own conditions on F or V⁺.
   switch (model) {
     case Model::frictionless:
       visit("restitution", equation::Restitution{});
@@ -389,7 +395,7 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
       visit("restitution", equation::Restitution{});
       visit("sticking", equation::Sticks{});
       return;
-    case Model::rough:  // the rest is no equation of the outcome alone: certify_rough
+    case Model::rough:  // certify_rough checks the rest, which is no equation of the outcome alone
       visit("restitution", equation::Restitution{});
       return;
     case Model::coulomb:

@@ -6,7 +6,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
 
-/// The mechanics that the defining equations are written in, for any field T: rationals, dual numbers.
+/// The kinematics that the defining equations use, for any field T, such as rationals or dual numbers.
 namespace carom::oracles {
 
 template <class T>
@@ -14,18 +14,19 @@ template <class T>
   return {q[0], -q[1], -q[2], -q[3]};
 }
 
-/// q v q* / ‖q‖²: v turned by the rotation that q stands for. The products of Hamilton, without what is multiplied by
-/// the zero that is the real part of v: q v = (−u·v, t) with t = w v + u × v, and its product with q* = (w, −u).
+/// q v q* / ‖q‖²: v turned by the rotation that q represents. These are Hamilton's products without the terms that the
+/// zero real part of v multiplies. q v = (−u·v, t) with t = w v + u × v, and the second factor is q* = (w, −u).
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const T& w = q[0];
   const Vector3<T> u = q.template tail<3>();
   const Vector3<T> t = w * v + u.cross(v);
-  const T inverse_squared_length = T(1) / q.dot(q);  // one division in place of three
+  const T inverse_squared_length = T(1) / q.dot(q);  // one division instead of three
   return Vector3<T>(u.dot(v) * u + w * t + u.cross(t)) * inverse_squared_length;
 }
 
-/// J x: turned into the body frame, times the principal moments, and back. Precondition: the body is movable.
+/// J x: turns x into the body frame, multiplies it by the principal moments, and turns it back. Precondition: the body
+/// is movable.
 template <class T>
 [[nodiscard]] Vector3<T> apply_inertia(const BasicBody<T>& body, const Vector3<T>& x) {
   CAROM_EXPECTS(!body.immovable);

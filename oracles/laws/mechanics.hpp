@@ -4,10 +4,10 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 
-/// Impulses, momenta and energies of an outcome, exact or not, in any field T.
+/// Impulses, momenta and energies of an outcome. The outcome may be exact or not, and T may be any field.
 namespace carom::oracles {
 
-/// λ = 1/m_A + 1/m_B, without the immovable bodies [1/kg].
+/// λ = 1/m_A + 1/m_B [1/kg]. An immovable body contributes 0.
 template <class T>
 [[nodiscard]] T inverse_mass(const BasicCollision<T>& c) {
   T sum(0);
@@ -32,14 +32,16 @@ template <class T>
   return body.mass * Vector3<T>(after.velocity - body.velocity);
 }
 
-/// Whether the impulse is best read off A: the lighter movable body. Precondition: a body is movable.
+/// Whether A is the lighter movable body, so that its velocity change gives the impulse best. Precondition: a body is
+/// movable.
 template <class T>
 [[nodiscard]] bool reads_impulse_off_a(const BasicCollision<T>& c) {
   CAROM_EXPECTS(has_movable_body(c));
   return c.b.immovable || (!c.a.immovable && c.a.mass <= c.b.mass);
 }
 
-/// F on A, read off a movable body: the one whose velocity shows it best, by `reads_impulse_off_a`.
+/// F on A [N s], computed from the velocity change of A or of B. `reads_impulse_off_a` selects the body whose velocity
+/// changes more. Precondition: the selected body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_on_a(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
   return read_off_a ? impulse_on(c.a, after.a) : Vector3<T>(-impulse_on(c.b, after.b));
@@ -52,8 +54,8 @@ template <class T>
          apply_inertia<T>(body, after.angular_velocity - body.angular_velocity);
 }
 
-/// The kinetic energy that a movable body gains, ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻), written with sums and
-/// differences so that a large common velocity cancels. [J]
+/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). The code multiplies
+/// sums by differences, so that a large common velocity cancels.
 template <class T>
 [[nodiscard]] T kinetic_energy_gain(const BasicBody<T>& body, const BodyVelocity<T>& after) {
   const Vector3<T> sum = after.velocity + body.velocity;

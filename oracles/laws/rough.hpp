@@ -6,27 +6,27 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/certify.hpp>
 
-/// What defines the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; mathematics in docs/guide/laws.md):
-/// by two other laws without restitution, of which it is a combination, and the friction cone.
+/// The definition of the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; mathematics in
+/// docs/guide/laws.md). The law combines two other laws without restitution, and it obeys the friction cone.
 namespace carom::oracles {
 
-/// What a truth of the law `rough` is put together from.
+/// The parts of an answer of the law `rough`.
 template <class T>
 struct RoughParts {
-  Outcome<T> approach_stopped;  // the answer of `frictionless` at ε = 0, by the impulse P_I
-  Outcome<T> point_stopped;     // the answer of `sticking` at ε = 0, by the impulse P_II
+  Outcome<T> approach_stopped;  // the answer of `frictionless` at ε = 0, from the impulse P_I
+  Outcome<T> point_stopped;     // the answer of `sticking` at ε = 0, from the impulse P_II
   T friction_share;             // κ
 };
 
-/// Substitutes a truth and its parts into what defines them:
+/// Substitutes a truth and its parts into their definitions:
 ///
 ///   (1) the parts are the answers of their laws;
 ///   (2) y − y⁻ = (1 + ε) (y_I − y⁻) + κ (y_II − y_I), so that F = (1 + ε) P_I + κ (P_II − P_I);
 ///   (3) F lies in the cone, N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
 ///   (4) κ = 1 + e_t; or else 0 ≤ κ ≤ 1 + e_t and F lies on the cone's surface.
 ///
-/// T is an ordered exact field. Throws std::logic_error that names what does not hold. Preconditions: the contact
-/// collides; a body is movable.
+/// T is an ordered exact field. Throws std::logic_error that names a condition that does not hold. Preconditions: the
+/// contact collides; a body is movable.
 template <class T>
 void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
   CAROM_EXPECTS(has_movable_body(collision));

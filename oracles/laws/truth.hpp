@@ -16,7 +16,7 @@ struct Truth {
   Outcome<T> outcome;
 };
 
-/// What is said of a model that is not one of `models_with_truth`. Throws std::invalid_argument.
+/// Throws std::invalid_argument. Call it for a model that is not one of `models_with_truth`.
 [[noreturn]] inline void determines_no_outcome(Model model) {
   throw std::invalid_argument("the model `" + std::string(name_of(model)) + "` determines no outcome");
 }

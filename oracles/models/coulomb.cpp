@@ -9,10 +9,10 @@
 namespace carom::oracles {
 namespace {
 
-/// Bits to which a slip resistance is isolated.
+/// The number of bits to which a slip resistance is isolated.
 constexpr int bits_of_resistance = 120;
 
-/// The linear system of one collision.
+/// The linear system of one collision (see coulomb_answers).
 struct Slip {
   Matrix3<Rational> response;  // K
   Matrix3<Rational> across;    // P
@@ -32,7 +32,7 @@ struct Slip {
     return cramer<Rational>(matrix(resistance), change);
   }
 
-  /// n(ν) = adj M(ν) b: the coefficients of ν⁰, ν¹ and ν², by its values at 0, 1 and −1.
+  /// The coefficients of ν⁰, ν¹ and ν² of n(ν) = adj M(ν) b, from its values at 0, 1 and −1.
   [[nodiscard]] std::array<Vector3<Rational>, 3> numerator() const {
     const auto at = [&](int resistance) -> Vector3<Rational> {
       const Matrix3<Rational> m = matrix(Rational(resistance));

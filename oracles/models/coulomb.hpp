@@ -8,12 +8,12 @@
 
 namespace carom::oracles {
 
-/// How an answer of the law `coulomb` ends.
+/// The kind of an answer of the law `coulomb`.
 enum class AnswerKind {
   untouched,     // no impulse acts
   sticks,        // N × V⁺ = 0
-  frictionless,  // μ = 0: slips or not
-  slips,         // on the surface of the cone, against the slip
+  frictionless,  // μ = 0: it slips or sticks
+  slips,         // F lies on the surface of the cone, against the slip
 };
 
 [[nodiscard]] constexpr const char* name_of(AnswerKind kind) {
@@ -30,10 +30,11 @@ enum class AnswerKind {
   return "untouched";
 }
 
-/// An answer of the law `coulomb`, which may have several to one collision.
+/// An answer of the law `coulomb`. The law may have several answers to one collision.
 struct CoulombAnswer {
   AnswerKind kind;
-  Truth<Rational> truth;  // exact unless it slips: then of a slip resistance within 2⁻¹²⁰ of the exact one
+  Truth<Rational> truth;  // exact for each kind except `slips`, which has a slip resistance within 2⁻¹²⁰ of the exact
+                          // one
 
   [[nodiscard]] bool is_exact() const { return kind != AnswerKind::slips; }
 };
@@ -42,11 +43,13 @@ struct CoulombAnswer {
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
 ///
-/// With M(ν) = K + ν P, P the projection across N, F = M(ν)⁻¹ b for b = −(V⁻ + ε (N·V⁻)/(N·N) N): sticking at ν = 0.
-/// By Cramer's rule F = n(ν) / det M(ν), n quadratic and the determinant positive, so that the answers that slip are
-/// the positive roots of the quartic ‖N × n‖² − (μ N·n)² with N·n > 0: isolated, and so counted, exactly. There is at
-/// least one answer: where F(0) is not in the cone, F(ν) is on its surface on the way to the frictionless F(∞), which
-/// is. Precondition: the contact collides.
+/// Let P be the projection across N, M(ν) = K + ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b, and ν = 0 is
+/// sticking. By Cramer's rule F = n(ν) / det M(ν), with n quadratic and the determinant positive. So the answers that
+/// slip are the positive roots of the quartic ‖N × n‖² − (μ N·n)² with N·n > 0. These roots are isolated, and so
+/// counted, exactly.
+///
+/// There is at least one answer. If F(0) is not in the cone, F(ν) crosses the surface for some ν, because the
+/// frictionless F(∞) is in the cone. Preconditions: the contact collides; a body is movable.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& collision);
 
 }  // namespace carom::oracles

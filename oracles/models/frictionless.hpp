@@ -12,8 +12,8 @@ namespace carom::oracles {
 
 /// The law `frictionless` (note eq. 18): F = φ N with N·K F = −(1 + ε) N·V⁻.
 struct Frictionless {
-  // How its truth is found: F brings about as much of the wanted change of relative velocity along the normal, and is
-  // linear in it.
+  // The truth. F causes the component of the wanted change of relative velocity along the normal, and F is linear in
+  // this change.
 
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
@@ -21,7 +21,7 @@ struct Frictionless {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is the response matrix where it is known already.
+  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -31,24 +31,25 @@ struct Frictionless {
     return n * T(n.dot(change) / n.dot(answer));
   }
 
-  // Its refinement.
+  // The refinement (filters/refined_truth.hpp) uses these members.
 
-  /// An impulse that the law permits, exactly, next to this one: a multiple of N.
+  /// A multiple of N near `impulse`, which the law permits exactly.
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
                                                     const Vector3<double>& impulse) {
     const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
     return collision.normal * Enclosure(n.dot(impulse) / n.squaredNorm());
   }
 
-  /// What of a change of relative velocity the law asks for: what is along the normal is small, the rest is not.
+  /// The component of a change along the normal, which is the part that the law must cause. In refinement, this
+  /// component is small and the rest is not.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
     return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
-  // Its sensitivity.
+  // The sensitivity uses this member.
 
-  /// N·(K F − b) = 0, so dF = φ dN + N dφ. The answers to N are worked out as such: from the columns of the matrices
-  /// they would cancel where a lever arm is along N.
+  /// N·(K F − b) = 0, so dF = φ dN + N dφ. The responses to N are computed directly. If a lever arm is along N, they
+  /// would cancel in sums over the columns of the matrices.
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
     const Vector3<S>& n = c.normal;
@@ -74,17 +75,17 @@ struct Frictionless {
     return {impulse, change};
   }
 
-  // What its closeness rests on.
+  // Closeness uses these members.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// they apply.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,
                                     AffineEquation::frictionless_direction_read_off_b};
-  /// Whether its answer never has more energy than before, beside the work of a driven wall:
-  /// ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
+  /// Whether the law never adds energy, apart from the work of a driven wall: ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
   static constexpr bool creates_no_energy = true;
 
-  // What happens where the contact only just collides.
+  // The grazing band uses this member.
 
   /// Whether the impulse does not vanish with N·V⁻.
   static constexpr bool acts_at_once = false;

@@ -9,18 +9,18 @@
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
-/// Implicit differentiation of a law's answer. The impulse F solves K F = b, so K dF = db − dK F. Bodies answer to F
-/// linearly, so only their answer to one fixed impulse is differentiated. S is double, or Enclosure.
+/// Implicit differentiation of a law's answer. The impulse F solves K F = b, so K dF = db − dK F. Bodies respond
+/// linearly to F, so only their response to one fixed impulse is differentiated. S is double or Enclosure.
 namespace carom::oracles {
 
-/// The derivatives of a vector by all numbers of a collision.
+/// The derivatives of a vector with respect to all numbers of a collision.
 template <class S>
 using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
-/// Where the numbers of a collision stand among its inputs.
+/// The indices of the numbers of a collision among its inputs.
 struct Places {
   struct OfBody {
-    Eigen::Index position = 0;  // behind mass, principal inertia and orientation, where the body has them
+    Eigen::Index position = 0;  // after mass, principal inertia and orientation, if the body has them
     [[nodiscard]] Eigen::Index velocity() const { return position + 3; }
     [[nodiscard]] Eigen::Index angular_velocity() const { return position + 6; }
   };
@@ -58,7 +58,7 @@ template <class S, std::size_t N>
   return {numbers[0].value, numbers[1].value, numbers[2].value};
 }
 
-/// The derivatives by `Count` inputs from this one on.
+/// The derivatives with respect to `Count` inputs, starting at `first`.
 template <int Count, class S, std::size_t N>
 [[nodiscard]] Eigen::Matrix<S, 3, Count> derivatives(const Vector3<Dual<S, N>>& numbers, std::size_t first) {
   Eigen::Matrix<S, 3, Count> result;
@@ -70,14 +70,14 @@ template <int Count, class S, std::size_t N>
   return result;
 }
 
-/// How one body answers to impulses at the contact point: not at all where it is immovable.
+/// The response of one body to impulses at the contact point. It is zero if the body is immovable.
 template <class S>
 struct BodyResponse {
-  // Columns: the answers to unit impulses.
+  // The columns are the responses to unit impulses.
   Matrix3<S> velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> angular_velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> at_point = Matrix3<S>::Constant(S(0));
-  // The derivatives of the answer to the given impulse, which itself stays as it is.
+  // The derivatives of the response to the given impulse. The impulse itself is constant.
   Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_angular_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_at_point = Jacobian<S>::Constant(S(0));
@@ -97,7 +97,8 @@ template <class S>
     result.angular_velocity.col(i) = answer.angular_velocity;
     result.at_point.col(i) = point_velocity<S>(answer, arm);
   }
-  // Mass, three moments, four numbers of the orientation and three of the position; three of the contact point.
+  // The inputs are the mass, three moments, four numbers of the orientation, three of the position, and three of the
+  // contact point.
   constexpr int own = 11;
   using T = Dual<S, own + 3>;
   BasicBody<T> dual;
@@ -119,25 +120,25 @@ template <class S>
   return result;
 }
 
-/// The derivatives of an impulse, and of what it adds to each of the four velocities.
+/// The derivatives of an impulse, and of the changes that it causes in each of the four velocities.
 template <class S>
 struct Derivatives {
   Jacobian<S> of_impulse;
   PerVector<Jacobian<S>> of_change;
 };
 
-/// What is differentiated: the responses of both bodies to the impulse F on A and −F on B.
+/// The input of the differentiation: the responses of both bodies to the impulse F on A and −F on B.
 template <class S>
 struct ImpulseDifferential {
   BodyResponse<S> a;
   BodyResponse<S> b;
   Vector3<S> impulse;
-  Vector3<S> wanted;        // b, the change of relative velocity that the law asks for
+  Vector3<S> wanted;        // b, the change of relative velocity that the law requires
   Jacobian<S> left;         // dK F − db
-  Eigen::Index normal = 0;  // where the normal stands among the inputs
+  Eigen::Index normal = 0;  // index of the normal among the inputs
 };
 
-/// Of a law whose impulse satisfies K F = b: dF = K⁻¹ (db − dK F).
+/// The derivatives for a law whose impulse satisfies K F = b: dF = K⁻¹ (db − dK F).
 template <class S>
 [[nodiscard]] Derivatives<S> derivatives_by_matrix(const ImpulseDifferential<S>& of) {
   const DefiniteSystem<S> k(of.a.at_point + of.b.at_point);

@@ -11,11 +11,11 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The models that determine an outcome, a type each. None of what these types say is trusted: a truth is certified by
-/// the defining equations, and the rest is held against it in the tests.
+/// The models that determine an outcome, each as a type. Nothing in these types has to be trusted: the defining
+/// equations certify a truth, and the tests check the rest against the truth.
 namespace carom::oracles {
 
-/// use(law), law being an object of the type that stands for the model. Throws std::invalid_argument where the model is
+/// Calls use(law) with an object of the type that stands for the model. Throws std::invalid_argument if the model is
 /// not one of `models_with_truth`.
 template <class Use>
 decltype(auto) with_law(Model model, Use&& use) {
@@ -35,24 +35,25 @@ decltype(auto) with_law(Model model, Use&& use) {
   determines_no_outcome(model);
 }
 
-/// use(law) of the law by which the model answers on this branch: where there is no friction, `rough` is frictionless.
+/// Calls use(law) with the law by which the model answers on this branch. On the branch without friction, `rough` is
+/// frictionless.
 template <class Use>
 decltype(auto) with_law(Model model, Branch branch, Use&& use) {
   return with_law(model == Model::rough && branch == Branch::only ? Model::frictionless : model,
                   std::forward<Use>(use));
 }
 
-/// A law that asks for a change of relative velocity, and whose impulse is linear in it. The others are combinations of
-/// two such laws, by a share that is not linear.
+/// A law whose impulse is linear in the change of relative velocity that it requires. Every other law combines two such
+/// laws, with a share that is not linear.
 template <class Law>
 concept LinearLaw = requires {
   &Law::template wanted_change<double>;
 };
 
-/// Their models: the truth is rational, by one formula.
+/// The models of these laws. One formula gives their truth, which is rational.
 inline constexpr std::array linear_models{Model::frictionless, Model::reflection, Model::sticking};
 
-/// The change of relative velocity that a linear law asks for.
+/// The change of relative velocity that a linear law requires.
 template <class Law, class T>
 [[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& c) {
   return Law::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
@@ -66,7 +67,7 @@ struct RoughImpulses {
   Vector3<T> stops_approach;
   Vector3<T> stops_point;
 
-  /// `matrix` is the response matrix where it is known already.
+  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
   RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
     CAROM_EXPECTS(has_movable_body(c));
     const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
@@ -78,9 +79,9 @@ struct RoughImpulses {
 
 }  // namespace detail
 
-/// The impulse on A of the law's answer to a contact that collides. `branch` is that of the collision, or the other
-/// side of the cone; `matrix` is the response matrix where it is known already. T is a field, on the cone with square
-/// roots; the sign of N·V⁻ is not asked. Precondition: a body is movable.
+/// The impulse on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or the
+/// other side of the cone. `matrix` is the response matrix if it is already known. T is a field, with square roots on
+/// the cone. The function does not check the sign of N·V⁻. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Model model, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
@@ -97,7 +98,7 @@ template <class T>
   });
 }
 
-/// The law's answer to a contact that collides. As `colliding_impulse`.
+/// The law's answer to a contact that collides, from `colliding_impulse` with the same parameters and precondition.
 template <class T>
 [[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Model model, Branch branch) {
   const Vector3<T> impulse = colliding_impulse<T>(c, model, branch);
@@ -111,8 +112,8 @@ template <class T>
                                          : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
-/// Whether `rough` answers inside the cone, where `sign`, of a number of type T → −1, 0, 1 or none, knows what decides
-/// it.
+/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. No value if the
+/// known signs do not decide it. Precondition: a body is movable.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> is_inside_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix,
                                                  const Sign& sign) {
@@ -126,8 +127,8 @@ template <class T, class Sign>
   return along_normal && slack ? std::optional(true) : std::nullopt;
 }
 
-/// Whether some κ > 0 puts F on the cone's surface, so that there is an answer by that formula too. As
-/// `is_inside_cone`.
+/// Whether some κ > 0 puts F on the cone's surface, so that this formula has an answer too. `sign` and the precondition
+/// are those of `is_inside_cone`.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> reaches_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix, const Sign& sign) {
   const auto reach = Rough::reach<T>(c, detail::RoughImpulses<T>(c, matrix).difference());
@@ -139,8 +140,8 @@ template <class T, class Sign>
   return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
-/// The equations that the answer of every model satisfies to every contact that they speak of: `restitution` where it
-/// collides, `untouched` where it does not and of immovable bodies.
+/// The equations that the answer of every model satisfies for every contact to which they apply. `restitution` applies
+/// if the contact collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
 inline constexpr std::array kept_by_every_model{AffineEquation::linear_momentum,
                                                 AffineEquation::angular_momentum_of_a,
                                                 AffineEquation::angular_momentum_of_b,
@@ -171,19 +172,18 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<Law>
 
 }  // namespace detail
 
-/// Whether the answer of the model satisfies the equation to every contact that it speaks of.
+/// Whether the answer of the model satisfies the equation for every contact to which it applies.
 [[nodiscard]] inline bool keeps(Model model, AffineEquation equation) {
   return with_law(model, [&]<class Law>(Law) { return detail::kept_equations_of<Law>[equation]; });
 }
 
-/// Whether the impulse of the model on this branch does not vanish with N·V⁻. Where inputs within rounding include both
-/// colliding and separating contacts, its answers to both are then open to an outcome, and neither is asked of it
-/// alone.
+/// Whether the impulse of the model on this branch does not vanish with N·V⁻. If so, and if inputs within rounding
+/// include both colliding and separating contacts, an outcome may be either of the two answers.
 [[nodiscard]] inline bool acts_at_once(Model model, Branch branch) {
   return with_law(model, branch, [&]<class Law>(Law) { return Law::acts_at_once && branch != Branch::on_cone; });
 }
 
-/// Whether the answer of the model never has more energy than before, beside the work of a driven wall.
+/// Whether the model never adds energy, apart from the work of a driven wall.
 [[nodiscard]] inline bool creates_no_energy(Model model) {
   return with_law(model, []<class Law>(Law) { return Law::creates_no_energy; });
 }

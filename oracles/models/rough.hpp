@@ -12,13 +12,14 @@
 namespace carom::oracles {
 
 /// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach,
-/// P_II the contact point; κ = 1 + e_t where that F lies in the friction cone, else what puts F on its surface. It is
-/// linear in P_I and P_II but for κ, and these are the impulses of two linear laws without restitution.
+/// and P_II stops the contact point. κ = 1 + e_t if the resulting F lies in the friction cone. Otherwise κ is the value
+/// that puts F on the cone's surface. P_I and P_II are the impulses of two linear laws without restitution. For fixed
+/// κ, F is linear in them.
 struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;
 
-  /// Of what decides whether F with κ = 1 + e_t lies in the cone: where neither is negative.
+  /// F with κ = 1 + e_t lies in the cone if neither member is negative.
   template <class T>
   struct Whole {
     T along_normal;  // N·F
@@ -32,7 +33,7 @@ struct Rough {
     return {c.normal.dot(f), cone.right[0] - cone.left[0]};
   }
 
-  /// Of what decides whether some κ > 0 puts F on the surface: none does where N·D ≥ 0 and the other is not positive.
+  /// Some κ > 0 puts F on the surface, unless N·D ≥ 0 and `beyond` is not positive.
   template <class T>
   struct Reach {
     T along_normal;  // N·D
@@ -44,7 +45,7 @@ struct Rough {
     return {c.normal.dot(d), cone.left[0] - cone.right[0]};
   }
 
-  /// ‖N × D‖ − μ N·D, by which κ is divided on the cone's surface.
+  /// ‖N × D‖ − μ N·D, the divisor of κ on the cone's surface.
   template <class T>
   [[nodiscard]] static T divisor(const BasicCollision<T>& c, const Vector3<T>& d) {
     const Vector3<T> tangential = c.normal.cross(d);
@@ -52,7 +53,7 @@ struct Rough {
     return sqrt(T(tangential.dot(tangential))) - c.friction * c.normal.dot(d);
   }
 
-  /// κ; without μ friction does nothing.
+  /// κ. It is 0 on the branch without friction.
   template <class T>
   [[nodiscard]] static T friction_share(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                         const Vector3<T>& d, Branch branch) {
@@ -65,25 +66,26 @@ struct Rough {
     return c.friction * (T(1) + c.restitution) * c.normal.dot(stops_approach) / divisor(c, d);
   }
 
-  /// (1 + ε) P_I + κ D, of impulses and of what they change alike.
+  /// (1 + ε) P_I + κ D, for impulses and for the changes that they cause.
   template <class T>
   [[nodiscard]] static Vector3<T> combined(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                            const Vector3<T>& d, const T& share) {
     return Vector3<T>(stops_approach * T(T(1) + c.restitution)) + Vector3<T>(d * share);
   }
 
-  // What its closeness rests on.
+  // Closeness uses these members.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// they apply.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
-  /// Whether its answer never has more energy than before, beside the work of a driven wall: P_I and D are
-  /// K-orthogonal, so ΔE = −½ (1 − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.
+  /// Whether the law never adds energy, apart from the work of a driven wall. P_I and D are K-orthogonal, so ΔE = −½ (1
+  /// − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.
   static constexpr bool creates_no_energy = true;
 
-  // What happens where the contact only just collides.
+  // The grazing band uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻ inside the cone: it does not where D itself lies in it, for great
-  /// friction.
+  /// Whether the impulse does not vanish with N·V⁻ inside the cone. It does not vanish if D itself lies in the cone,
+  /// which large friction causes.
   static constexpr bool acts_at_once = true;
 };
 

@@ -13,7 +13,7 @@
 namespace carom::oracles {
 namespace {
 
-/// V⁻, from enclosures: its terms may cancel, and the direction of the slip is read off what remains.
+/// V⁻ from enclosures, because its terms may cancel. The rest determines the direction of the slip.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
@@ -37,14 +37,14 @@ struct Differentiable {
   Vector3<S> velocity;  // V⁻
 };
 
-/// The change that the law asks for, and its derivatives.
+/// The required change of relative velocity and its derivatives.
 template <class S>
 struct Wanted {
   Vector3<S> change;
   Jacobian<S> derivative = Jacobian<S>::Constant(S(0));
 };
 
-/// By the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
+/// Applies the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
 /// derivative.
 template <class Law, class S>
 Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
@@ -71,7 +71,7 @@ Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) 
   return result;
 }
 
-/// A linear law's impulse and what it adds to the velocities, with their derivatives.
+/// A linear law's impulse and the changes of the velocities that it causes, with their derivatives.
 template <class S>
 struct Differentiated {
   Vector3<S> impulse;
@@ -123,7 +123,7 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   const Vector3<S> along = tangential / S(sqrt(S(tangential.dot(tangential))));
   const S p = n.dot(approach.impulse);
   const S q = Rough::divisor<S>(c, d);
-  // ∂(N·D) and ∂‖N × D‖ = t·(∂N × D + N × ∂D), t along N × D.
+  // ∂(N·D), and ∂‖N × D‖ = t·(∂N × D + N × ∂D) with t the unit vector along N × D.
   Row<S> d_normal = n.transpose() * d_of_d;
   d_normal.template segment<3>(places.normal) += d.transpose();
   Row<S> d_tangential = along.cross(n).transpose() * d_of_d;
@@ -139,7 +139,7 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   return share;
 }
 
-/// The derivatives of what the law's impulse adds to the velocities.
+/// The derivatives of the changes of the velocities by the law's impulse.
 template <class Law, class S>
 PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch branch) {
   using T = Dual<S, 7>;
@@ -162,7 +162,7 @@ PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch br
   }
 }
 
-/// ∂y_k, of the law's answer to a contact that collides.
+/// ∂y_k for the law's answer to a contact that collides.
 template <class S>
 PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Model model, Branch branch) {
   PerVector<Jacobian<S>> derivatives =
@@ -178,7 +178,7 @@ PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Model mo
   return derivatives;
 }
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖; not a number where squares may have left the range of binary64.
+/// Σ_q ‖∂y/∂q‖ ‖q‖. NaN if squares may have left the range of binary64.
 double weighted_norm(const Jacobian<double>& jacobian, const std::vector<Quantity>& quantities) {
   double sum = 0;
   bool is_zero = true;
@@ -194,7 +194,7 @@ double weighted_norm(const Jacobian<double>& jacobian, const std::vector<Quantit
   return sum >= least_sum_by_squares && sum <= largest_sum_by_squares ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The same of what `number` says of each derivative.
+/// Σ_q ‖∂y/∂q‖ ‖q‖ with number(derivative) in place of each derivative.
 template <class Number>
 double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quantity>& quantities,
                      const Number& number) {
@@ -203,9 +203,9 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
   });
 }
 
-/// By how much roundings grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI, so T / λ bounds κ(K), and
-/// covers what cancels in r × F. On the cone's surface the divisor ‖N × D‖ − μ N·D of κ may cancel besides, from terms
-/// that are as large as the impulses: at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+/// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
+/// bounds κ(K), and it covers cancellation in r × F. On the cone's surface, the divisor ‖N × D‖ − μ N·D of κ may cancel
+/// too. Its terms are as large as the impulses, at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Model model,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
@@ -226,8 +226,8 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middles lose fewer than 2⁹ roundings of double-double arithmetic, of 2⁻¹⁰² each, times their growth. Up to this
-/// growth they are known to a thousandth. The radii are larger, as they know nothing of K ⪰ λI.
+/// The middles lose fewer than 2⁹ roundings of double-double arithmetic (2⁻¹⁰² each), times their growth. Up to this
+/// growth, the middles are correct to a thousandth. The radii are larger, because they do not use K ⪰ λI.
 constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
@@ -293,7 +293,7 @@ RadicalDual lifted(const RationalDual& x) {
   return result;
 }
 
-/// The answer of `rough` on the cone: in ℚ but for what has the root in it.
+/// The answer of `rough` on the cone. Only the terms that contain the root are computed outside ℚ.
 Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
   const auto lift = [](const Vector3<RationalDual>& v) {
     return Vector3<RadicalDual>{lifted(v[0]), lifted(v[1]), lifted(v[2])};
@@ -324,12 +324,13 @@ Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch br
 
 namespace {
 
-/// |μ N·F − ‖N × F‖|, F with κ = 1 + e_t, from below: near the surface it is what rounding would leave.
+/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t. Near the surface this difference is as small as a
+/// rounding error.
 double distance_from_cone(const BasicCollision<Enclosure>& c) {
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
                                                               Enclosure(Enclosure(1.0) + c.tangential_restitution));
-  // Of an impulse of ordinary size, so that its square stays in the range of numbers.
+  // Scale the impulse to ordinary size, so that its square stays in the range of numbers.
   const double size = whole.unaryExpr([](const Enclosure& x) { return x.middle(); }).lpNorm<Eigen::Infinity>();
   const double unit = std::isfinite(size) && size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
   const Vector3<Enclosure> scaled = whole * Enclosure(1 / unit);
@@ -338,7 +339,7 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
          Enclosure(c.friction * c.normal.dot(scaled) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
 }
 
-/// ∂(μ N·F), in the first row, and ∂(N × F), F with κ = 1 + e_t.
+/// ∂(μ N·F), in the first row, and ∂(N × F), for F with κ = 1 + e_t.
 template <class S>
 struct ConeDerivatives {
   Jacobian<S> limit = Jacobian<S>::Constant(S(0));

@@ -17,54 +17,55 @@
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome the sum over the quantities q of ‖∂y_k/∂q‖ ‖q‖ (quantities.hpp), and ‖y_k⁻‖: the
-/// denominator of the backward error, without the unit roundoff. The last term stands for the rounding of the sum y_k⁻
-/// + Δy_k. No change of the inputs explains that rounding if the sum nearly vanishes and the law is insensitive (a ball
-/// that hits a wall head-on at ε = 0): mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §1.5.
+/// For each vector y_k of an outcome, the sum of ‖∂y_k/∂q‖ ‖q‖ over the quantities q (quantities.hpp), plus ‖y_k⁻‖.
+/// This is the denominator of the backward error, without the unit roundoff. The last term stands for the rounding of
+/// the sum y_k⁻ + Δy_k. No change of the inputs explains that rounding if the sum nearly vanishes and the law is
+/// insensitive. An example is a ball that hits a wall head-on at ε = 0. This is a mixed forward-backward error: N.
+/// Higham, Accuracy and Stability of Numerical Algorithms, §1.5.
 using Sensitivity = PerVector<double>;
 
-/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ from here to there are taken by squares in binary64: what these lose below its range, times
-/// ‖q‖, is no ten-digit part of the first (docs/internals/bounds.md); what overflows is larger than the other.
+/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ between these limits are computed by squares in binary64. The underflow of the squares, times
+/// ‖q‖, does not reach the tenth digit of the smaller limit (docs/internals/bounds.md). A sum that overflows is above
+/// the larger limit.
 inline constexpr double least_sum_by_squares = 0x1p-380;
 inline constexpr double largest_sum_by_squares = 0x1p+400;
 
-/// Ten digits of a sum.
+/// The relative precision of ten digits of a sum.
 inline constexpr double ten_digits = 0x1p-34;
 
 /// ‖y_k⁻‖.
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
-/// Of the law's answer to a contact that collides, by implicit differentiation (implicit_differentiation.hpp), in
-/// binary64. It loses about κ(K) u of the reflection law. None if a sum is extreme. Preconditions: the collision is
-/// moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`; for all but the frictionless
-/// law κ(K) is well below 1/u; on the cone the divisor of κ keeps some of its terms.
+/// The sensitivity of the law's answer to a contact that collides, in binary64. It uses implicit differentiation
+/// (implicit_differentiation.hpp), and loses about κ(K) u if the law inverts K. No value if a sum is extreme.
+/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`.
+/// κ(K) must be well below 1/u, except for the frictionless law. On the cone, the divisor of κ must not cancel
+/// completely.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// The same in double-double arithmetic, of any valid collision with a movable body. It is known if its radii are at
-/// most a thousandth of it. If the collision is moderate, it is also known where roundings grow little enough, as κ(K)
-/// says. Otherwise none.
+/// The sensitivity of `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body.
+/// It is known if its radii are at most a thousandth of it. If the collision is moderate, it is also known if the
+/// growth of rounding errors, bounded by means of κ(K), is small enough. Otherwise no value.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
                                                               bool is_moderate);
 
-/// The same with the whole law differentiated, exactly.
+/// The sensitivity of `colliding_sensitivity` by exact differentiation of the whole law.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
 
-/// How far the law `rough` with κ = 1 + e_t answers from the cone's surface, and how far inputs move that, to first
-/// order, rounded as the sensitivities are; no number where it is not known.
+/// The distance of the answer of `rough` with κ = 1 + e_t from the cone's surface, and the first-order effect of the
+/// inputs on this distance. Both are rounded as sensitivities are, and NaN if unknown.
 struct ConeDistance {
-  double distance;     // |μ N·F − ‖N × F‖|, from below, by enclosures
+  double distance;     // a lower bound of |μ N·F − ‖N × F‖|, by enclosures
   double sensitivity;  // Σ_q ‖∂(μ N·F)/∂q‖ ‖q‖ + Σ_q ‖∂(N × F)/∂q‖ ‖q‖
 
-  /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface; true where it is
-  /// not known.
+  /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface. True if unknown.
   [[nodiscard]] bool is_within(double allowance) const { return !(distance > allowance * sensitivity); }
 };
 
-/// In binary64. Preconditions: those of colliding_sensitivity.
+/// The cone distance in binary64. Preconditions: those of colliding_sensitivity.
 [[nodiscard]] ConeDistance cone_distance(const Collision& collision);
 
-/// The same in double-double arithmetic. Precondition: a body is movable.
+/// The cone distance in double-double arithmetic. Precondition: a body is movable.
 [[nodiscard]] ConeDistance enclosed_cone_distance(const Collision& collision);
 
 namespace detail {

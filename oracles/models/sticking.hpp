@@ -12,7 +12,7 @@ namespace carom::oracles {
 
 /// The law `sticking`, the limit μ → ∞ of Coulomb friction: K F = −(V⁻ + ε (N·V⁻) / (N·N) N).
 struct Sticking {
-  // How its truth is found: F brings about the wanted change of relative velocity, and is linear in it.
+  // The truth. F causes the wanted change of relative velocity and is linear in it.
 
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
@@ -21,27 +21,27 @@ struct Sticking {
     return -(velocity_before + n * T(rebound / n.dot(n)));
   }
 
-  /// `matrix` is the response matrix where it is known already.
+  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  // Its refinement.
+  // The refinement (filters/refined_truth.hpp) uses these members.
 
-  /// An impulse that the law permits, exactly, next to this one.
+  /// The same impulse, because the law permits every impulse exactly.
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
   }
 
-  /// What of a change of relative velocity the law asks for.
+  /// The part of a change of relative velocity that the law must cause.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
     return change;
   }
 
-  // Its sensitivity.
+  // The sensitivity uses this member.
 
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& /*collision*/,
@@ -49,17 +49,18 @@ struct Sticking {
     return derivatives_by_matrix<S>(of);
   }
 
-  // What its closeness rests on.
+  // Closeness uses these members.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// they apply.
   static constexpr std::array keeps{AffineEquation::sticks};
-  /// Whether its answer never has more energy than before, beside the work of a driven wall. It does for ε > 0, where
-  /// what the tangential impulse does along the normal speeds the bodies up.
+  /// Whether the law never adds energy, apart from the work of a driven wall. Sticking may add energy if ε > 0, because
+  /// the tangential impulse also changes the normal velocity.
   static constexpr bool creates_no_energy = false;
 
-  // What happens where the contact only just collides.
+  // The grazing band uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻: it stops the slip, however slow the approach.
+  /// Whether the impulse does not vanish with N·V⁻. It stops the slip, however slow the approach is.
   static constexpr bool acts_at_once = true;
 };
 

@@ -10,11 +10,11 @@
 #include <carom/oracles/models/definite_system.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
-/// The exact outcome by superposition: the velocities answer linearly to the impulse, so trial impulses show how, and
-/// the law picks the combination. T is a field.
+/// The exact outcome by superposition. The velocities respond linearly to the impulse. Trial impulses show the
+/// responses, and the law combines them. T is a field.
 namespace carom::oracles {
 
-/// The change of a body's velocities by the impulse F at the contact point; zero where the body is immovable.
+/// The change of a body's velocities by the impulse F at the contact point. It is zero if the body is immovable.
 template <class T>
 [[nodiscard]] BodyVelocity<T> response(const BasicBody<T>& body, const Vector3<T>& point, const Vector3<T>& impulse) {
   if (body.immovable) {
@@ -43,7 +43,8 @@ template <class T>
   return responses;
 }
 
-/// The collision matrix by its meaning: column i is the change of relative velocity by a unit impulse along axis i.
+/// The collision matrix, from its definition: column i is the change of relative velocity by a unit impulse along axis
+/// i.
 template <class T>
 [[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision,
                                          const std::array<Outcome<T>, 3>& responses) {
@@ -73,7 +74,7 @@ template <class T>
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
 }
 
-/// F with K F = change. `matrix` is K where it is known already. Precondition: a body is movable.
+/// F with K F = change. `matrix` is K if it is already known, otherwise nullptr. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
                                            const Matrix3<T>* matrix) {
@@ -82,11 +83,11 @@ template <class T>
   if constexpr (std::is_same_v<T, Enclosure> || std::is_same_v<T, double>) {
     return DefiniteSystem<T>(k).solve(change);
   } else {
-    return cramer<T>(k, change);  // rationals lose no digits, and refinement makes up for those of approximations
+    return cramer<T>(k, change);  // rationals lose no digits, and refinement corrects the errors of approximations
   }
 }
 
-/// The change of relative velocity that restitution asks for, along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
+/// The change of relative velocity that restitution causes along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
 template <class T>
 [[nodiscard]] Vector3<T> change_by_restitution(const Vector3<T>& n, const T& restitution,
                                                const Vector3<T>& velocity_before) {

@@ -8,16 +8,16 @@
 
 namespace carom::oracles {
 
-/// The bounds of Approximation: each a formula for any scalar S, so that a test can count their roundings
+/// The bounds of Approximation. Each is a formula for any scalar S, so that a test can count their roundings
 /// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, and ẑ the rounded result of an operation on x̂ and ŷ:
 ///
-///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number where a product or quotient underflows;
+///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number if a product or quotient underflows;
 ///   (2) |x + y − (x̂ + ŷ)| ≤ r_x + r_y;
 ///   (3) |x y − x̂ ŷ| ≤ |x̂| r_y + (|ŷ| + r_y) r_x;
 ///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y);
 ///   (5) |√x − √x̂| ≤ r_x / √x̂, and |√x̂ − ẑ| ≤ u |ẑ|.
 ///
-/// The roundings of (1) to (5) themselves are fewer than (up − 1) / u; what underflows in them is less than `least`.
+/// The evaluation of (1) to (5) takes fewer than (up − 1) / u roundings. Its underflow loses less than `least`.
 namespace approximation {
 
 inline constexpr double unit_roundoff = 0x1p-53;
@@ -25,10 +25,10 @@ inline constexpr double up = 1 + 0x1p-45;
 inline constexpr double down = 1 - 0x1p-45;
 inline constexpr double least = 0x1p-1000;
 
-/// What a product may lose below the range of binary64, where it is divided by something small.
+/// The most that underflow takes from a product before the product is divided by a small number.
 inline constexpr double least_number = 0x1p-1074;
 
-/// |x| of x = ± size ± radius, from above and from below.
+/// Upper and lower bounds of |x| for x = ± size ± radius.
 template <class S>
 [[nodiscard]] S above(const S& size, const S& radius) {
   return (size + radius) * S(up);
@@ -38,7 +38,7 @@ template <class S>
   return size * S(down) - radius * S(up);
 }
 
-/// The radii of results; `size` is |ẑ|.
+/// The radii of results. `size` is |ẑ|.
 template <class S>
 [[nodiscard]] S radius_of_sum(const S& radius_x, const S& radius_y, const S& size) {
   return (radius_x + radius_y + size * S(unit_roundoff)) * S(up);
@@ -53,7 +53,7 @@ template <class S>
   return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
 }
 
-/// `root` is ẑ of (5), at most 1 + u times as large as √x̂.
+/// `root` is ẑ of (5). It is at most 1 + u times √x̂.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& radius_x, const S& root) {
   return (radius_x / root + root * S(unit_roundoff)) * S(up) + S(least);
@@ -61,15 +61,15 @@ template <class S>
 
 }  // namespace approximation
 
-/// A real number known to within a radius: |x − middle| ≤ radius. Binary64 with a bound that is carried along, a tenth
-/// of the work of an `Enclosure`: running error analysis, J. Wilkinson; N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §3.3. Where a bound overflows it is infinite or no number, and nothing is decided.
+/// A real number with an error bound: |x − middle| ≤ radius. It is binary64 arithmetic that carries a bound, at a tenth
+/// of the cost of an `Enclosure`. This is running error analysis (J. Wilkinson; N. Higham, Accuracy and Stability of
+/// Numerical Algorithms, §3.3). A bound that overflows is infinite or NaN, and then decides nothing.
 class Approximation {
  public:
   Approximation() = default;
   Approximation(int exact) : middle_(exact) {}  // NOLINT(google-explicit-constructor)
   explicit Approximation(double exact) : middle_(exact) {}
-  /// What is beyond binary64 becomes part of the radius.
+  /// The bits beyond binary64 become part of the radius.
   explicit Approximation(long double exact) : middle_(static_cast<double>(exact)) {
     const long double rest = exact - static_cast<long double>(middle_);
     radius_ = rest == 0 ? 0 : std::abs(static_cast<double>(rest)) * approximation::up + approximation::least;
@@ -78,7 +78,7 @@ class Approximation {
   [[nodiscard]] double middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// The same, known to within so much less.
+  /// This number with its radius enlarged by `radius`.
   [[nodiscard]] Approximation widened_by(double radius) const {
     return {middle_, approximation::above(radius_, radius)};
   }
@@ -94,7 +94,7 @@ class Approximation {
 
   [[nodiscard]] bool is_exactly_zero() const { return middle_ == 0 && radius_ == 0; }
 
-  /// −1, 0 or 1 where it is certain.
+  /// −1, 0 or 1 if the sign is certain.
   [[nodiscard]] std::optional<int> sign() const {
     if (is_exactly_zero()) {
       return 0;
@@ -109,7 +109,7 @@ class Approximation {
 
   friend Approximation operator+(const Approximation& x, const Approximation& y) {
     const double z = x.middle_ + y.middle_;
-    // Sums do not underflow, their bounds can; a sum of zero is exact.
+    // A sum does not underflow, but its bound can. A sum of zero is exact.
     return {z, approximation::radius_of_sum(x.radius_, y.radius_, std::abs(z)) + (z == 0 ? 0 : approximation::least)};
   }
 
@@ -129,7 +129,7 @@ class Approximation {
     return {q, approximation::radius_of_quotient(x.radius_, y.radius_, y.magnitude_below(), std::abs(q))};
   }
 
-  /// √x of a number that is not negative, whatever is known of it.
+  /// √x of a number that is not negative, even if its approximation does not exclude zero or negative numbers.
   friend Approximation sqrt(const Approximation& x) {
     if (x.is_exactly_zero()) {
       return {};

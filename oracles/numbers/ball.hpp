@@ -6,8 +6,8 @@
 #include <carom/collision/vector.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// Numbers and vectors that are known to within a radius. A vector lies in a Euclidean ball, so that what follows does
-/// not depend on the axes. Centres and radii are rounded, as every allowance is: no verdict rests on their last digits.
+/// Numbers and vectors with an error radius. A vector lies in a Euclidean ball, so the results do not depend on the
+/// axes. Centres and radii are rounded, as every allowance is. No verdict depends on their last digits.
 namespace carom::oracles {
 
 struct ScalarBall {
@@ -23,7 +23,7 @@ struct VectorBall {
   Vector3<double> centre = Vector3<double>::Zero();
   double radius = 0;
 
-  /// The largest length.
+  /// The largest length of a vector in the ball.
   [[nodiscard]] double largest() const { return norm_of(centre) + radius; }
 };
 
@@ -46,7 +46,7 @@ struct VectorBall {
 
 namespace detail {
 
-/// The radius of a product of two vectors, if the product of their lengths bounds it.
+/// The radius of a product of two vectors. Precondition: the product of their lengths bounds the product.
 [[nodiscard]] inline double radius_of_product(const VectorBall& v, const VectorBall& w) {
   return norm_of(v.centre) * w.radius + v.radius * w.largest();
 }

@@ -11,7 +11,7 @@
 
 namespace carom::oracles {
 
-/// Up to six numbers, without memory of their own: what two sides of a law miss each other by.
+/// Up to six numbers, stored without heap memory. They hold the difference of the two sides of a law.
 template <class T>
 class Components {
  public:
@@ -36,7 +36,7 @@ class Components {
   std::size_t size_ = 0;
 };
 
-/// The components of left − right. Precondition: at most six.
+/// The components of left − right. Precondition: there are at most six.
 template <class Derived, class OtherDerived>
 [[nodiscard]] Components<typename Derived::Scalar> difference(const Eigen::MatrixBase<Derived>& left,
                                                               const Eigen::MatrixBase<OtherDerived>& right) {

@@ -11,8 +11,8 @@
 
 namespace carom::oracles {
 
-/// A number with its first derivatives by N inputs, in the field S: forward differentiation, exact up to the rounding
-/// of S. Only what the laws need: + − × ÷ √.
+/// A number and its first derivatives with respect to N inputs, in the field S. This is forward differentiation, exact
+/// except for the rounding of S. It has only the operations that the laws need: + − × ÷ √.
 template <class S, std::size_t N>
 struct Dual {
   S value{0};
@@ -22,7 +22,7 @@ struct Dual {
   Dual(int constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
   explicit Dual(const S& constant) : value(constant) {}
 
-  /// The input with this index: its derivative by itself is 1.
+  /// The input with this index. Its derivative with respect to itself is 1.
   static Dual input(const S& value, std::size_t index) {
     Dual dual(value);
     dual.derivative[index] = S(1);
@@ -41,7 +41,7 @@ struct Dual {
     return *this;
   }
 
-  // Written out: a copy of one side, to be changed at once, costs as much as the operation.
+  // The operators are written out because a copy of one side costs as much as the operation.
   friend Dual operator+(const Dual& left, const Dual& right) {
     Dual sum(left.value + right.value);
     for (std::size_t i = 0; i < N; ++i) {

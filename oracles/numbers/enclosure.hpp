@@ -11,18 +11,18 @@
 
 namespace carom::oracles {
 
-/// The bounds of Enclosure: each a formula for any scalar S, so that a test can count their roundings
-/// (docs/internals/bounds.md). With u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, z the result of double-double arithmetic on x̂
-/// and ŷ, and nothing out of the range of binary64:
+/// The bounds of Enclosure. Each is a formula for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z is the result of double-double arithmetic on x̂
+/// and ŷ. If no number leaves the range of binary64:
 ///
 ///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
 ///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
 ///   (2) |x y − x̂ ŷ| ≤ |x| r_y + |y| r_x;
-///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y), whatever q is;
-///   (4) |√x − q| ≤ (|x̂ − q²| + r_x) / q, whatever q > 0 is.
+///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y) for every q;
+///   (4) |√x − q| ≤ (|x̂ − q²| + r_x) / q for every q > 0.
 ///
-/// The roundings of these themselves are fewer than (up − 1) / u. Products and quotients below `least` may lose all of
-/// their error terms, less than `least` together.
+/// The evaluation of these bounds takes fewer than (up − 1) / u roundings. Products and quotients below `least` may
+/// lose all of their error terms, which together are less than `least`.
 namespace enclosure {
 
 inline constexpr double rounding = 0x1p-102;  // 16 u²
@@ -30,7 +30,7 @@ inline constexpr double up = 1 + 0x1p-48;
 inline constexpr double down = 1 - 0x1p-48;
 inline constexpr double least = 0x1p-900;
 
-/// |x| of x = ±high ± low ± radius, from above and from below.
+/// Upper and lower bounds of |x| for x = ±high ± low ± radius.
 template <class S>
 [[nodiscard]] S above(const S& high, const S& low, const S& radius) {
   return (high * S(up) + low) + radius * S(up);
@@ -40,7 +40,7 @@ template <class S>
   return high * S(down) - low - radius * S(up);
 }
 
-/// The radius of z = ±high ± low: what its operands leave unknown, and the rounding of the operation.
+/// The radius of z = ±high ± low: the error of the operands plus the rounding of the operation.
 template <class S>
 [[nodiscard]] S radius_of_result(const S& of_operands, const S& high, const S& low, double absolute) {
   return of_operands * S(up) + (high + low) * S(rounding) + S(absolute);
@@ -49,7 +49,7 @@ template <class S>
 [[nodiscard]] S radius_of_product(const S& above_x, const S& radius_x, const S& above_y, const S& radius_y) {
   return above_x * radius_y + above_y * radius_x;
 }
-/// `rest` is at least |x̂ − q ŷ|, `above_q` at least |q|.
+/// `rest` is at least |x̂ − q ŷ|, and `above_q` is at least |q|.
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& rest, const S& radius_x, const S& above_q, const S& radius_y,
                                    const S& below_y) {
@@ -64,10 +64,9 @@ template <class S>
 
 }  // namespace enclosure
 
-/// A real number known to within a radius: |x − (high + low)| ≤ radius. Double-double arithmetic with a bound that is
-/// carried along, so that what it decides is decided exactly and the rest goes to rationals, as in CGAL's filtered
-/// predicates. About 100 bits, in the range of binary64; outside of it the radius becomes infinite, and nothing is
-/// decided.
+/// A real number with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic that carries a bound.
+/// As in CGAL's filtered predicates, an enclosure decides a case exactly or leaves it to rationals. It has about 100
+/// bits in the range of binary64. Outside this range the radius becomes infinite and decides nothing.
 class Enclosure {
  public:
   Enclosure() = default;
@@ -75,8 +74,8 @@ class Enclosure {
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
-    // Extended has a wider range of exponents, and other formats have more bits than two doubles: an outcome that
-    // needs them is left to rationals.
+    // Extended has a wider range of exponents, and other formats have more bits than two doubles. Rationals handle an
+    // outcome that needs them.
     const bool is_held = std::isfinite(high_) && std::abs(high_) >= enclosure::least &&
                          exact - static_cast<long double>(high_) == static_cast<long double>(low_);
     radius_ = is_held || exact == 0 ? 0 : infinity;
@@ -87,7 +86,7 @@ class Enclosure {
       return;
     }
     low_ = to_double(exact - Rational(high_));
-    // What is left out is at most an ulp of the lower part, or lies below the range of binary64.
+    // The remainder is at most an ulp of the lower part, or it lies below the range of binary64.
     const bool is_exact = exact == Rational(high_) + Rational(low_);
     const Pair normalised = fast_two_sum(high_, low_);
     *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * part_of_lower + enclosure::least};
@@ -97,7 +96,7 @@ class Enclosure {
   [[nodiscard]] double lower_part() const { return low_; }
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// The same, known to within so much less.
+  /// This number with its radius enlarged by `radius`.
   [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * enclosure::up}; }
 
   /// At least |x|.
@@ -110,7 +109,7 @@ class Enclosure {
 
   [[nodiscard]] bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && radius_ == 0; }
 
-  /// −1, 0 or 1 where it is certain.
+  /// −1, 0 or 1 if the sign is certain.
   [[nodiscard]] std::optional<int> sign() const {
     if (is_exactly_zero()) {
       return 0;
@@ -150,7 +149,7 @@ class Enclosure {
     if (!(divisor > 0)) {
       return {0, 0, infinity};
     }
-    // Two steps of long division: x = (q1 + q2) y + rest, and the rest says how good that is.
+    // Two steps of long division give x = (q1 + q2) y + rest. The rest bounds the error of the quotient.
     const double q1 = x.high_ / y.high_;
     const Enclosure rest1 = without_radius(x) - without_radius(y) * Enclosure(q1);
     const double q2 = rest1.high_ / y.high_;
@@ -161,7 +160,7 @@ class Enclosure {
     return with_rounding(q, radius, enclosure::least);
   }
 
-  /// √x of a number that is not negative, whatever is known of it.
+  /// √x of a number that is not negative, even if its enclosure does not exclude zero or negative numbers.
   friend Enclosure sqrt(const Enclosure& x) {
     if (x.is_exactly_zero()) {
       return {};
@@ -169,7 +168,7 @@ class Enclosure {
     if (!(x.high_ > 0 && x.magnitude_below() > 0)) {
       return {0, 0, std::sqrt(x.magnitude_above()) * enclosure::up};
     }
-    // One step of Newton's method: x = (q1 + q2)² + rest, and the rest says how good that is.
+    // One step of Newton's method gives x = (q1 + q2)² + rest. The rest bounds the error of the root.
     const double q1 = std::sqrt(x.high_);
     const Enclosure rest1 = without_radius(x) - Enclosure(q1) * Enclosure(q1);
     const Pair q = fast_two_sum(q1, rest1.high_ / (2 * q1));
@@ -212,7 +211,7 @@ class Enclosure {
     return {high, a - high};
   }
 
-  /// Dekker's product: no fused multiply-add is needed. Overflow makes it NaN, which with_rounding catches.
+  /// Dekker's product, which needs no fused multiply-add. An overflow makes it NaN, and with_rounding catches the NaN.
   static Pair two_product(double a, double b) {
     const double p = a * b;
     const Pair x = split(a);
@@ -220,9 +219,11 @@ class Enclosure {
     return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
   }
 
-  /// The sum, product or quotient z with the rounding of double-double and of the radius itself added to the radius.
+  /// The sum, product or quotient z. The radius includes the rounding of double-double arithmetic and of the radius
+  /// itself.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    // Whatever is infinite or no number makes the bound so; hence the lower part, which adds next to nothing.
+    // The bound includes the lower part, although it adds almost nothing. An infinity or NaN in any part then makes the
+    // bound infinite or NaN.
     const double bound = enclosure::radius_of_result(radius, std::abs(z.high), std::abs(z.low), absolute);
     if (!(bound < infinity)) {
       return {0, 0, infinity};
@@ -232,7 +233,7 @@ class Enclosure {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double splitter = 134217729;  // 2²⁷ + 1
-  // What is left of a rational beyond the lower part: to_double is within an ulp, at most 2⁻⁵² of it.
+  // The part of a rational beyond the lower part. to_double is within an ulp, which is at most 2⁻⁵² of its result.
   static constexpr double part_of_lower = 0x1p-50;
 
   double high_ = 0;

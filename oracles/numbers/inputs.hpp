@@ -7,10 +7,10 @@
 #include <carom/oracles/numbers/dual.hpp>
 #include <carom/oracles/numbers/quantities.hpp>
 
-/// The stored numbers of a collision, and of an outcome, as the inputs of forward differentiation.
+/// The stored numbers of a collision and of an outcome, as the inputs of forward differentiation.
 namespace carom::oracles {
 
-/// Room for the 43 numbers of a collision, and for the 12 of an outcome behind them; a multiple of four each.
+/// Capacity for the 43 numbers of a collision, and after them the 12 numbers of an outcome. Each is a multiple of four.
 inline constexpr std::size_t collision_inputs = 44;
 inline constexpr std::size_t outcome_inputs = 12;
 
@@ -20,7 +20,7 @@ struct DualInputs {
   std::vector<Quantity> quantities;
 };
 
-/// The collision with its j-th number as input j. `convert` takes a double to S.
+/// The collision, with its j-th number as input j. `convert` maps a double to S.
 template <class S, std::size_t N, class Convert>
 [[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
   DualInputs<S, N> inputs;

@@ -8,13 +8,13 @@
 
 namespace carom::oracles {
 
-/// Sums of squares from here to there keep their digits: what squares lose below the range of binary64, 2⁻¹⁰⁷⁵ each, is
-/// nothing beside the first, and the other is far from overflow.
+/// Sums of squares between these limits keep their digits. Each square loses at most 2⁻¹⁰⁷⁵ to underflow, which is
+/// negligible next to the smaller limit. The larger limit is far from overflow.
 inline constexpr double smallest_sum_of_squares = 0x1p-900;
 inline constexpr double largest_sum_of_squares = 0x1p+900;
 
-/// √(Σ number(i)²), i < count, of numbers of any size, rounded: by their squares where these keep their digits,
-/// elsewhere by hypotenuses.
+/// √(Σ number(i)²), i < count, of numbers of any size, rounded. It uses squares if these keep their digits, and
+/// std::hypot otherwise.
 template <class Number>
 [[nodiscard]] auto root_of_squares(std::size_t count, const Number& number) {
   using S = decltype(number(0));
@@ -36,13 +36,13 @@ template <class Number>
   return norm;
 }
 
-/// ‖v‖, the same.
+/// ‖v‖ by `root_of_squares`.
 template <class S>
 [[nodiscard]] S norm_of(const Vector3<S>& v) {
   return root_of_squares(3, [&](std::size_t i) { return v[static_cast<Eigen::Index>(i)]; });
 }
 
-/// The same of the four vectors of an outcome.
+/// ‖v‖ of the four vectors of an outcome.
 [[nodiscard]] inline PerVector<double> norms_of(const Outcome<double>& outcome) {
   return {norm_of(outcome.a.velocity), norm_of(outcome.a.angular_velocity), norm_of(outcome.b.velocity),
           norm_of(outcome.b.angular_velocity)};

@@ -7,26 +7,26 @@
 
 #include <carom/collision/expects.hpp>
 
-/// Norms of vectors whose components are known to within an error, from above and from below.
+/// Upper and lower bounds of norms of vectors whose components have error bounds.
 namespace carom::oracles {
 
 namespace norm_bounds {
 
-/// More than six squares or hypotenuses (an ulp each) and a comparison are rounded by.
+/// More than the relative rounding error of six squares or hypotenuses (an ulp each) and a comparison.
 inline constexpr double rounding = 0x1p-45;
 
-/// Bounds from here to there are compared by squares: what these lose below the range of binary64 is nothing beside the
-/// square of the first, and the square of the other is far from overflow.
+/// Bounds between these limits are compared by squares. Underflow of the squares is negligible next to the square of
+/// the smaller limit. The square of the larger limit is far from overflow.
 inline constexpr double least_by_squares = 0x1p-400;
 inline constexpr double largest_by_squares = 0x1p+400;
 
-/// More than the root of what squares lose below the range.
+/// More than the square root of the amount that squares lose to underflow.
 inline constexpr double lost_by_root = 0x1p-500;
 
-/// More than hypotenuses lose below the range.
+/// More than the amount that hypotenuses lose to underflow.
 inline constexpr double lost_by_hypotenuses = 0x1p-1070;
 
-/// Σ x², each x of the vector being size(component).
+/// Σ x² with x = size(component) for each component of the vector.
 template <class S, class T, class Size>
 [[nodiscard]] S sum_of_squares(std::span<const T> vector, const Size& size) {
   S sum(0);
@@ -39,7 +39,7 @@ template <class S, class T, class Size>
 
 }  // namespace norm_bounds
 
-/// At least ‖v‖; zero only where v is.
+/// At least ‖v‖. It is zero only if v is zero.
 template <class T>
 [[nodiscard]] double norm_above(std::span<const T> vector) {
   bool is_zero = true;
@@ -51,12 +51,12 @@ template <class T>
   return is_zero ? 0 : std::sqrt(squares) * (1 + norm_bounds::rounding) + norm_bounds::lost_by_root;
 }
 
-/// Whether ‖v‖ ≤ bound, where the errors decide it. With A ≥ ‖v‖ and B ≤ ‖v‖ as computed, relatively off by less than
-/// `rounding`, and by less than `lost_by_hypotenuses` below the range:
+/// Whether ‖v‖ ≤ bound, or nullopt if the errors do not decide it. A ≥ ‖v‖ and B ≤ ‖v‖ are computed with a relative
+/// error below `rounding`. Underflow changes them by less than `lost_by_hypotenuses`.
 ///
-///   (1) it is where A (1 + rounding) + lost ≤ bound, or A = 0;
-///   (2) it is not where B (1 − rounding) − lost > bound;
-///   (3) by squares the same, without what is lost, where that is nothing beside the square of the bound.
+///   (1) true if A (1 + rounding) + lost ≤ bound, or A = 0;
+///   (2) false if B (1 − rounding) − lost > bound;
+///   (3) by squares, both tests omit `lost`, if it is negligible next to the square of the bound.
 ///
 /// Precondition: the bound is finite and not negative.
 template <class T>

@@ -7,21 +7,22 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// The quantities of a collision. Each of them is perturbed as a whole, by ulps of its length and in any direction, so
-/// that what is allowed does not depend on the axes of the world.
+/// The quantities of a collision. Each quantity is perturbed as a whole, by ulps of its length and in any direction.
+/// The allowance therefore does not depend on the axes of the world.
 namespace carom::oracles {
 
-/// A scalar or a vector among the numbers of a collision, in the order of `for_each_number`. Scalars are the mass, each
-/// principal moment, ε, μ and e_t; vectors are positions, velocities, the contact point, the normal and orientations.
+/// A scalar or a vector among the numbers of a collision, in the order of `for_each_number`. The scalars are the mass,
+/// each principal moment, ε, μ and e_t. The vectors are the positions, the velocities, the contact point, the normal
+/// and the orientations.
 struct Quantity {
-  std::size_t first;  // of its numbers
-  std::size_t count;  // 1, 3 or 4
-  double length;      // its absolute value or Euclidean norm; for a position of a movable body ‖X‖ + s
+  std::size_t first;  // index of its first number
+  std::size_t count;  // number of its components: 1, 3 or 4
+  double length;      // its absolute value or Euclidean norm; ‖X‖ + s for the position of a movable body
 };
 
-/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m), the least of its second moments about its principal
-/// planes, so that a needle has its thickness; 0 where that is negative, and of an immovable body. A point of a body is
-/// known to no better than rounding of the body's size, wherever the origin is.
+/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m). This is the least of the body's second moments
+/// about its principal planes, so the extent of a needle is its thickness. It is 0 if this minimum is negative, and 0
+/// for an immovable body. A point of a body is known only to within the rounding of the body's size, for any origin.
 [[nodiscard]] double extent_of(const Body& body);
 
 /// The length by which the position of a body is perturbed: ‖X‖ + s.
@@ -29,8 +30,9 @@ struct Quantity {
 
 [[nodiscard]] std::vector<Quantity> quantities_of(const Collision& collision);
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖ over the quantities q, with Frobenius norms. `derivative(i, j)` is that of component i of y, of
-/// `components`, by number j. A quantity that is zero has no part, however steep y is there.
+/// Σ_q ‖∂y/∂q‖ ‖q‖ over the quantities q, with Frobenius norms. `derivative(i, j)` is the derivative of component i of
+/// y with respect to number j. y has `components` components. A quantity that is zero contributes nothing, even if its
+/// derivative is infinite.
 template <class Derivative>
 [[nodiscard]] auto sum_over_quantities(const std::vector<Quantity>& quantities, std::size_t components,
                                        const Derivative& derivative) {

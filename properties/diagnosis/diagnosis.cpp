@@ -14,8 +14,9 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Of each family, the numbers of the sampled cases whose answers are wrong by themselves; where there are none, those
-/// that violate anything: what relates answers shows a fault also where the answer in question is right.
+/// For each family, the numbers of the sampled cases whose answers are wrong by themselves. If there are none, the
+/// cases that violate any invariant. Relations come second, because they can also fail on a case whose own answer is
+/// right.
 std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& result) {
   std::vector<std::vector<std::uint64_t>> all;
   bool is_any = false;
@@ -38,7 +39,7 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// A subject that was judged no further was judged on the first cases of each family.
+/// If a subject was not judged to the end, it was judged on the first cases of each family.
 std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   std::vector<std::uint64_t> judged;
   for (const FamilyResult& family : result.families) {
@@ -56,12 +57,13 @@ std::uint64_t cases_that_violate(const SubjectResult& result, const std::string&
   return sum;
 }
 
-/// The first in the order of causes that is violated in most of the violated cases; else the one violated most.
+/// The first invariant, in the order of causes, that is violated in most of the violated cases. If there is none, the
+/// invariant that is violated most often.
 std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
   std::vector<std::string> names = result.violated_invariants();
   const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
   if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
-    // State spoils everything, and only asking again shows it.
+    // Invariants of the session stay, because state can spoil every answer and only a repeated question shows it.
     std::erase_if(names, [&](const std::string& name) {
       return is_of_relations(name) && !invariant_named(name)->is_of_session();
     });
@@ -78,7 +80,7 @@ std::string telling_invariant(const SubjectResult& result, std::uint64_t violate
   });
 }
 
-/// The cases that are looked at: the first of each family, in turns.
+/// The cases to examine: the first ones of each family, in turns.
 std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   std::vector<ViolatedCase> examples;
   for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
@@ -100,7 +102,8 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
 
 std::string counted(std::size_t part, std::size_t whole) { return fmt::format("{} of {}", part, whole); }
 
-/// What explains most outcomes that are visibly off; none where that is less than half of them.
+/// The hypothesis that explains the most outcomes that are visibly off. No hypothesis if it explains at most half of
+/// them.
 struct Explanation {
   const Hypothesis* hypothesis = nullptr;
   std::size_t explained = 0;
@@ -108,7 +111,8 @@ struct Explanation {
 
 Explanation best_explanation(const std::vector<KnownCase>& cases) {
   constexpr std::size_t most_looked_at = 40;
-  constexpr std::size_t most_missed_at_first = 8;  // what explains half of them fits none of eight once in 256 times
+  constexpr std::size_t most_missed_at_first = 8;  // a hypothesis that explains half of them fits none of eight once in
+                                                   // 256 times
   const std::span<const KnownCase> looked_at(cases.data(), std::min(cases.size(), most_looked_at));
   Explanation best;
   for (const Hypothesis& hypothesis : all_hypotheses()) {
@@ -130,7 +134,7 @@ Explanation best_explanation(const std::vector<KnownCase>& cases) {
   return best;
 }
 
-/// The last line of what it wrote on standard error.
+/// The last line that the subject wrote on standard error.
 std::string last_words(const Failed& failed) {
   const std::string mark = "standard error: ";
   const std::size_t begin = failed.said.find(mark);
@@ -143,7 +147,8 @@ std::string last_words(const Failed& failed) {
   return ": " + failed.said.substr(from, end + 1 - from);
 }
 
-/// What the answers are that are no outcomes of finite numbers, or to no valid collisions.
+/// The faults of answers that are not outcomes of finite numbers: failures, refusals, and outcomes to valid collisions
+/// with numbers that are not finite.
 std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   std::size_t failed = 0;
   std::size_t refused = 0;
@@ -180,7 +185,7 @@ std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   return faults;
 }
 
-/// What is wrong with the first invalid collision that was not refused.
+/// The defects of the first invalid collision that was not refused.
 std::string first_invalid(const std::vector<ViolatedCase>& examples) {
   for (const ViolatedCase& one : examples) {
     if (const std::vector<Defect> defects = validate(one.one.collision); !defects.empty()) {
@@ -190,7 +195,7 @@ std::string first_invalid(const std::vector<ViolatedCase>& examples) {
   return {};
 }
 
-/// What is wrong with the matrix that a subject shows, where that is all that is wrong; nothing elsewhere.
+/// The fault of the matrix that a subject shows, if nothing else is wrong. Otherwise no value.
 std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
   const std::vector<std::string> violated = result.violated_invariants();
   const bool is_all = std::all_of(violated.begin(), violated.end(),

@@ -7,24 +7,24 @@
 
 #include <carom/properties/gate/gate_result.hpp>
 
-/// From the violations of a subject to what may be wrong with it.
+/// Derives a possible fault of a subject from its violations.
 namespace carom::properties::diagnosis {
 
-/// What a subject that violates something does wrong, as far as its answers tell. A hint, not a verdict: nothing that
-/// is judged depends on it.
+/// The probable fault of a subject that violates something, as far as its answers show it. It is a hint, not a verdict.
+/// No judgement depends on it.
 struct Diagnosis {
   std::string telling;           // the violated invariant that explains most of the others
-  std::uint64_t violated = 0;    // sampled cases in which anything is violated
-  std::uint64_t telling_in = 0;  // of them, those in which this invariant is
-  std::string what;              // what is wrong with the answers
-  std::string look_at;           // where in a solver that is done; empty where no one place is likelier than others
-  std::string where;             // in which cases
+  std::uint64_t violated = 0;    // sampled cases in which any invariant is violated
+  std::uint64_t telling_in = 0;  // the number of those cases in which `telling` is violated
+  std::string what;              // the fault in the answers
+  std::string look_at;           // the places in a solver to check; empty if no place is more likely than the others
+  std::string where;             // the cases in which it happens
 };
 
-/// Of a subject of the report that violates something.
+/// The diagnosis of a subject of the report. Precondition: the subject violates something.
 [[nodiscard]] Diagnosis diagnose(const SubjectResult& result, const GateReport& report);
 
-/// Of each subject of the report, in their order; nothing in it where the subject violates nothing.
+/// The diagnosis of each subject of the report, in order. It is empty for a subject that violates nothing.
 [[nodiscard]] std::vector<Diagnosis> diagnose_all(const GateReport& report);
 
 }  // namespace carom::properties::diagnosis

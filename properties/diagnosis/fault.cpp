@@ -22,7 +22,7 @@ enum class Step {
   spin_of_a,
   spin_of_b,
   impulse,
-  none,  // more than a thousandth off
+  none,  // no step is off by more than a thousandth
 };
 constexpr std::array all_steps{Step::immovable_moved, Step::moved_apart,  Step::left_as_it_was,
                                Step::reaction,        Step::spin_of_both, Step::spin_of_a,
@@ -37,7 +37,7 @@ double norm(const Vector3<Rational>& v) {
   return std::hypot(oracles::nearest_double(v[0]), oracles::nearest_double(v[1]), oracles::nearest_double(v[2]));
 }
 
-/// Whether they differ by a thousandth of `size` or of either.
+/// Whether x and y differ by more than a thousandth of `size` or of the larger vector.
 bool differ(const Vector3<Rational>& x, const Vector3<Rational>& y, double size = 0) {
   return norm(Vector3<Rational>(x - y)) > visible * std::max({norm(x), norm(y), size});
 }
@@ -61,8 +61,8 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
   return differ(sides.left, sides.right, size);
 }
 
-/// How much of the impulse is right: along the normal, as a share of the right one; across it, what is missed, as a
-/// share of the whole.
+/// The correct part of an impulse. `along` is the component along the normal, as a share of the right component.
+/// `across` is the error across the normal, as a share of the whole impulse.
 struct Shares {
   double along = 0;
   double across = 0;
@@ -73,7 +73,7 @@ struct Shares {
 
 struct Told {
   Step step = Step::none;
-  std::optional<Shares> shares;  // of an impulse that is wrong
+  std::optional<Shares> shares;  // set if the impulse is wrong
 };
 
 Told told_of(const ViolatedCase& violated, Model model) {
@@ -125,7 +125,8 @@ bool are_alike(const std::vector<double>& numbers) {
   return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
 }
 
-/// Where all leave as if ε were something simple: what.
+/// Describes the restitution if all bodies part as if ε were simple: one value, or one value added to ε. Otherwise
+/// empty.
 std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
   if (is_normal_right) {
     return {};
@@ -145,7 +146,7 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
   return {};
 }
 
-/// Where many impulses are of one size: which.
+/// Describes the size of the impulse if many impulses have one size. Otherwise empty.
 std::string limit_in_words(const std::vector<Shares>& all) {
   constexpr std::size_t least = 5;
   for (const Shares& one : all) {
@@ -186,13 +187,14 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 }  // namespace
 
-/// Where many wrong outcomes have a speed or a spin of one size that the law does not give them: which.
+/// Describes a speed or an angular velocity if many wrong outcomes have one size that the law does not give. Otherwise
+/// empty.
 std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
   struct Size {
     OutcomeVector vector;
     double computed;
   };
-  std::vector<Size> sizes;  // that are not the law's
+  std::vector<Size> sizes;  // sizes that differ from those of the law
   for (const ViolatedCase& violated : cases) {
     const std::optional<KnownCase> known = known_case(violated, model);
     for (const OutcomeVector k : all_outcome_vectors) {

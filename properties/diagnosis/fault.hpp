@@ -8,15 +8,15 @@
 
 namespace carom::properties::diagnosis {
 
-/// What is wrong, and where one looks first.
+/// A fault, and the places to check first.
 struct Fault {
   std::string what;
   std::string look_at;
 };
 
-/// At which step most of the outcomes leave mechanics: what happens without a cause, the reaction, the spins, the
-/// impulse itself. Each outcome is told apart by the first step that it fails.
-/// Precondition: there is a case; the answers are outcomes of finite numbers to valid collisions.
+/// The step of mechanics at which most of the outcomes fail: a change without a cause, the reaction, the angular
+/// velocities, or the impulse itself. Each outcome counts for the first step that it fails. Preconditions: there is a
+/// case; the answers are outcomes of finite numbers to valid collisions.
 [[nodiscard]] Fault fault_of(std::span<const ViolatedCase> cases, Model model);
 
 }  // namespace carom::properties::diagnosis

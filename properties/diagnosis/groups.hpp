@@ -5,23 +5,24 @@
 
 #include <carom/properties/diagnosis/hypothesis.hpp>
 
-/// The groups that the hypotheses are put together from, a file each.
+/// The groups of hypotheses, each in a file of its own.
 namespace carom::properties::diagnosis {
 
-/// The impulse is the law's, and what is made of it is not.
+/// The impulse is the law's, but its effect on the bodies is wrong.
 [[nodiscard]] std::vector<Hypothesis> misused_impulses();
-/// Restitution, friction, the normal, the approach.
+/// The solver misreads restitution, friction, the normal or the approach.
 [[nodiscard]] std::vector<Hypothesis> misread_contacts();
-/// Lever arms, orientations, moments, masses, velocities.
+/// The solver misreads lever arms, orientations, moments, masses or velocities.
 [[nodiscard]] std::vector<Hypothesis> misread_bodies();
-/// The answer of another law.
+/// The solver gives the answer of another law.
 [[nodiscard]] std::vector<Hypothesis> other_laws();
 
-/// What the law answers to the changed collision, as a change of velocities from those of the case; none where the
-/// changed one is invalid.
+/// The law's change of the velocities for the changed collision, added to the velocities of the case. No value if the
+/// changed collision is invalid.
 [[nodiscard]] std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCase& one);
 
-/// The law's impulse of the changed collision, put to the bodies as they are; none where the changed one is invalid.
+/// The law's impulse for the changed collision, applied to the unchanged bodies. No value if the changed collision is
+/// invalid.
 [[nodiscard]] std::optional<Outcome<double>> impulse_of(const Collision& changed, const KnownCase& one);
 
 }  // namespace carom::properties::diagnosis

@@ -18,7 +18,7 @@ std::span<const Hypothesis> all_hypotheses() {
 }
 
 bool explains(const Hypothesis& hypothesis, const KnownCase& one) {
-  constexpr double small_share = 0x1p-10;  // what rounding makes of an outcome that is visibly off is less
+  constexpr double small_share = 0x1p-10;  // rounding is less than this share of a visible error
   const std::optional<Outcome<double>> predicted = hypothesis.answer(one);
   return predicted && energy_distance(one.collision, *predicted, one.answered) <=
                           small_share * energy_distance(one.collision, one.truth, one.answered);

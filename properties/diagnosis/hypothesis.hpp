@@ -10,19 +10,19 @@
 
 namespace carom::properties::diagnosis {
 
-/// What a wrong solver may be doing: the right law on another collision than was asked, or the right impulse put to a
-/// wrong use. It explains an outcome where that is the hypothesis's own.
+/// A possible fault of a solver: the right law for another collision, or a wrong use of the right impulse. It explains
+/// an outcome if its own answer is the same.
 struct Hypothesis {
   std::string as_if;    // "the lever arms of both bodies began at the world's origin"
   std::string look_at;  // the place in a solver that does this
-  /// What it answers; none where it does not apply.
+  /// The answer of a solver with this fault. No value if the hypothesis does not apply.
   std::function<std::optional<Outcome<double>>(const KnownCase&)> answer;
 };
 
-/// In the order in which they are preferred where several explain the same.
+/// All hypotheses, in the order of preference if several explain the same outcome.
 [[nodiscard]] std::span<const Hypothesis> all_hypotheses();
 
-/// Whether the hypothesis answers as the subject did, to a thousandth of what that is off by.
+/// Whether the hypothesis answers as the subject did. The tolerance is a thousandth of the subject's error.
 [[nodiscard]] bool explains(const Hypothesis& hypothesis, const KnownCase& one);
 
 }  // namespace carom::properties::diagnosis

@@ -10,7 +10,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-// Wide enough for squares of whatever binary64 holds.
+// The range is large enough for squares of all binary64 numbers.
 using Wide = long double;
 
 BasicCollision<Wide> widened(const Collision& collision) {
@@ -46,7 +46,7 @@ BodyVelocity<Wide> pushed_body(const BasicBody<Wide>& body, const Vector3<Wide>&
       body.angular_velocity + oracles::turned<Wide>(body.orientation, in_body.cwiseQuotient(body.principal_inertia))};
 }
 
-/// Numbers of any kind to double.
+/// Converts a truth in any type of number to double.
 template <class T, class Nearest>
 LawAnswer rounded(const oracles::Truth<T>& truth, const Nearest& nearest) {
   LawAnswer answer{map_outcome<double>(truth.outcome, nearest), {}};
@@ -101,7 +101,7 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
-  // A million times what rounding alone may do to velocities of this size.
+  // A million times the rounding error of velocities of this size.
   constexpr double far_above_rounding = 0x1p20;
   const Outcome<double> still;
   const double size =

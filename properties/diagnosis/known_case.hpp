@@ -7,18 +7,18 @@
 
 namespace carom::properties::diagnosis {
 
-/// What a law answers, to the nearest binary64 numbers or so.
+/// A law's answer in binary64. Each number is the nearest, or within one or two roundings of it.
 struct LawAnswer {
   Outcome<double> outcome;
   Vector3<double> impulse;  // on A
 };
 
-/// To a collision as it approaches, or as if it approached otherwise. Preconditions: it is valid, and the model
-/// determines an outcome.
+/// The law's answer to a collision. `approach` replaces the collision's own approach. Preconditions: the collision is
+/// valid; the model determines an outcome.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Model model,
                                    std::optional<oracles::Approach> approach = {});
 
-/// A case that was answered by an outcome, and what the law answers.
+/// A case that has an outcome as its answer, with the law's answer.
 struct KnownCase {
   Collision collision;
   Model model = Model::any;
@@ -29,17 +29,18 @@ struct KnownCase {
   Vector3<double> impulse;  // of the law, on A
 };
 
-/// None where the collision is invalid, the answer is no outcome of finite numbers, or the model determines none.
+/// No value if the collision is invalid, the answer is not an outcome of finite numbers, or the model determines no
+/// outcome.
 [[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Model model);
 
-/// The square root of Σ m ‖δv‖² + δwᵀ J δw over the movable bodies, of the difference of two outcomes: twice its
-/// kinetic energy, so that velocities and spins can be compared. [√J]
+/// The square root of Σ m ‖δv‖² + δwᵀ J δw over the movable bodies, for the difference of two outcomes [√J]. Its square
+/// is twice the kinetic energy of the difference. It makes velocities and angular velocities comparable.
 [[nodiscard]] double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
 
-/// Whether the outcome is so far off that more than rounding is to be seen in it, in arithmetic of this unit roundoff.
+/// Whether the outcome is so far off that rounding alone does not explain it, for arithmetic with this unit roundoff.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
 
-/// The velocities that the impulse gives to both bodies: v ± F/m, w ± J⁻¹(r × F), of the movable ones.
+/// The velocities that the impulse gives to the movable bodies: v ± F/m, w ± J⁻¹(r × F).
 [[nodiscard]] Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse);
 
 }  // namespace carom::properties::diagnosis

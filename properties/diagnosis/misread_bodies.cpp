@@ -9,14 +9,15 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// A way to misread a body. Where it is part of two steps, what the impulse is and what it does, either may be right.
+/// A way to misread a body. A solver first computes the impulse and then applies it. If the misread property is part of
+/// both steps, one of the two steps may still be right.
 struct Misreading {
-  const char* as_if;  // with {} for the body, or for both
+  const char* as_if;  // `{}` stands for the name of the body or of both bodies
   const char* look_at;
-  bool of_mechanics;  // of mass, moments, orientation or lever arm: part of both steps
-  /// Of the body as it is, with the other one at hand.
+  bool of_mechanics;  // true for mass, moments, orientation and lever arm, which are part of both steps
+  /// Changes a body. The other body and the collision are unchanged inputs.
   void (*change)(Body& body, const Body& other, const Collision& collision);
-  bool of_one_body_alone = false;  // of both it changes nothing
+  bool of_one_body_alone = false;  // misreading both bodies would change nothing
 };
 
 constexpr double practically_infinite = 0x1p100;
@@ -188,7 +189,7 @@ Collision misread(const Collision& collision, const Misreading& misreading, cons
   return changed;
 }
 
-/// The law's impulse, put to bodies that are misread; none where the changed collision is invalid.
+/// The law's impulse, applied to misread bodies. No value if the changed collision is invalid.
 std::optional<Outcome<double>> misapplied(const Collision& changed, const KnownCase& one) {
   if (!validate(changed).empty()) {
     return std::nullopt;
@@ -217,7 +218,7 @@ std::vector<Hypothesis> misread_bodies() {
     bool of_mechanics_alone;
     std::optional<Outcome<double>> (*answer)(const Collision& changed, const KnownCase& one);
   };
-  // Part of both steps, of what the impulse is alone, and of what it does alone.
+  // The misreading affects both steps, only the computation of the impulse, or only its application.
   constexpr std::array steps{
       Step{"", false, answer_to},
       Step{", where the impulse is worked out; what it does to the bodies is right", true, impulse_of},

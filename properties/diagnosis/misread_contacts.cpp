@@ -27,7 +27,7 @@ void make_practically_immovable(Body& body) {
   body.principal_inertia *= 0x1p100;
 }
 
-/// The component of the normal that is largest alone.
+/// The largest component of the normal, with the others set to zero.
 Vector3<double> nearest_axis(const Vector3<double>& normal) {
   int largest = 0;
   normal.cwiseAbs().maxCoeff(&largest);

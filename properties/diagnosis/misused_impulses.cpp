@@ -4,7 +4,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Of each of the four vectors, so many times its change by the law.
+/// The factors that multiply the law's changes of the four vectors.
 struct Factors {
   double velocity_of_a = 1;
   double spin_of_a = 1;

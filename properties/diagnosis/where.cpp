@@ -51,7 +51,7 @@ class CaseSet {
   std::vector<std::uint64_t> words_;
 };
 
-/// How much a condition tells a reader: of two that fit alike the lower is taken.
+/// How plain a condition is for a reader. If two conditions fit equally well, the lower value wins.
 enum class Plainness { feature, either, absence, size, family };
 
 struct Literal {
@@ -60,14 +60,14 @@ struct Literal {
   CaseSet cases;
 };
 
-/// Of what is violated conditions may leave out so much: rounding at the ends of numbers, mostly. More where nothing is
-/// found so.
+/// Fraction of violated cases that a condition may miss (mostly overflow and underflow). The second value applies if
+/// the first finds no condition.
 constexpr std::array most_left_out{0.05, 0.2};
 
-/// A condition is worth its words where it takes away so much of what is not violated.
+/// Fraction of the other cases that a condition has to exclude to be worth its words.
 constexpr double least_taken_away = 0.3;
 
-/// The sample, and every condition on it.
+/// The sample, and every possible condition on it.
 class Sample {
  public:
   Sample(const GateReport& report, const Violations& violations, double left_out)
@@ -98,7 +98,7 @@ class Sample {
           violated_.add(number);
         }
       }
-      // That one is put together from features, which say more.
+      // The `structured` family consists of features, which describe a case better than its name does.
       if (report.options.families[f]->name != "structured") {
         add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
       }
@@ -158,7 +158,7 @@ class Sample {
     }
   }
 
-  /// Of each quantity: not above, and not below, what nearly all violated cases have.
+  /// For each quantity, an upper limit and a lower limit that nearly all violated cases keep.
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
@@ -206,7 +206,7 @@ class Sample {
   }
 
   const GateReport& report_;
-  double left_out_;  // of the violated cases
+  double left_out_;  // fraction of the violated cases
   std::size_t size_ = 0;
   CaseSet everything_;
   CaseSet violated_;
@@ -214,7 +214,7 @@ class Sample {
   std::vector<Literal> approaches_;
 };
 
-/// All but one in ten.
+/// Whether the part lacks at most one in ten.
 bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
 
 Where where_in(const Sample& sample, double left_out) {
@@ -250,7 +250,7 @@ Where where_in(const Sample& sample, double left_out) {
         continue;
       }
       const auto others = static_cast<double>(there.size() - found);
-      // One that is plainer is taken though some more is left by it.
+      // A plainer condition wins even if it leaves a few more cases that are not violated.
       constexpr double worth_of_plainness = 0.02;
       const double burden = others + worth_of_plainness * rest * static_cast<double>(literal.plainness);
       if (best == nullptr || burden < best_rest) {

@@ -14,27 +14,28 @@ struct Condition {
   std::string words;  // "A or B: the orientation is exactly 1, 0, 0, 0"
 };
 
-/// What the violated cases have in common, and others have not.
+/// The conditions that the violated cases meet and the other cases do not.
 struct Where {
-  std::string of;  // "contacts that approach": what nearly all violated ones are; empty: of all kinds
-  std::vector<Condition> conditions;  // all hold; none where nothing tells them apart
+  std::string of;  // the kind of nearly all violated cases, such as "contacts that approach"; empty: cases of all kinds
+  std::vector<Condition> conditions;  // all hold together; empty if no feature separates the violated cases from the
+                                      // others
   std::uint64_t violated = 0;         // sampled cases in which something is violated
-  std::uint64_t violated_there = 0;   // of them, those in which the conditions hold
-  std::uint64_t cases_there = 0;      // sampled cases in which they hold, violated or not
+  std::uint64_t violated_there = 0;   // the number of those cases in which the conditions hold
+  std::uint64_t cases_there = 0;      // sampled cases in which the conditions hold, violated or not
 };
 
-/// Of each family of a run, the numbers of the violated ones among its sampled cases, ascending, and before which
-/// number cases were judged.
+/// The violated cases of a run. For each family, `violated` has the numbers of its violated sampled cases, ascending.
+/// `judged` has the number of its judged sampled cases, which are the first ones.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
   std::vector<std::uint64_t> judged;
 };
 
-/// Looks for few conditions that nearly all violated cases fulfil and as few others as can be: features, their absence,
-/// sizes, how the contact approaches, the family.
+/// Finds a few conditions that nearly all violated cases meet and as few other cases as possible. The conditions are
+/// features, their absence, sizes, the approach of the contact, and the family.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// In one sentence.
+/// The result in one sentence.
 [[nodiscard]] std::string in_words(const Where& where);
 
 }  // namespace carom::properties::diagnosis

@@ -5,7 +5,7 @@
 
 #include <carom/properties/invariants/invariant.hpp>
 
-/// The catalogue by the files that define it: an invariant's words stand beside what it checks.
+/// The catalogue, in groups. Each group has a file that holds an invariant's words next to its check.
 namespace carom::properties {
 
 [[nodiscard]] std::vector<Invariant> answer_invariants();
@@ -15,7 +15,7 @@ namespace carom::properties {
 [[nodiscard]] std::vector<Invariant> relation_invariants();
 [[nodiscard]] std::vector<Invariant> memory_invariants();
 
-/// What an invariant may be claimed for.
+/// The models that an invariant may be claimed for.
 [[nodiscard]] inline std::vector<Model> every_model() { return {all_models.begin(), all_models.end()}; }
 [[nodiscard]] inline std::vector<Model> with_truth() { return {models_with_truth.begin(), models_with_truth.end()}; }
 

@@ -17,50 +17,51 @@ namespace carom::properties {
 enum class Status {
   holds,
   violated,
-  skipped,  // outside the invariant's domain, or the case could not be posed to the subject
+  skipped,  // outside the invariant's domain, or the case could not be given to the subject
 };
 
-/// What one invariant says of one answer.
+/// The decision of one invariant on one answer.
 struct Verdict {
   Status status = Status::holds;
-  std::string detail;  // where violated or skipped: what was compared, or why not
-  // Where violated by an outcome; of several laws, the one that is missed most relative to what is allowed:
+  std::string detail;  // set if violated or skipped: the comparison, or the reason for the skip
+  // The members below are set if an outcome violates the invariant. If it violates several equations, they are of the
+  // equation with the largest ratio of residual to allowance.
   double residual = 0;
   double allowed = 0;
   std::vector<double> left;  // both sides of the formula
   std::vector<double> right;
-  bool is_undecided = false;  // where skipped: inside the domain, but beyond the range of numbers
+  bool is_undecided = false;  // set if skipped: inside the domain, but beyond the range of numbers
 
-  /// Residual over what is allowed where violated; infinite where no number tells, 0 where not violated.
+  /// The residual divided by the allowance if violated. Infinite if there are no such numbers, and 0 if not violated.
   [[nodiscard]] double severity() const;
 
-  /// The residual, relative to the largest number that was compared; 0 where not violated, or nothing was compared.
+  /// The residual, relative to the largest compared number. 0 if not violated, or if nothing was compared.
   [[nodiscard]] double relative_residual() const;
 };
 
-/// How badly a case is answered, as one order for all verdicts of an invariant: the severity; where nothing is allowed,
-/// the residual in units of 2⁻⁵³ of the largest velocity or spin of the collision and number that was compared, or of 1
-/// where nothing moves. So rounding, where even that is too much, does not pass for worse than an outcome that is
-/// wrong.
+/// The size of the error in a case, as one order for all verdicts of an invariant. It is the severity if rounding is
+/// allowed. If no rounding is allowed, it is the residual in units of 2⁻⁵³ L. L is the largest velocity or angular
+/// velocity of the collision or compared number, or 1 if all are zero. A rounding error therefore does not rank above a
+/// wrong outcome, even if no rounding is allowed.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
-/// An answer, lifted: an outcome that is not finite cannot be.
+/// A lifted answer. An outcome with a number that is not finite cannot be lifted.
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused, Failed>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
-/// The same in place: an answer is large to move.
+/// Lifts in place, because an answer is large to move.
 void lift(const Answer& answer, ExactAnswer& into);
 
-/// A further collision that an invariant asks about, and what is exactly known of it.
+/// A further collision that an invariant asks about, with exact facts about it and the answer to it.
 struct Related {
   const oracles::ExactCase& exact_case;
   const ExactAnswer& answer;
 };
 
-/// What an invariant sees: one subject's outcome of one valid collision.
+/// The input of an invariant: one subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  bool convex_uniform;  // of the case: C ⪯ 16 λI is claimed
+  bool convex_uniform;  // from the case: C ⪯ 16 λI is claimed
   Model model;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
@@ -70,27 +71,28 @@ struct Evidence {
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
 
-/// An invariant that speaks of the answer itself, to a valid collision or to an invalid one.
+/// An invariant of the answer itself, to a valid or to an invalid collision.
 struct AboutAnswer {
   bool to_valid;
   Verdict (*check)(const Collision&, const ExactAnswer&, Model);
 };
 
-/// One that speaks of the outcome of a valid collision.
+/// An invariant of the outcome of a valid collision.
 struct AboutOutcome {
   Verdict (*check)(const Evidence&);
 };
 
-/// One that speaks of the collision matrix that a subject shows with the outcome of a valid collision. It is claimed by
-/// subjects that show one.
+/// An invariant of the collision matrix that a subject shows with the outcome of a valid collision. Only subjects that
+/// show one claim it.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
-  /// Whether it rests on what the family knows of the bodies' shapes. Nothing is known of a collision that is changed.
+  /// Whether it depends on the bodies' shapes, which the family knows. If the collision is changed, the shapes are
+  /// unknown.
   bool rests_on_shapes = false;
 };
 
-/// One that relates the outcome to those of further collisions, which are put to the subject: made from the collision
-/// alone, or with the outcome. `check` gets the answers to these, one each.
+/// An invariant that relates the outcome to the outcomes of further collisions. These collisions are made from the
+/// collision alone or with the outcome, and the subject answers them. `check` gets one answer for each of them.
 struct AboutRelation {
   using OfCollision = std::vector<Collision> (*)(const Collision&);
   using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
@@ -99,10 +101,10 @@ struct AboutRelation {
   Verdict (*check)(const Evidence&, std::span<const Related>);
 };
 
-/// When two answers are the same.
+/// The condition for two answers to be the same.
 enum class Sameness {
   of_bits,
-  of_numbers,  // 0 and −0 are one number, and NaN is as NaN
+  of_numbers,  // 0 equals −0, and NaN equals NaN
 };
 
 /// A program answers in text, in which equal numbers have several spellings. All other subjects answer in bits.
@@ -110,7 +112,7 @@ enum class Sameness {
   return subject.is_program() ? Sameness::of_numbers : Sameness::of_bits;
 }
 
-/// One about sessions: the answers to one collision, asked first and asked again.
+/// An invariant of sessions: it compares the first answer to a collision with a repeated answer.
 struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
@@ -118,46 +120,46 @@ struct AboutSession {
 /// The rank of an invariant that explains no other.
 inline constexpr int explains_none = 1000;
 
-/// A named statement about a collision and its outcome, and all that is known of it.
+/// A named statement about a collision and its outcome, with its source, domain, models, check and proof.
 struct Invariant {
   std::string_view name;
   std::string_view statement;  // one sentence
   std::string_view formula;    // LaTeX
   std::string_view source;
-  std::string_view domain;    // the collisions that it speaks of
-  std::vector<Model> models;  // that it is claimed for
+  std::string_view domain;    // the collisions to which it applies
+  std::vector<Model> models;  // the models for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
-  /// If several are violated, the one of the least rank explains the others.
+  /// If several invariants are violated, the one with the lowest rank explains the others.
   int rank_as_cause = explains_none;
 
-  /// Whether it puts further collisions to the subject.
+  /// Whether it asks the subject about further collisions.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
 
-  /// Whether it speaks of one answer alone.
+  /// Whether it is about one answer alone.
   [[nodiscard]] bool is_of_one_answer() const {
     return std::holds_alternative<AboutAnswer>(about) || std::holds_alternative<AboutOutcome>(about) || is_of_matrix();
   }
 
-  /// Whether it speaks of the collision matrix that a subject shows.
+  /// Whether it is about the collision matrix that a subject shows.
   [[nodiscard]] bool is_of_matrix() const { return std::holds_alternative<AboutMatrix>(about); }
 
-  /// Whether it speaks of what a session remembers.
+  /// Whether it is about the memory of a session.
   [[nodiscard]] bool is_of_session() const { return std::holds_alternative<AboutSession>(about); }
 
-  /// Whether it speaks of invalid collisions.
+  /// Whether it is about invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;
 
   [[nodiscard]] bool claimed_for(Model model) const;
 
-  /// The models, of those that it is claimed for, of which it is proved; empty where it is tested alone.
+  /// The models for which it is claimed and proved. Empty if it is only tested.
   [[nodiscard]] std::vector<Model> proved_models() const;
 };
 
-/// The catalogue, in the order of the design.
+/// The catalogue, in its fixed order.
 [[nodiscard]] std::span<const Invariant> all_invariants();
 
-/// The invariant of this name; nullptr where there is none.
+/// The invariant of this name, or nullptr if there is none.
 [[nodiscard]] const Invariant* invariant_named(std::string_view name);
 
 }  // namespace carom::properties

@@ -28,15 +28,16 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
   return verdict;
 }
 
-/// What the inputs can move C by, in the Frobenius norm, over the allowance.
+/// The largest change of C by the inputs, in the Frobenius norm, divided by the allowance.
 double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
 
-/// What the rounding of the inputs can move an eigenvalue of the computed matrix by, at most its Frobenius norm (Weyl).
+/// The largest change of an eigenvalue of the computed matrix by the rounding of the inputs. The Frobenius norm of the
+/// change bounds it (Weyl).
 Rational eigenvalue_rounding(const Evidence& e) {
   return e.allowance() > 0 ? Rational(e.allowance() * sensitivity(e)) : Rational(0);
 }
 
-/// Whether it is reported, and symmetric to the last bit, as nearly every one is.
+/// Whether the matrix is reported and symmetric to the last bit, as almost all are.
 bool is_surely_symmetric(const LiftedMatrix& shown) {
   const Matrix3<long double>* m = shown.reported();
   return m != nullptr && (*m)(1, 0) == (*m)(0, 1) && (*m)(2, 0) == (*m)(0, 2) && (*m)(2, 1) == (*m)(1, 2);
@@ -51,8 +52,8 @@ bool may_be_filtered(const Evidence& e, const LiftedMatrix& shown) {
   return is_surely_symmetric(shown) && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
-/// Whether bounds show that λI ⪯ C for the computed C, but for less rounding than is allowed. The exact C needs no
-/// check (`ExactCase::is_definite`).
+/// Whether bounds show that λI ⪯ C for the shown C, up to less rounding than is allowed. The exact C needs no check
+/// (`ExactCase::is_definite`).
 bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
@@ -70,7 +71,7 @@ bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Whether bounds show that C ⪯ 16 λI, without any rounding, for the exact C and for the computed one.
+/// Whether bounds show that C ⪯ 16 λI for the exact C and for the shown C, without any rounding.
 bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
@@ -83,8 +84,8 @@ bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// What `check` says of the C that is shown, where one is: of the exact C these are theorems, which say nothing of the
-/// subject.
+/// Applies `check` to the shown C, if there is one. The statements hold for the exact C by theorems, so a check of the
+/// exact C would not test the subject.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
@@ -127,7 +128,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   }
   count(oracles::Stage::rational);
   const Rational bound = 16 * inverse_mass(e.exact_case.exact());
-  // The bound is sharp, and the stored moments and lever arms are rounded.
+  // The bound is sharp, and the stored moments and lever arms are rounded, so rounding is allowed.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
@@ -138,15 +139,16 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return {};
 }
 
-/// `convex_uniform` says less than could be: that a body is star-shaped from the contact point is enough.
+/// `convex_uniform` is stronger than necessary: it suffices that a body is uniform and star-shaped from the contact
+/// point.
 Verdict check_well_conditioned_if_convex(const Evidence& e) {
   return e.convex_uniform
              ? of_shown_matrix<check_well_conditioned>(e)
              : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
-/// C = Cᵀ. The entries of C may be off by a matrix E with ‖E‖_F ≤ a S, a the allowance and S the sensitivity of K. Then
-/// (E_ij − E_ji)² ≤ 2 (E_ij² + E_ji²), so the three differences are at most √2 a S together.
+/// C = Cᵀ. The error of C may be a matrix E with ‖E‖_F ≤ a S, with a the allowance and S the sensitivity of K. (E_ij −
+/// E_ji)² ≤ 2 (E_ij² + E_ji²), so the norm of the three differences is at most √2 a S.
 Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (e.yardstick.filtered && is_surely_symmetric(shown)) {
     count(oracles::Stage::same_bits);

@@ -7,7 +7,7 @@ namespace {
 
 Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
 
-/// `finite`, of the answer to a valid collision.
+/// `finite`, for the answer to a valid collision.
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Model /*model*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
     return violated("the outcome is not finite");
@@ -21,7 +21,7 @@ Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, 
   return {};
 }
 
-/// Whether a collision is invalid only by fields that the law does not read.
+/// Whether a collision is invalid only because of fields that the law does not read.
 bool is_invalid_by_unread_fields(const Collision& collision, Model model) {
   Collision without = collision;
   if (model != Model::rough && model != Model::coulomb) {
@@ -33,7 +33,7 @@ bool is_invalid_by_unread_fields(const Collision& collision, Model model) {
   return validate(without).empty();
 }
 
-/// `invalid_refused`, of the answer to an invalid collision.
+/// `invalid_refused`, for the answer to an invalid collision.
 Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Model model) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};

@@ -117,7 +117,7 @@ Verdict check_push(const Evidence& e) {
   }
   Verdict verdict =
       holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
-  // A residual over the outputs alone knows nothing of the inputs' rounding, which decides the sign of N·V⁻ there.
+  // The residual of the outputs does not include the rounding of the inputs, which decides the sign of N·V⁻ here.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("within rounding of a separating contact");
@@ -137,7 +137,7 @@ Verdict check_separating_untouched(const Evidence& e) {
     return outside_domain("the contact is colliding");
   }
   if (!determines_outcome(e.model)) {
-    // Within rounding of a colliding contact the law may act, and what it allows is not known.
+    // Within rounding of a colliding contact the law may act, and its allowance is unknown.
     if (e.exact_case.is_grazing(e.allowance())) {
       return outside_domain("within rounding of a colliding contact");
     }

@@ -12,14 +12,14 @@ struct Theorem {
   std::string_view file;  // in properties/proofs
 };
 
-/// The laws that the theorems of an invariant are about.
+/// The laws for which the theorems of an invariant hold.
 enum class ProvedOf {
-  every_impulse,  // whatever the law, or of the collision matrix, which no law changes
-  its_laws,       // those that it is claimed for and that determine one outcome
+  every_impulse,  // every law, or the collision matrix, which does not depend on the law
+  its_laws,       // the laws that it is claimed for and that determine one outcome
 };
 
-/// Why an invariant follows from the exact laws. Without theorems it is tested alone: it speaks of a program
-/// (`finite`), or it defines its law (`slip_opposed`).
+/// The proof that an invariant follows from the exact laws. An invariant without theorems is only tested. It is about a
+/// program (`finite`), or it defines its law (`slip_opposed`).
 struct Proof {
   ProvedOf of = ProvedOf::its_laws;
   std::vector<Theorem> theorems = {};

@@ -14,7 +14,7 @@ namespace carom::properties {
 namespace {
 
 using oracles::Rational;
-/// The outcome of a related collision, or the verdict where there is none.
+/// The outcome of a related collision, or a verdict if there is no outcome.
 std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& related) {
   if (const auto* outcome = std::get_if<oracles::LiftedOutcome>(&related.answer)) {
     return outcome;
@@ -33,7 +33,7 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   return verdict;
 }
 
-/// Compares two outcomes that a relation makes equal, `expected` of the first and the second. `expected` maps outcomes
+/// Compares two outcomes that a relation makes equal: `expected` of the first, and the second. `expected` maps outcomes
 /// of any field.
 template <class Expected>
 Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
@@ -52,8 +52,8 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
   return worst;
 }
 
-/// Whether bounds show that an outcome is as expected, to within a lower bound of what is allowed. Precondition: it was
-/// reported.
+/// Whether bounds show that an outcome is as expected, within a lower bound of the allowed error. Precondition: the
+/// outcome was reported.
 bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const oracles::LiftedOutcome& computed,
                   const oracles::Sensitivity& below) {
   const bool agree = surely_near(expected, *computed.reported(), e.allowance(), below);
@@ -63,7 +63,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
   return agree;
 }
 
-/// Whether lower bounds may decide: what is allowed is then surely a finite number.
+/// Whether lower bounds may decide. The allowed error is then certainly finite.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   return e.yardstick.uses_bounds() && exact_case.is_moderate(e.model) && outcome.is_moderate();
 }
@@ -87,8 +87,8 @@ bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   return same;
 }
 
-/// The relation maps the collision exactly, so the exact outcome is mapped exactly and both sensitivities are the same.
-/// `back` is exact in every arithmetic: it changes places, signs and exponents alone.
+/// The relation maps the collision exactly. So the exact outcome is mapped exactly too, and both sensitivities are the
+/// same. `back` is exact in every arithmetic, because it changes only positions of numbers, signs and exponents.
 template <class Back>
 Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
   const auto answer = outcome_of(related);
@@ -114,8 +114,8 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
-/// Two related collisions whose outcomes differ as `expected` says of the first: each allowed its own rounding.
-/// `factor` is what `expected` multiplies the first outcome by, and its rounding with it.
+/// Compares the outcomes of two related collisions. `expected` maps the first outcome to the second. Each outcome is
+/// allowed its own rounding. `expected` multiplies the first outcome, and its rounding, by `factor`.
 template <class Expected>
 Verdict related_pair(const Evidence& e, std::span<const Related> related, double factor, const Expected& expected) {
   const auto first = outcome_of(related[0]);
@@ -147,7 +147,7 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
                             second_case.sensitivity(e.model, e.allowance())));
 }
 
-/// Applies `polar` to the vectors that a mirror reflects and `axial` to those that turn with it.
+/// Applies `polar` to the vectors that a mirror reflects, and `axial` to the angular velocities.
 template <class Polar, class Axial>
 Collision mapped_vectors(Collision c, const Polar& polar, const Axial& axial) {
   for (Body* body : {&c.a, &c.b}) {
@@ -165,7 +165,7 @@ Outcome<T> mapped_vectors(const Outcome<T>& y, const Polar& polar, const Axial& 
   return {{polar(y.a.velocity), axial(y.a.angular_velocity)}, {polar(y.b.velocity), axial(y.b.angular_velocity)}};
 }
 
-/// A quarter turn that takes axis `from` to axis `to`, and `to` to the opposite of `from`.
+/// A quarter turn that takes axis `from` to axis `to`, and axis `to` to the negative axis `from`.
 struct QuarterTurn {
   int from;
   int to;
@@ -183,8 +183,8 @@ struct QuarterTurn {
 constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
-/// The body axes are turned along with the world, T R Tᵀ, and the principal moments change places: exact, where T R
-/// would need √½ in the quaternion.
+/// The body axes turn with the world, T R Tᵀ, and two principal moments change places. This is exact. The quaternion of
+/// T R would need √½.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
   Collision c = mapped_vectors(collision, turn, turn);
   for (Body* body : {&c.a, &c.b}) {
@@ -207,8 +207,8 @@ Vector3<S> mirrored_axial(Vector3<S> v) {
   return v;
 }
 
-/// Changes of the units of mass, length and time by powers of two: exact. Chosen so that the unit of nothing that a
-/// solver computes with stays as it is, as that of impulse would with 2⁵, 2⁻³ and 2².
+/// The units of mass, length and time change by powers of two, which is exact. With these exponents, the unit of every
+/// quantity that a solver computes with changes. With 2⁵, 2⁻³ and 2², the unit of impulse would not change.
 constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
 constexpr int time_exponent = 1;
@@ -218,7 +218,7 @@ T times_power_of_two(const T& number, int exponent) {
   return number * T(std::ldexp(1.0, exponent));
 }
 
-/// The largest component, as the exponent of a power of two above it; 1 stands for all zero.
+/// The exponent of a power of two above the largest component. It is 1 if all components are zero.
 int exponent_above(std::initializer_list<const Vector3<double>*> of) {
   double largest = 0;
   for (const auto* vector : of) {
@@ -231,7 +231,7 @@ int exponent_above(std::initializer_list<const Vector3<double>*> of) {
   return exponent;
 }
 
-/// Multiples of 2^(exponent − 48): sums of these below 2^(exponent + 1) are exact in binary64.
+/// Rounds to multiples of 2^(exponent − 48). Sums of such multiples below 2^(exponent + 1) are exact in binary64.
 Vector3<double> on_grid(const Vector3<double>& vector, int exponent) {
   Vector3<double> result;
   for (int i = 0; i < 3; ++i) {
@@ -240,10 +240,10 @@ Vector3<double> on_grid(const Vector3<double>& vector, int exponent) {
   return result;
 }
 
-/// An offset as large as the largest component, in no special direction.
+/// An offset as large as the largest component, in a general direction.
 Vector3<double> offset(int exponent) { return Vector3<double>{1, -0.5, 0.75} * std::ldexp(1.0, exponent); }
 
-/// Rounded so that three times each component is exact.
+/// Rounds to 50 bits, so that three times each component is exact.
 Vector3<double> to_50_bits(const Vector3<double>& vector) {
   Vector3<double> result;
   for (int i = 0; i < 3; ++i) {
@@ -267,7 +267,7 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   }
 }
 
-/// The outcome with what the second related collision's velocities have more than the first's.
+/// The outcome plus the difference of the velocities of the second and the first related collision.
 template <class T>
 Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> related) {
   const auto& from = collision_in<T>(related[0].exact_case);
@@ -405,8 +405,8 @@ Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
   });
 }
 
-/// The same bodies meeting head-on without spin, and with a tangential velocity of 2^−30 of the approach. The normal is
-/// rounded to 20 bits so that both are exact.
+/// Two collisions of the same bodies. In the first, they meet head-on without spin. In the second, they also have a
+/// tangential velocity of 2⁻³⁰ of the approach. The normal is rounded to 20 bits so that both collisions are exact.
 std::vector<Collision> ask_continuous(const Collision& collision) {
   const int exponent = exponent_above({&collision.normal});
   Collision head_on = collision;
@@ -436,7 +436,7 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
   return {with_velocities(collision, outcome)};
 }
 
-/// What N·V⁺ may be off by, over the allowance: each vector of the outcome by its sensitivity.
+/// The error that N·V⁺ may have, divided by the allowance, from the sensitivity of each vector of the outcome.
 double slack_of_separation(const Evidence& e) {
   const Collision& c = e.exact_case.collision();
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
@@ -459,7 +459,8 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
     return outside_domain("the outcome separates by no more than rounding");
   }
   const Related& second = related[0];
-  // The outcome may be off by the allowance, and was rounded to binary64 to be posed: the band has to include both.
+  // The outcome may have an error of the allowance. It was also rounded to binary64 for the second question. The
+  // grazing band has to include both errors.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome is within rounding of a colliding contact");
   }

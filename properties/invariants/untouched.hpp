@@ -6,10 +6,11 @@
 
 #include <carom/properties/invariants/verdicts.hpp>
 
-/// Vectors of an outcome that should be as before the impulse.
+/// Compares vectors of an outcome with the vectors before the impulse.
 namespace carom::properties {
 
-/// One vector of the outcome against the same before the impulse, allowed what the law's sensitivity allows.
+/// Compares one vector of the outcome with the vector before the impulse. The law's sensitivity gives the allowed
+/// error.
 [[nodiscard]] inline Verdict vector_untouched(const Evidence& e, OutcomeVector k,
                                               const oracles::Sensitivity& sensitivity) {
   const auto before = unchanged(e.exact_case.bounds().enclosed());
@@ -21,7 +22,8 @@ namespace carom::properties {
                        e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
 }
 
-/// Whether the closeness to the truth, which leaves these vectors untouched, or bounds show that they are so.
+/// Whether these vectors are certainly unchanged. Either the outcome is close to the truth, which does not change them,
+/// or bounds show it.
 [[nodiscard]] inline bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);

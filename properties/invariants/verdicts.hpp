@@ -17,12 +17,12 @@
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// How checks make and join verdicts.
+/// Functions that make and join verdicts.
 namespace carom::properties {
 
 [[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
 
-/// What cannot be decided is never a pass.
+/// An undecided check never passes.
 [[nodiscard]] inline Verdict beyond_range() {
   return {Status::skipped, "the scale leaves the range of numbers", 0, 0, {}, {}, true};
 }
@@ -39,8 +39,8 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
-/// Whether the law acts at once and inputs within rounding include both colliding and separating contacts: what holds
-/// of one of its answers is then not asked of the other.
+/// Whether the law acts at once and inputs within rounding include both colliding and separating contacts. The
+/// invariants of one answer are then not required of the other.
 [[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
   return determines_outcome(e.model) && exact_case.has_two_answers(e.model, e.allowance());
 }
@@ -48,9 +48,9 @@ namespace carom::properties {
   return outside_domain("within rounding of both colliding and separating contacts, whose answers differ");
 }
 
-/// A vector of an outcome that should be `expected`, and is allowed to miss it by so much. Both are given as
-/// enclosures, and as functions that give them exactly where those do not decide. `relation` says what is compared of
-/// the vector; none is allowed where that leaves the range of numbers.
+/// Compares a vector of an outcome with `expected`; their distance may be `allowed`. Both vectors are enclosures. If
+/// the enclosures do not decide, `exact_pair` gives both exactly. `relation` describes the comparison in words.
+/// `allowed` has no value if it leaves the range of numbers.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
@@ -84,17 +84,18 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// How surely_near bounds the distance of two vectors, for any scalar S, so that a test can count its roundings.
+/// The bound of surely_near for the distance of two vectors. It works for any scalar S, so that a test can count its
+/// roundings.
 namespace nearness {
 
-/// Twice the unit roundoff u of reported numbers: x87 extended, or what long double is elsewhere.
+/// Twice the unit roundoff u of reported numbers: x87 extended, or the local format of long double.
 inline constexpr long double two_u = std::numeric_limits<long double>::epsilon();
 static_assert(std::numeric_limits<long double>::is_iec559);
 
-/// 1 + 8u: the difference, the sum and the bound that are computed have five roundings.
+/// 1 + 8u, because the computed difference, sum and bound have five roundings.
 inline constexpr long double up = 1 + 4 * two_u;
 
-/// D = M (1 + 8u) + 2u (s + ‖x‖₁), M the computed ‖x − y‖₁.
+/// D = M (1 + 8u) + 2u (s + ‖x‖₁), with M the computed ‖x − y‖₁.
 template <class S>
 [[nodiscard]] S distance_above(const Vector3<S>& x, const Vector3<S>& y, const S& scale) {
   using std::abs;
@@ -109,15 +110,15 @@ template <class S>
 
 }  // namespace nearness
 
-/// Whether these vectors of two outcomes surely differ by no more than `allowance` times `scale`. Of `left`, x is a
-/// vector as it was computed from a reported one y′ by a relation, x* the same without rounding; y is that of `right`,
-/// s its scale:
+/// Whether these vectors of two outcomes certainly differ by at most `allowance` times `scale`. A relation computes the
+/// vector x of `left` from a reported vector y′. x* is x without rounding, y is the vector of `right`, and s is its
+/// scale:
 ///
-///   (1) where x = y′, ±y′, or a product of y′: ‖x − x*‖₁ ≤ u ‖x‖₁;
-///   (2) where x = y′ + (to − from), with ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s: ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s;
-///   (3) ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁;
-///   (4) the right side of (3) is at most D, as `nearness::distance_above` computes it;
-///   (5) what is shown is D ≤ a s, the product rounded as that of the exact judge is.
+///   (1) If x = y′, ±y′, or a product of y′: ‖x − x*‖₁ ≤ u ‖x‖₁.
+///   (2) If x = y′ + (to − from), with ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s: ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
+///   (3) ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁.
+///   (4) The right side of (3) is at most D, as `nearness::distance_above` computes it.
+///   (5) The function shows D ≤ a s. The product is rounded as in the exact judge.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
                                       const PerVector<double>& scale,
                                       std::span<const OutcomeVector> which = all_outcome_vectors) {
@@ -128,8 +129,8 @@ template <class S>
   });
 }
 
-/// Whether bounds show that these vectors of an outcome are as before the impulse, each to within the allowance times
-/// its own size: less than any law allows, and surely a finite number.
+/// Whether bounds show that these vectors of an outcome are unchanged, each to within the allowance times its own size.
+/// This is less than any law allows, and certainly finite.
 [[nodiscard]] inline bool is_surely_untouched(const oracles::ExactCase& exact_case,
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
@@ -147,8 +148,8 @@ template <class S>
   return is_untouched;
 }
 
-/// Both must hold: the worse of two verdicts, a violation before what could not be decided, that before a pass, and a
-/// pass before what is outside the domain, which leaves it to the other.
+/// The worse of two verdicts, if both must hold. The order is: violated, undecided, holds, outside the domain. A
+/// verdict outside the domain leaves the result to the other one.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     switch (verdict.status) {

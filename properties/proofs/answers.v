@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** What is extracted: a collision as a user describes it, and the velocities after it by each law that has one answer. *)
+(** The source of the extraction: a collision as a user describes it, and the velocities after it by each law that has
+    one answer. *)
 
 Require Import Carom.operations Carom.vectors Carom.laws Carom.described_bodies.
 
@@ -22,7 +23,7 @@ Arguments coefficient_of_restitution {T}.
 Arguments coefficient_of_friction {T}.
 Arguments coefficient_of_tangential_restitution {T}.
 
-(** Of both bodies. *)
+(** The velocities and angular velocities of both bodies. *)
 Record motion (T : Type) := a_motion {
   velocity_of_a : vector T;
   spin_of_a : vector T;
@@ -51,14 +52,14 @@ Section Answers.
   Definition reflection_answer := answer reflection_impulse.
   Definition sticking_answer := answer sticking_impulse.
 
-  (** What an impulse f adds to the motion. *)
+  (** The changes of the motion by an impulse f. *)
   Definition response (c : contact T) (f : vector T) : motion T :=
     a_motion (scaled (inverse_mass (body_a c)) f)
              (applied (inverse_inertia (body_a c)) (cross (lever_arm (body_a c) (point c)) f))
              (scaled (inverse_mass (body_b c)) (negated f))
              (applied (inverse_inertia (body_b c)) (cross (lever_arm (body_b c) (point c)) (negated f))).
 
-  (** Of rough: the answer is the first motion plus the root of the number times the second. *)
+  (** The answer of rough is the first motion plus the root of the number times the second motion. *)
   Definition rough_answer (c : collision T) : motion T * motion T * T :=
     let here := contact_of c in
     if is_colliding here

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** What is extracted answers what the laws over the real numbers do: each answer of answers.v over the rational numbers
-    is that of the law on the same collision, and rough's two parts are the outcome of the law with its root. *)
+(** The extracted answers are those of the laws over the real numbers. Each answer of answers.v over the rational
+    numbers equals the answer of the law to the same collision. The two parts of rough, with the root, give the outcome
+    of the law. *)
 
 Require Import QArith Qreals.
 Require Import Carom.reals Carom.described_bodies Carom.friction Carom.rationals Carom.answers.
@@ -45,7 +46,7 @@ Proof. apply answer_computes, reflection_computes. Qed.
 Theorem sticking_answer_computes c : of_motion (sticking_answer c) = answer sticking_impulse (of_collision c).
 Proof. apply answer_computes, sticking_computes. Qed.
 
-(** A motion, and so many times another. *)
+(** A motion plus a multiple of another motion. *)
 Definition with_share (m : motion R) (share : R) (n : motion R) : motion R :=
   a_motion (sum (velocity_of_a m) (scaled share (velocity_of_a n))) (sum (spin_of_a m) (scaled share (spin_of_a n)))
            (sum (velocity_of_b m) (scaled share (velocity_of_b n))) (sum (spin_of_b m) (scaled share (spin_of_b n))).
@@ -90,7 +91,8 @@ Proof.
       rewrite !of_zero; reflexivity.
 Qed.
 
-(** What is computed so is a valid contact, where a user describes bodies as they are to be. *)
+(** If a user describes meaningful bodies, the contact is valid. One body must be movable, the normal must have a
+    direction, and the coefficients must be in their ranges. *)
 Theorem described_contact_valid (c : collision R) :
   is_meaningful (described_a c) -> is_meaningful (described_b c) -> 0 < inverse_masses (contact_of c) ->
   contact_normal c <> null -> 0 <= coefficient_of_restitution c <= 1 -> 0 <= coefficient_of_friction c ->

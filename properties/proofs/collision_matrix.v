@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The collision matrix: V⁺ = V⁻ + K F, K is symmetric, K ⪰ λI, and eliminations on it meet no pivot below λ. *)
+(** The collision matrix: V⁺ = V⁻ + K F, K is symmetric, and K ⪰ λI. Eliminations on K have no pivot below λ. *)
 
 Require Import Carom.reals.
 Local Open Scope R_scope.
@@ -86,7 +86,7 @@ Qed.
 Lemma long (v : vector R) : y_of v = 1 \/ z_of v = 1 -> 1 <= square v.
 Proof. destruct v as [x y z]; in_components; intros [-> | ->]; nra. Qed.
 
-(** Each pivot is the value of the form at a vector that is no shorter than 1. *)
+(** Each pivot is the value of the form at a vector of length 1 or more. *)
 Lemma second_pivot_form (m : matrix R) :
   symmetric m -> first_pivot m <> 0 ->
   let v := vec (- y_of (row_x m) / first_pivot m) 1 0 in dot v (applied m v) = second_pivot m.

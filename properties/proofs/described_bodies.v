@@ -1,8 +1,9 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** From what a user writes of a body (mass, principal moments, a quaternion of any length but 0, or that it is
-    immovable) to the body of the laws, without a root: the rotation is one, the body is possible, and its inverse
-    inertia is the inverse of R diag(I) Rᵀ. *)
+(** Maps a user's description of a body to the body of the laws, without a root. The description has the mass, the
+    principal moments and a quaternion of any length except 0, or it says that the body is immovable. The theorems prove
+    that the rotation is a rotation, that the body is possible, and that its inverse inertia is the inverse of R diag(I)
+    Rᵀ. *)
 
 Require Import Carom.operations Carom.vectors Carom.laws.
 
@@ -16,11 +17,11 @@ Arguments z_part {T}.
 Record description (T : Type) := a_description {
   described_mass : T;
   principal_moments : vector T;
-  orientation : quaternion T;  (* turns the principal axes to the world's frame; of any length but 0 *)
+  orientation : quaternion T;  (* turns the principal axes to the world's frame; of any length except 0 *)
   described_centre : vector T;
   described_velocity : vector T;
   described_spin : vector T;
-  described_as_immovable : bool  (* mass and moments then say nothing *)
+  described_as_immovable : bool  (* mass and moments then have no meaning *)
 }.
 Arguments a_description {T}.
 Arguments described_mass {T}.
@@ -47,7 +48,7 @@ Section Description.
          (vec (two * (x * y + w * z) / s) ((w * w - x * x + y * y - z * z) / s) (two * (y * z - w * x) / s))
          (vec (two * (x * z - w * y) / s) (two * (y * z + w * x) / s) ((w * w - x * x - y * y + z * z) / s)).
 
-  (** R diag(d) Rᵀ: what is d along the principal axes. *)
+  (** R diag(d) Rᵀ: the matrix that is diag(d) in the principal axes. *)
   Definition turned (q : quaternion T) (d : vector T) : matrix T :=
     product (rotation q) (product (diagonal d) (transposed (rotation q))).
 
@@ -68,7 +69,7 @@ Local Open Scope R_scope.
 
 Definition zero_quaternion : quaternion R := a_quaternion 0 0 0 0.
 
-(** What a description is to be. *)
+(** The conditions on a description. *)
 Definition is_meaningful (d : description R) :=
   described_as_immovable d = true \/
   (0 < described_mass d /\ orientation d <> zero_quaternion /\
@@ -86,13 +87,13 @@ Section Rotation.
   Variable q : quaternion R.
   Hypothesis not_zero : q <> zero_quaternion.
 
-  (** Only the sum of the four squares is divided by. *)
+  (** The only divisor is the sum of the four squares. *)
   Ltac by_field :=
     pose proof (quaternion_square_positive q not_zero) as positive; clear not_zero; destruct q as [w x y z];
     cbv [rotation quaternion_square w_part x_part y_part z_part] in *; in_components; same_components;
     field; lra.
 
-  (** What is written out above is the formula, with q = (x, y, z) and q₀ = w. *)
+  (** The rows of rotation are the formula with q = (x, y, z) and q₀ = w. *)
   Theorem rotation_applied (v : vector R) :
     let u := vec (x_part q) (y_part q) (z_part q) in
     applied (rotation q) v =
@@ -117,7 +118,7 @@ Section Rotation.
   Theorem rotation_transposed_orthogonal : product (rotation q) (transposed (rotation q)) = identity.
   Proof. by_field. Qed.
 
-  (** So that it is no reflection. *)
+  (** Hence it is not a reflection. *)
   Theorem rotation_determinant : determinant (rotation q) = 1.
   Proof. by_field. Qed.
 
@@ -134,7 +135,7 @@ Section Rotation.
     dot (applied (transposed (rotation q)) v) (applied (transposed (rotation q)) w) = dot v w.
   Proof. rewrite dot_transposed, turned_forth; reflexivity. Qed.
 
-  (** What turned d and turned e do, one after the other. *)
+  (** The product of turned d and turned e, applied to a vector. *)
   Lemma turned_twice (d e v : vector R) :
     applied (turned q d) (applied (turned q e) v) =
     applied (rotation q) (applied (product (diagonal d) (diagonal e)) (applied (transposed (rotation q)) v)).

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Kinetic energy: what an impulse changes it by, in closed form for each law. It never grows by frictionless and by
-    rough; that it can grow by reflection is shown on a cube. *)
+(** Kinetic energy: the change by an impulse, in closed form for each law. It never grows by frictionless and by rough.
+    A cube shows that it can grow by reflection. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse.
 Local Open Scope R_scope.
@@ -15,7 +15,7 @@ Record has_inertia (mass : R) (inertia : matrix R) (b : body R) : Prop := {
   inertia_symmetric : symmetric inertia
 }.
 
-(** An immovable body at rest is counted with any mass and inertia: it has no energy, neither before nor after. *)
+(** An immovable body at rest counts with any mass and inertia, because its energy is 0 before and after the impulse. *)
 Definition is_accounted (mass : R) (inertia : matrix R) (b : body R) :=
   has_inertia mass inertia b \/ (is_immovable b /\ velocity b = null /\ spin b = null).
 
@@ -54,7 +54,7 @@ Proof.
   destruct immovable as [-> ->]; rewrite applied_zero_matrix, cross_null_left, sum_null, !dot_null; ring.
 Qed.
 
-(** K⁻¹ is symmetric where K is. *)
+(** If K is symmetric, K⁻¹ is symmetric. *)
 Lemma solved_symmetric (m : matrix R) (v w : vector R) :
   determinant m <> 0 -> symmetric m -> dot v (solved m w) = dot w (solved m v).
 Proof.
@@ -63,10 +63,10 @@ Proof.
   rewrite (dot_symmetric _ (solved m w)), (dot_symmetric _ (solved m v)); apply is_symmetric.
 Qed.
 
-(** k = (1+ε) N·V⁻ / N·N, of which reflection makes its impulse -k K⁻¹N. *)
+(** k = (1+ε) N·V⁻ / N·N, the factor in the impulse -k K⁻¹N of reflection. *)
 Definition reflection_factor (c : contact R) := (1 + restitution c) * approach c / dot (normal c) (normal c).
 
-(** V_T, the part of V⁻ along the plane of contact. *)
+(** V_T, the part of V⁻ in the plane of contact. *)
 Definition along_plane (c : contact R) :=
   difference (relative_velocity c) (scaled (approach c / dot (normal c) (normal c)) (normal c)).
 
@@ -101,7 +101,7 @@ Section Energy.
 
   Hypothesis valid : is_valid c.
 
-  (** ΔE = ½ (V⁺·K⁻¹V⁺ - V⁻·K⁻¹V⁻): energy is the norm of V that K⁻¹ makes, not its length. *)
+  (** ΔE = ½ (V⁺·K⁻¹V⁺ - V⁻·K⁻¹V⁻). The measure of energy is the K⁻¹ norm of V, not its length. *)
   Theorem energy_is_norm (f : vector R) :
     let after_it := relative_velocity (after c f) in
     gained f = 1 / 2 * (dot after_it (solved K after_it) - dot V (solved K V)).
@@ -216,7 +216,7 @@ Section Energy.
     unfold reflection_factor; reals; field; auto.
   Qed.
 
-  (** Reflection creates energy where 2 (N·N) N·K⁻¹V_T > (1-ε) |N·V⁻| N·K⁻¹N. *)
+  (** Reflection creates energy if and only if 2 (N·N) N·K⁻¹V_T > (1-ε) |N·V⁻| N·K⁻¹N. *)
   Theorem reflection_gains_energy :
     approach c < 0 ->
     0 < gained (reflection_impulse c) <->
@@ -235,7 +235,7 @@ Section Energy.
     split; intros; nra.
   Qed.
 
-  (** Sticking leaves -ε (N·V⁻ / N·N) N of V⁻: ΔE = ½ (ε² (N·V⁻ / N·N)² N·K⁻¹N - V⁻·K⁻¹V⁻). *)
+  (** Sticking gives V⁺ = -ε (N·V⁻ / N·N) N, so ΔE = ½ (ε² (N·V⁻ / N·N)² N·K⁻¹N - V⁻·K⁻¹V⁻). *)
   Theorem energy_of_sticking_is :
     let kept := restitution c * approach c / dot N N in
     gained (sticking_impulse c) = 1 / 2 * (kept * kept * dot N (solved K N) - dot V (solved K V)).
@@ -250,7 +250,7 @@ Section Energy.
   Qed.
 End Energy.
 
-(** A cube of 1 kg and of edge 1 m falls aslant on the middle of an edge; what it falls on is immovable. *)
+(** A cube with mass 1 kg and edge length 1 m moves obliquely and hits an immovable body with the middle of an edge. *)
 Definition cube := a_body 1 (uniform 6) null (vec (-1) (-1) 0) null.
 Definition plane := a_body 0 zero_matrix null null null.
 Definition cube_on_plane (epsilon : R) := a_contact cube plane (vec (1 / 2) (-1 / 2) 0) (vec 0 1 0) epsilon 0 0.
@@ -326,7 +326,7 @@ Proof.
   cbn [cube_on_plane cube plane body_a body_b normal point velocity spin inverse_mass]; in_components; lra.
 Qed.
 
-(** From 1 J to 7/4 J at ε = 1, and to 17/16 J at ε = 0. *)
+(** Its energy grows from 1 J to 7/4 J at ε = 1, and from 1 J to 17/16 J at ε = 0. *)
 Theorem reflection_can_gain_energy :
   let energy := total_energy 1 0 (uniform (1 / 6)) zero_matrix in
   let elastic := cube_on_plane 1 in

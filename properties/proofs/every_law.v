@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Of the outcome of every law, whether the contact collides or not: what laws_of_impulse.v says of impulses. *)
+(** The statements of laws_of_impulse.v about impulses, for the outcome of every law, colliding or not. *)
 
 Require Import Carom.reals Carom.laws_of_impulse Carom.friction Carom.similarity.
 Local Open Scope R_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The answers over the rational numbers as OCaml. Integers become those of Zarith (GMP); the greatest common divisor
-    and the quotients of both by it, with which fractions are reduced, are Zarith's too: what is trusted here is the
-    extractor and the constants below and of ExtrOcamlZBigInt. *)
+(** Extracts the answers over the rational numbers as OCaml. Integers become integers of Zarith (GMP). To reduce
+    fractions, Zarith computes the greatest common divisor and both quotients by it. The extractor, the constants below
+    and those of ExtrOcamlZBigInt have to be trusted. *)
 
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 Require Import Carom.rationals Carom.answers.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The law rough with its root, over the real numbers: its κ is that of the books and lies in [0, 1 + e_t], its impulse
-    pushes and lies in the friction cone, on the surface where it slides, and it creates no energy. *)
+(** The law rough with its root, over the real numbers. Its κ is the κ of the literature and lies in [0, 1 + e_t]. Its
+    impulse pushes and lies in the friction cone. If the contact slides, the impulse lies on the surface of the cone.
+    The law creates no energy. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.energy.
 Local Open Scope R_scope.
@@ -18,14 +19,14 @@ Proof.
   clear; by_ring.
 Qed.
 
-(** Where the cone has room for the whole of it, friction does it. *)
+(** If F with κ = 1 + e_t lies in the cone, κ is 1 + e_t. *)
 Theorem kappa_in_cone (c : contact R) : sticks_in_cone c = true -> kappa c = 1 + tangential_restitution c.
 Proof. intros sticks; unfold kappa, rough_kappa; rewrite sticks; reals; ring. Qed.
 
-(** ‖N × D‖ - μ N·D. *)
+(** ‖N × D‖ - μ N·D, the divisor of κ. *)
 Definition divisor (c : contact R) : R := sqrt (radicand c) - friction c * dot (normal c) (from_one_to_other c).
 
-(** κ of the books, where the impulse slides: μ (1+ε) N·P_I / (‖N × D‖ - μ N·D). *)
+(** The κ of the literature if the impulse slides: μ (1+ε) N·P_I / (‖N × D‖ - μ N·D). *)
 Definition sliding_kappa (c : contact R) : R :=
   friction c * (1 + restitution c) * dot (normal c) (stops_approach c) / divisor c.
 
@@ -44,7 +45,7 @@ Section Rough.
   Local Notation D := (from_one_to_other c).
   Local Notation mu := (friction c).
   Local Notation root := (sqrt (radicand c)).
-  (** What κ is where friction does all that it is to do. *)
+  (** The κ of an impulse inside the cone. *)
   Local Notation whole := (1 + tangential_restitution c).
 
   Lemma whole_in_range : 0 <= whole <= 2.
@@ -56,7 +57,7 @@ Section Rough.
   Lemma root_squared : root * root = radicand c.
   Proof. apply sqrt_def, square_nonnegative. Qed.
 
-  (** D along N is none: N·K D = 0. *)
+  (** D is along N only if D = 0, because N·K D = 0. *)
   Lemma no_radicand : radicand c = 0 -> D = null.
   Proof.
     intros no_root; unfold radicand in no_root; rewrite square_cross in no_root.
@@ -100,7 +101,7 @@ Section Rough.
     reals; field; pose proof (normal_compliance_positive c valid); lra.
   Qed.
 
-  (** Without friction, nothing but the frictionless impulse. *)
+  (** Without friction, the impulse is the frictionless impulse. *)
   Theorem rough_without_friction : mu = 0 -> rough_impulse c = frictionless_impulse c.
   Proof.
     intros no_friction; rewrite rough_impulse_is, <- rough_with_0; unfold kappa, rough_kappa.
@@ -124,7 +125,7 @@ Section Rough.
     pose proof (stops_approach_pushes c valid colliding); pose proof (restitution_in_range c valid); nra.
   Qed.
 
-  (** An impulse of the law is not null, since it undoes the approach, and so in the cone it pushes. *)
+  (** An impulse of the law is not null, because it reverses the approach. So an impulse in the cone pushes. *)
   Lemma pushes_in_cone (k : R) : in_cone c (rough_with c k) = true -> 0 < dot N (rough_with c k).
   Proof.
     intros inside; apply in_cone_true in inside as [[| is_zero] inside]; auto; exfalso.
@@ -138,7 +139,7 @@ Section Rough.
   Section Slides.
     Hypothesis outside : sticks_in_cone c = false.
 
-    (** N·F < 0, or ‖N × F‖ > μ N·F, of F with the whole of friction. *)
+    (** N·F < 0 or ‖N × F‖ > μ N·F, for F with κ = 1 + e_t. *)
     Lemma not_in_cone :
       push + whole * dot N D < 0 \/ 0 <= push + whole * dot N D /\ mu * (push + whole * dot N D) < whole * root.
     Proof.
@@ -192,7 +193,7 @@ Section Rough.
       rewrite push_of_rough_with, none; pose proof push_positive; lra.
     Qed.
 
-    (** p + q √s is the κ of the books. *)
+    (** p + q √s is the κ of the literature. *)
     Theorem kappa_is_textbook : kappa c = sliding_kappa c.
     Proof.
       pose proof divisor_positive as positive; pose proof root_squared as is_root.
@@ -231,7 +232,7 @@ Section Rough.
     0 <= dot N (rough_impulse c) /\ square (cross N (rough_impulse c)) <= squared (mu * dot N (rough_impulse c)).
   Proof. apply in_cone_true, rough_in_cone. Qed.
 
-  (** ‖N × F‖ = μ N·F where it slides. *)
+  (** ‖N × F‖ = μ N·F if the contact slides. *)
   Theorem slides_on_friction_cone :
     sticks_in_cone c = false ->
     square (cross N (rough_impulse c)) = squared (mu * dot N (rough_impulse c)).
@@ -244,7 +245,7 @@ Section Rough.
   Theorem restitution_of_rough_law : approach (after c (rough_impulse c)) = - restitution c * approach c.
   Proof. rewrite rough_impulse_is; apply restitution_of_rough; auto. Qed.
 
-  (** Where e_t = -1 friction does nothing. *)
+  (** If e_t = -1, the impulse is the frictionless impulse. *)
   Theorem rough_that_keeps_slip : tangential_restitution c = -1 -> rough_impulse c = frictionless_impulse c.
   Proof.
     intros keeps; pose proof kappa_in_range; rewrite rough_impulse_is, <- rough_with_0; f_equal; lra.
@@ -292,7 +293,7 @@ Proof.
   rewrite (solved_unique _ _ (vec (-2) 0 0)); in_components; [same_components; ring | lra | same_components; ring].
 Qed.
 
-(** There 1 / (s - (μ N·D)²) is no number, and κ is. *)
+(** For this contact, 1 / (s - (μ N·D)²) does not exist, but κ does. *)
 Theorem kappa_on_opposite_cone :
   is_valid opposite_cone /\ approach opposite_cone = -2 /\ sticks_in_cone opposite_cone = false /\
   radicand opposite_cone =

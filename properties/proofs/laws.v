@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Two bodies that touch in a point, and the laws of their impact. World frame, SI units; the impulse F acts on A at
-    the point of contact, and -F on B. D. Eberly, "Computing Impulse Forces for Colliding Contact", without its square
-    roots; rough and its cone: A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998). *)
+(** Two bodies that touch at a point, and the laws of their impact. World frame, SI units. The impulse F acts on A at
+    the point of contact, and -F acts on B. Source: D. Eberly, Computing Impulse Forces for Colliding Contact, here
+    without square roots. Source of rough and its cone: A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998). *)
 
 Require Import Bool Carom.operations Carom.vectors.
 
 
-(** Immovable: both inverses are 0. *)
+(** If the body is immovable, both inverses are 0. *)
 Record body (T : Type) := a_body {
   inverse_mass : T;
   inverse_inertia : matrix T;
@@ -26,7 +26,7 @@ Record contact (T : Type) := a_contact {
   body_a : body T;
   body_b : body T;
   point : vector T;
-  normal : vector T;  (* on B, towards A; of any length but 0 *)
+  normal : vector T;  (* on B, towards A; of any length except 0 *)
   restitution : T;
   friction : T;
   tangential_restitution : T
@@ -47,7 +47,7 @@ Section Laws.
   Definition lever_arm (b : body T) (p : vector T) := difference p (centre b).
   Definition velocity_at (b : body T) (p : vector T) := sum (velocity b) (cross (spin b) (lever_arm b p)).
 
-  (** V, of the material points in contact, of A relative to B. *)
+  (** V, the velocity of the material point of A relative to that of B. *)
   Definition relative_velocity (c : contact T) :=
     difference (velocity_at (body_a c) (point c)) (velocity_at (body_b c) (point c)).
   Definition approach (c : contact T) := dot (normal c) (relative_velocity c).
@@ -55,7 +55,7 @@ Section Laws.
   (** λ = 1/m_A + 1/m_B. *)
   Definition inverse_masses (c : contact T) := inverse_mass (body_a c) + inverse_mass (body_b c).
 
-  (** [r]ᵀ J⁻¹ [r], what the spin of a body adds to the collision matrix. *)
+  (** [r]ᵀ J⁻¹ [r], the term of the collision matrix from the rotation of a body. *)
   Definition of_spin (b : body T) (p : vector T) :=
     let r := cross_matrix (lever_arm b p) in
     product (transposed r) (product (inverse_inertia b) r).
@@ -80,7 +80,7 @@ Section Laws.
                     (sum (relative_velocity c)
                          (scaled (restitution c * approach c / dot (normal c) (normal c)) (normal c)))).
 
-  (** P_I stops the approach, P_II the point of contact, and D = P_II - P_I. *)
+  (** P_I stops the approach, P_II stops the point of contact, and D = P_II - P_I. *)
   Definition stops_approach (c : contact T) := scaled (- approach c / normal_compliance c) (normal c).
   Definition stops_point (c : contact T) := negated (solved (collision_matrix c) (relative_velocity c)).
   Definition from_one_to_other (c : contact T) := difference (stops_point c) (stops_approach c).
@@ -91,7 +91,7 @@ Section Laws.
   Definition squared (x : T) := x * x.
   Definition square (v : vector T) := dot v v.
 
-  (** ‖N × F‖ ≤ μ N·F, without a root. *)
+  (** ‖N × F‖ ≤ μ N·F, decided without a root. *)
   Definition in_cone (c : contact T) (f : vector T) : bool :=
     let push := dot (normal c) f in
     negb (less push 0) && negb (less (squared (friction c * push)) (square (cross (normal c) f))).
@@ -99,25 +99,26 @@ Section Laws.
   Definition sticks_in_cone (c : contact T) : bool :=
     in_cone c (rough_with c (1 + tangential_restitution c)).
 
-  (** What is under the root, s = ‖N × D‖². *)
+  (** The number under the root, s = ‖N × D‖². *)
   Definition radicand (c : contact T) := square (cross (normal c) (from_one_to_other c)).
 
-  (** κ on the cone, μ (1+ε) N·P_I / (√s - μ N·D), as p + q √s. Where s = (μ N·D)² the divisor is -2 μ N·D. *)
+  (** κ on the cone, μ (1+ε) N·P_I / (√s - μ N·D), as the pair p, q of p + q √s. If s = (μ N·D)², the divisor is -2 μ
+      N·D. *)
   Definition on_the_cone (c : contact T) :=
     let push := friction c * (1 + restitution c) * dot (normal c) (stops_approach c) in
     let d := friction c * dot (normal c) (from_one_to_other c) in
     let rest := radicand c - squared d in
     if less rest 0 || less 0 rest then (push / rest * d, push / rest) else (push / - (d + d), 0).
 
-  (** κ as p + q √s: the root is taken where there is one. *)
+  (** κ as the pair p, q of p + q √s. The term q is 0 inside the cone. *)
   Definition rough_kappa (c : contact T) :=
     if sticks_in_cone c then (1 + tangential_restitution c, 0) else on_the_cone c.
 
-  (** The rough impulse is the first plus √s times the second. *)
+  (** The impulse of rough is the first vector plus √s times the second. *)
   Definition rough_impulses (c : contact T) :=
     let (p, q) := rough_kappa c in (rough_with c p, scaled q (from_one_to_other c)).
 
-  (** The body with what an impulse f at p gives it. *)
+  (** The body after an impulse f at p. *)
   Definition pushed (b : body T) (p f : vector T) :=
     a_body (inverse_mass b) (inverse_inertia b) (centre b)
            (sum (velocity b) (scaled (inverse_mass b) f))
@@ -127,7 +128,7 @@ Section Laws.
     a_contact (pushed (body_a c) (point c) f) (pushed (body_b c) (point c) (negated f))
               (point c) (normal c) (restitution c) (friction c) (tangential_restitution c).
 
-  (** A body that can move, and an approach. *)
+  (** A body can move, and N·V⁻ < 0. *)
   Definition is_colliding (c : contact T) : bool := less 0 (inverse_masses c) && less (approach c) 0.
 
   Definition resolved (law : contact T -> vector T) (c : contact T) :=

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** What each law makes of the relative velocity of the point of contact: restitution, non-penetration, and what sets
-    the laws apart. *)
+(** The effect of each law on the relative velocity of the point of contact: restitution, non-penetration, and the
+    equations that distinguish the laws. *)
 
 Require Import Carom.reals Carom.collision_matrix.
 Local Open Scope R_scope.
@@ -26,7 +26,7 @@ Section Laws.
   Lemma velocity_after (f : vector R) : relative_velocity (after c f) = sum V (applied K f).
   Proof. apply velocity_change. Qed.
 
-  (** What the impulses do to the relative velocity. *)
+  (** The changes of the relative velocity by the impulses. *)
   Lemma reflection_changes :
     applied K (reflection_impulse c) = scaled (- ((1 + restitution c) * approach c) / dot N N) N.
   Proof. unfold reflection_impulse; rewrite applied_scaled, applied_solved; auto; apply invertible. Qed.
@@ -45,14 +45,14 @@ Section Laws.
     reals; field; apply compliance.
   Qed.
 
-  (** P_II - P_I changes the tangential velocity alone. *)
+  (** P_II - P_I changes only the tangential velocity. *)
   Lemma tangential : dot N (applied K (from_one_to_other c)) = 0.
   Proof.
     unfold from_one_to_other; rewrite applied_difference, dot_difference, stops_point_stops, stops_approach_stops,
       dot_negated; unfold approach; ring.
   Qed.
 
-  (** N·V⁺ = -ε N·V⁻, where the impulse changes the approach by -(1+ε) N·V⁻. *)
+  (** N·V⁺ = -ε N·V⁻ if the impulse changes N·V by -(1+ε) N·V⁻. *)
   Lemma restitution_by (f : vector R) :
     dot N (applied K f) = - (1 + restitution c) * approach c ->
     approach (after c f) = - restitution c * approach c.
@@ -96,7 +96,7 @@ Section Laws.
     approach (after c (rough_with c kappa)) = - restitution c * approach c.
   Proof. apply restitution_by, rough_approach. Qed.
 
-  (** N·V⁺ ≥ 0, of every impulse that obeys the restitution. *)
+  (** N·V⁺ ≥ 0 for every impulse that obeys the restitution. *)
   Theorem non_penetration (f : vector R) :
     approach c < 0 -> approach (after c f) = - restitution c * approach c -> 0 <= approach (after c f).
   Proof. intros colliding ->; pose proof (restitution_in_range c valid); nra. Qed.
@@ -154,7 +154,7 @@ Section Laws.
     apply Rmult_lt_0_compat; auto; apply Rmult_lt_0_compat; [nra | apply Rinv_0_lt_compat; auto].
   Qed.
 
-  (** Where N is an eigenvector of K, reflection is frictionless. *)
+  (** If N is an eigenvector of K, reflection is frictionless. *)
   Theorem reflection_is_frictionless (value : R) :
     applied K N = scaled value N -> reflection_impulse c = frictionless_impulse c.
   Proof.
@@ -167,7 +167,8 @@ Section Laws.
     - rewrite applied_scaled, eigen, scaled_scaled, Rinv_l, scaled_1; auto.
   Qed.
 
-  (** Spheres: both lever arms along the normal. K N = λ N, and neither law turns a body. *)
+  (** Spheres: both lever arms are along the normal, and K N = λ N. Neither law changes the angular velocity of a body.
+      *)
   Section Spheres.
     Hypothesis along_a : cross (lever_arm (body_a c) (point c)) N = null.
     Hypothesis along_b : cross (lever_arm (body_b c) (point c)) N = null.
@@ -197,7 +198,7 @@ Section Laws.
   End Spheres.
 End Laws.
 
-(** A contact that is not colliding keeps its velocities, whatever the law; nor do two immovable bodies collide. *)
+(** A contact that does not collide keeps its velocities under every law. Two immovable bodies do not collide. *)
 Theorem separating_untouched (law : contact R -> vector R) (c : contact R) :
   0 <= approach c \/ inverse_masses c <= 0 -> resolved law c = c.
 Proof.
@@ -205,14 +206,14 @@ Proof.
   apply is_colliding_true in colliding; lra.
 Qed.
 
-(** Nor does a body of infinite mass change its velocity. *)
+(** A body of infinite mass keeps its velocities. *)
 Theorem immovable_untouched (b : body R) (p f : vector R) : is_immovable b -> pushed b p f = b.
 Proof.
   destruct b; intros [no_mass no_inertia]; cbn in no_mass, no_inertia; unfold pushed; cbn; subst.
   rewrite scaled_0, applied_zero_matrix, !sum_null; reflexivity.
 Qed.
 
-(** After a law with restitution above 0 the bodies part, and the law does nothing more. *)
+(** If a law has restitution above 0, the bodies separate after it, and a second application changes nothing. *)
 Theorem repeat (law : contact R -> vector R) (c : contact R) :
   approach (after c (law c)) = - restitution c * approach c -> 0 < restitution c ->
   resolved law (resolved law c) = resolved law c.

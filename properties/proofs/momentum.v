@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Momenta are kept by every impulse that acts on both bodies in one point, whatever its law. *)
+(** Every impulse that acts on both bodies at one point keeps the momenta, under every law. *)
 
 Require Import Carom.reals.
 Local Open Scope R_scope.
 
 Definition momentum (mass : R) (b : body R) := scaled mass (velocity b).
 
-(** About the point o. *)
+(** Angular momentum about the point o. *)
 Definition angular_momentum_about (o : vector R) (mass : R) (inertia : matrix R) (b : body R) :=
   sum (cross (difference (centre b) o) (momentum mass b)) (applied inertia (spin b)).
 
@@ -55,7 +55,7 @@ Proof.
     (angular_momentum_about o mass_b inertia_b (body_b c)) (difference (point c) o); clear; by_ring.
 Qed.
 
-(** Each body turns by the moment of what it received: J Δw = r × m Δv. *)
+(** The moment of the impulse turns each body: J Δw = r × m Δv. *)
 Theorem angular_momentum_of_each (b : body R) (p f : vector R) (mass : R) (inertia : matrix R) :
   has_mass mass b -> has_inertia_matrix inertia b ->
   applied inertia (difference (spin (pushed b p f)) (spin b)) =

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The operations that the laws are written in, so that one text is read over the real numbers, where theorems hold of
-    it, and over the rational ones, where it computes. *)
+(** The operations of the laws. The same text of the laws therefore has a meaning over the real numbers, for theorems,
+    and over the rational numbers, for computation. *)
 
 Class operations (T : Type) := {
   zero : T;

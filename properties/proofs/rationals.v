@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The laws over the rational numbers, which compute, and that what they compute is what they say over the real ones.
-    Every finite binary64 number is rational, and no law but rough needs a root. *)
+(** The laws over the rational numbers, which compute. The theorems prove that the results are those of the laws over
+    the real numbers. Every finite binary64 number is rational, and only rough needs a root. *)
 
 Require Import QArith Qreals Bool.
 Require Import Carom.reals Carom.described_bodies.
 
-(** Reduced after each operation: numerators and denominators would grow without end. *)
+(** Fractions are reduced after each operation. Otherwise numerators and denominators would grow without bound. *)
 #[export] Instance rational_operations : operations Q := {
   zero := 0%Q;
   one := 1%Q;
@@ -34,7 +34,7 @@ Proof. change (Q2R (Qred (x * y)) = Q2R x * Q2R y); rewrite reduced; apply Q2R_m
 Lemma of_opposite (x : Q) : Q2R (opposite x) = opposite (Q2R x).
 Proof. apply Q2R_opp. Qed.
 
-(** In both, a number over 0 is 0. *)
+(** In both fields, a number divided by 0 is 0. *)
 Lemma of_over (x y : Q) : Q2R (over x y) = over (Q2R x) (Q2R y).
 Proof.
   change (Q2R (Qred (x / y)) = Q2R x / Q2R y); rewrite reduced; unfold Qdiv, Rdiv; rewrite Q2R_mult; f_equal.
@@ -54,7 +54,7 @@ Proof.
   - intros at_most; apply Qle_Rle in at_most; lra.
 Qed.
 
-(** What is made of numbers. *)
+(** Maps vectors, matrices and records from rational numbers to real numbers. *)
 Definition of_vector (v : vector Q) := vec (Q2R (x_of v)) (Q2R (y_of v)) (Q2R (z_of v)).
 Definition of_matrix (m : matrix Q) := rows (of_vector (row_x m)) (of_vector (row_y m)) (of_vector (row_z m)).
 Definition of_body (b : body Q) :=
@@ -167,7 +167,7 @@ Proof. unfold radicand, square; moved; rewrite of_from_one_to_other; reflexivity
 Lemma of_squared x : Q2R (squared x) = squared (Q2R x).
 Proof. apply of_times. Qed.
 
-(** The pair of on_the_cone, from the numbers it is made of. *)
+(** The pair of on_the_cone over the rational numbers equals the pair over the real numbers. *)
 Lemma of_on_the_cone c :
   (Q2R (fst (on_the_cone c)), Q2R (snd (on_the_cone c))) = on_the_cone (of_contact c).
 Proof.
@@ -180,7 +180,7 @@ Proof.
   destruct (_ || _); reflexivity.
 Qed.
 
-(** Of rough the two impulses, and what stands under the root between them. *)
+(** The two impulses of rough, and the number under the root between them. *)
 Theorem rough_computes c :
   let (first, second) := rough_impulses c in
   (of_vector first, of_vector second) = rough_impulses (of_contact c) /\ Q2R (radicand c) = radicand (of_contact c).

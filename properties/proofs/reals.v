@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Vectors and matrices of real numbers, and what is used of their algebra. *)
+(** Vectors and matrices of real numbers, and the algebra that the proofs use. *)
 
 Require Export Reals Lra Psatz Bool.
 Require Export Carom.operations Carom.vectors Carom.laws.
@@ -23,10 +23,10 @@ Proof. simpl; destruct (Rlt_dec x y); split; intros; auto; discriminate. Qed.
 Lemma less_false x y : less x y = false <-> y <= x.
 Proof. simpl; destruct (Rlt_dec x y); split; intros; auto; try discriminate; lra. Qed.
 
-(** Reads the operations as those of the real numbers, and unfolds nothing else. *)
+(** Replaces the operations by those of the real numbers, and unfolds nothing else. *)
 Ltac reals := cbn [zero one plus minus times over opposite real_operations] in *.
 
-(** Equations of components: what is a vector or a matrix is taken apart, and the rest is for `ring`. *)
+(** Equations of components. Vectors and matrices are taken apart, and ring proves the rest. *)
 Ltac taken_apart :=
   repeat match goal with
   | m : matrix R |- _ => destruct m
@@ -83,7 +83,7 @@ Section Algebra.
   Lemma applied_matrix_sum m n v : applied (matrix_sum m n) v = sum (applied m v) (applied n v). Proof. by_ring. Qed.
   Lemma dot_transposed m v w : dot v (applied (transposed m) w) = dot (applied m v) w. Proof. by_ring. Qed.
 
-  (** Lagrange. *)
+  (** Lagrange's identity. *)
   Lemma square_cross v w : square (cross v w) = square v * square w - dot v w * dot v w. Proof. by_ring. Qed.
 
   Lemma square_nonnegative v : 0 <= square v.
@@ -100,7 +100,7 @@ Section Algebra.
     exfalso; apply not_null; apply square_zero; auto.
   Qed.
 
-  (** Cauchy and Schwarz. *)
+  (** The inequality of Cauchy and Schwarz. *)
   Lemma dot_at_most v w : dot v w * dot v w <= square v * square w.
   Proof. pose proof (square_nonnegative (cross v w)); rewrite square_cross in *; lra. Qed.
 
@@ -129,13 +129,14 @@ Definition at_least (s : R) (m : matrix R) := forall v, s * square v <= dot v (a
 Definition at_most (s : R) (m : matrix R) := forall v, dot v (applied m v) <= s * square v.
 Definition positive_semidefinite (m : matrix R) := forall v, 0 <= dot v (applied m v).
 
-(** An immovable body has neither an inverse of its mass nor of its inertia. *)
+(** The inverse mass and the inverse inertia of an immovable body are 0. *)
 Definition is_immovable (b : body R) := inverse_mass b = 0 /\ inverse_inertia b = zero_matrix.
 
 Definition is_possible (b : body R) :=
   symmetric (inverse_inertia b) /\ positive_semidefinite (inverse_inertia b) /\ (0 < inverse_mass b \/ is_immovable b).
 
-(** What a collision is to be: one body can move, the normal has a direction, the coefficients are in their ranges. *)
+(** The conditions on a collision: one body can move, the normal has a direction, and the coefficients are in their
+    ranges. *)
 Record is_valid (c : contact R) : Prop := {
   possible_a : is_possible (body_a c);
   possible_b : is_possible (body_b c);

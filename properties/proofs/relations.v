@@ -1,13 +1,14 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The relations between two collisions that Carom asks of a solver: bodies exchanged, all in motion, moved, turned or
-    mirrored, in other units, faster, or with a longer normal. Under every law the outcome of the changed contact is the
-    changed outcome of the contact. *)
+(** The relations between two collisions that Carom requires of a solver. The changes exchange, move, translate, turn or
+    mirror the bodies, change the units, multiply the velocities, or lengthen the normal. Under every law, the outcome
+    of the changed contact is the changed outcome of the contact. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.similarity.
 Local Open Scope R_scope.
 
-(** A change that takes every contact to a similar one, and an impulse on it to the same change of what it makes. *)
+(** A change that maps every contact to a similar one. The scaled and mapped impulse has the changed effect on the
+    changed contact. *)
 Record likeness (g : vector R -> vector R) (alpha beta gamma : R) (change : contact R -> contact R) : Prop := {
   by_isometry : isometry g;
   by_alpha : 0 < alpha;
@@ -43,7 +44,7 @@ Section Likeness.
   Let beta_above := by_beta _ _ _ _ _ alike.
   Let gamma_above := by_gamma _ _ _ _ _ alike.
 
-  (** The collision matrix is what tells the velocity after an impulse. *)
+  (** The velocity after an impulse determines the collision matrix. *)
   Lemma likeness_matrix (c : contact R) (v : vector R) :
     applied (collision_matrix (change c)) (g v) = scaled gamma (g (applied (collision_matrix c) v)).
   Proof.
@@ -89,7 +90,7 @@ Section Likeness.
   Qed.
 End Likeness.
 
-(** The two isometries that need no matrix. *)
+(** Two isometries that need no matrix. *)
 Lemma identity_isometry : isometry (fun v => v).
 Proof. split; reflexivity. Qed.
 
@@ -99,7 +100,7 @@ Proof. split; by_ring. Qed.
 Lemma scaled_1_over_1 (v : vector R) : scaled (1 / 1) v = v.
 Proof. replace (1 / 1) with 1 by field; apply scaled_1. Qed.
 
-(** Bodies exchanged, and so the normal, which points towards A, reversed. *)
+(** The bodies are exchanged. The normal points towards A, so it is reversed. *)
 Definition swapped (c : contact R) : contact R :=
   a_contact (body_b c) (body_a c) (point c) (negated (normal c)) (restitution c) (friction c)
             (tangential_restitution c).
@@ -122,12 +123,12 @@ Theorem swap (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (swapped c) = swapped (resolved (impulse_of l) c).
 Proof. apply (likeness_outcome _ _ _ _ _ swap_likeness). Qed.
 
-(** The same change of both bodies, and one of the point and of the normal. *)
+(** A change that treats both bodies alike, with a change of the point and a change of the normal. *)
 Definition changed (on_body : body R -> body R) (on_point on_normal : vector R -> vector R) (c : contact R) :=
   a_contact (on_body (body_a c)) (on_body (body_b c)) (on_point (point c)) (on_normal (normal c)) (restitution c)
             (friction c) (tangential_restitution c).
 
-(** What it is to do to each body: both velocities may also gain a common one. *)
+(** The conditions on the change of a body. Both bodies may also gain a common velocity. *)
 Record body_likeness (g : vector R -> vector R) (beta gamma : R) (common : vector R)
     (on_body : body R -> body R) (on_point : vector R -> vector R) : Prop := {
   body_velocity : forall b p, velocity_at (on_body b) (on_point p) = sum (scaled beta (g (velocity_at b p))) common;
@@ -158,13 +159,13 @@ Proof.
   - intros c possible_a possible_b; split; apply (body_possible _ _ _ _ _ _ bodies); auto.
 Qed.
 
-(** Two bodies are the same where their fields are. *)
+(** Two bodies with equal fields are equal. *)
 Lemma body_equal (b b' : body R) :
   inverse_mass b = inverse_mass b' -> inverse_inertia b = inverse_inertia b' -> centre b = centre b' ->
   velocity b = velocity b' -> spin b = spin b' -> b = b'.
 Proof. destruct b, b'; cbn; intros; subst; reflexivity. Qed.
 
-(** A velocity that both bodies gain. *)
+(** Both bodies gain a common velocity. *)
 Definition moving (u : vector R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (inverse_inertia b) (centre b) (sum (velocity b) u) (spin b))
           (fun p => p) (fun n => n).
@@ -186,7 +187,7 @@ Theorem galilean (u : vector R) (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (moving u c) = moving u (resolved (impulse_of l) c).
 Proof. apply (likeness_outcome _ _ _ _ _ (galilean_likeness u)). Qed.
 
-(** A vector that everything is moved by. *)
+(** Everything is moved by one vector. *)
 Definition translated (d : vector R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (inverse_inertia b) (sum (centre b) d) (velocity b) (spin b))
           (fun p => sum p d) (fun n => n).
@@ -212,7 +213,8 @@ Proof. apply (likeness_outcome _ _ _ _ _ (translation_likeness d)). Qed.
 (** A matrix that keeps lengths and angles. *)
 Definition orthogonal (q : matrix R) := forall v w, dot (applied q v) (applied q w) = dot v w.
 
-(** Cross products, and so spins, also take the sign of its determinant: they are axial. The inertia becomes Q W Qᵀ. *)
+(** Cross products, and so angular velocities, also take the sign of the determinant, because they are axial. The
+    inertia becomes Q W Qᵀ. *)
 Definition turned (q : matrix R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
                            (applied q (centre b)) (applied q (velocity b))
@@ -226,7 +228,7 @@ Proof. by_ring. Qed.
 Lemma transposed_twice (q : matrix R) : transposed (transposed q) = q.
 Proof. by_ring. Qed.
 
-(** A vector is told by its products with all. *)
+(** The dot products with all vectors determine a vector. *)
 Lemma same_dots (v w : vector R) : (forall u, dot u v = dot u w) -> v = w.
 Proof.
   intros same; pose proof (same (vec 1 0 0)); pose proof (same (vec 0 1 0)); pose proof (same (vec 0 0 1)); clear same.
@@ -294,18 +296,18 @@ Proof.
     + intros b; apply turned_possible.
 Qed.
 
-(** Of both kinds of orthogonal matrices. *)
+(** This holds for both kinds of orthogonal matrices. *)
 Theorem turning (q : matrix R) (l : law) (c : contact R) :
   orthogonal q -> is_valid c -> resolved (impulse_of l) (turned q c) = turned q (resolved (impulse_of l) c).
 Proof. intros keeps; apply (likeness_outcome _ _ _ _ _ (turned_likeness q keeps)). Qed.
 
-(** A rotation turns every vector, spins too. *)
+(** A rotation turns every vector, and angular velocities too. *)
 Definition rotated_body (q : matrix R) (b : body R) : body R :=
   a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
          (applied q (centre b)) (applied q (velocity b)) (applied q (spin b)).
 Definition rotated (q : matrix R) : contact R -> contact R := changed (rotated_body q) (applied q) (applied q).
 
-(** A reflection also reverses the spins. *)
+(** A reflection also reverses the angular velocities. *)
 Definition reflected_body (q : matrix R) (b : body R) : body R :=
   a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
          (applied q (centre b)) (applied q (velocity b)) (negated (applied q (spin b))).
@@ -327,14 +329,15 @@ Theorem reflection_symmetry (q : matrix R) (l : law) (c : contact R) :
   resolved (impulse_of l) (reflected q c) = reflected q (resolved (impulse_of l) c).
 Proof. intros keeps sign; rewrite !reflected_is_turned by auto; apply turning; auto. Qed.
 
-(** In the mirror x = 0. *)
+(** The mirror x = 0. *)
 Definition mirror : matrix R := diagonal (vec (-1) 1 1).
 
 Corollary mirror_symmetry (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (reflected mirror c) = reflected mirror (resolved (impulse_of l) c).
 Proof. apply reflection_symmetry; [intros v w |]; unfold mirror; by_ring. Qed.
 
-(** In units of which one of ours is so many: of mass, of length, of time; and the normal by a number of its own. *)
+(** The contact in other units. One unit of ours is that many of the new units, for mass, length and time. The normal
+    has a factor of its own. *)
 Definition in_units (mass length time direction : R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b / mass)
                            (product (uniform (/ (mass * (length * length)))) (inverse_inertia b))
@@ -387,7 +390,7 @@ Proof.
            (unit_scaling_likeness mass length time direction above_mass above_length above_time above_direction)).
 Qed.
 
-(** All velocities and spins multiplied. *)
+(** All velocities and angular velocities are multiplied. *)
 Definition faster (k : R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (inverse_inertia b) (centre b) (scaled k (velocity b)) (scaled k (spin b)))
           (fun p => p) (fun n => n).
@@ -412,7 +415,7 @@ Theorem homogeneous (k : R) (l : law) (c : contact R) :
   0 < k -> is_valid c -> resolved (impulse_of l) (faster k c) = faster k (resolved (impulse_of l) c).
 Proof. intros above; apply (likeness_outcome _ _ _ _ _ (homogeneous_likeness k above)). Qed.
 
-(** The normal alone multiplied. *)
+(** Only the normal is multiplied. *)
 Definition with_longer_normal (k : R) : contact R -> contact R := changed (fun b => b) (fun p => p) (scaled k).
 
 Lemma normal_length_likeness (k : R) : 0 < k -> likeness (fun v => v) k 1 1 (with_longer_normal k).
@@ -424,7 +427,7 @@ Proof.
   - intros b p f; rewrite scaled_1_over_1; reflexivity.
 Qed.
 
-(** The outcome differs in the normal alone, and the impulse in nothing. *)
+(** The outcome differs only in the normal, and the impulse does not differ. *)
 Theorem normal_length (k : R) (l : law) (c : contact R) :
   0 < k -> is_valid c ->
   resolved (impulse_of l) (with_longer_normal k c) = with_longer_normal k (resolved (impulse_of l) c) /\

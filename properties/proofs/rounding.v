@@ -1,14 +1,14 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Arithmetic that rounds each result, as binary32 and binary64 do: to the nearest, ties to even, subnormal numbers
-    kept. A result that is too large is not made infinite here, so that the theorems bound the results as well. One
-    rounding an operation: this is C++ without contraction to fused operations and without wider registers. *)
+(** Arithmetic that rounds each result, as binary32 and binary64 do: to nearest, ties to even, with subnormal numbers.
+    Here a result that is too large does not become infinite, so that the theorems bound the results as well. Each
+    operation rounds once, as in C++ without contraction to fused operations and without wider registers. *)
 
 From Flocq Require Import Core Relative.
 Require Export Carom.reals.
 Local Open Scope R_scope.
 
-(** The operations of T over the real numbers, each result rounded. *)
+(** The operations over the real numbers, with each result rounded. *)
 Definition rounded_operations (rounded : R -> R) : operations R := {|
   zero := 0;
   one := 1;
@@ -20,10 +20,11 @@ Definition rounded_operations (rounded : R -> R) : operations R := {|
   less x y := if Rlt_dec x y then true else false
 |}.
 
-(** What is used of a rounding of results of any size: off by u of what it rounds, and by h where that underflows. *)
+(** The property of a rounding that the proofs use, for results of any size. The error is at most u times the exact
+    result, plus h for underflow. *)
 Definition rounds_within (u h : R) (rounded : R -> R) := forall x, Rabs (rounded x - x) <= u * Rabs x + h.
 
-(** The format whose least positive number is 2^least, with so many digits. *)
+(** The format whose least positive number is 2^least, with the given number of digits. *)
 Definition nearest (least digits : Z) := round radix2 (FLT_exp least digits) ZnearestE.
 Definition binary32 := nearest (-149) 24.
 Definition binary64 := nearest (-1074) 53.

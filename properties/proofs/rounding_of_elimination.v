@@ -1,27 +1,28 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The elimination of Ldlt::solve_by (src/impulse/solve3.hpp, from d0 to d2), each result rounded, on a symmetric K
-    with λI ⪯ K ⪯ cλI: the pivots come out within 8 c (c + 1) (u + s) λ of those of K, wherever c² (u + s) ≤ 1/64, and
-    so at least 3/4 λ. Here u is 2^-24 or 2^-53, and s what the least eigenvalue that the solver is given is too large
-    by, relatively; 0 where it is given none. C++ does not scale K, nor does this.
+(** The elimination of Ldlt::solve_by (src/impulse/solve3.hpp, from d0 to d2) with each result rounded, on a symmetric K
+    with λI ⪯ K ⪯ cλI. If c² (u + s) ≤ 1/64, the computed pivots are within 8 c (c + 1) (u + s) λ of those of K, and at
+    least 3/4 λ. Here u is 2^-24 or 2^-53. The solver may get a least eigenvalue, and s is its relative excess over λ. s
+    is 0 if the solver gets none. Neither C++ nor this proof scales K.
 
-    With c = 16, which is the K of well_conditioned.v: no pivot comes out below (1 - 2^-12) λ in binary32, nor below
-    (1 - 2^-41) λ in binary64, for λ from 2^-119 or 2^-1015; and nothing overflows for λ up to 2^122 or 2^1018. If K is
-    itself computed, each entry within δλ, δ ≤ 2^-17, the pivots are at least λ/2.
+    The K of well_conditioned.v has c = 16. Then no pivot is below (1 - 2^-12) λ in binary32, or below (1 - 2^-41) λ in
+    binary64. This holds for λ from 2^-119 in binary32, and from 2^-1015 in binary64. Nothing overflows for λ up to
+    2^122 or up to 2^1018. If K itself is computed with errors within δλ in each entry, δ ≤ 2^-17, the pivots are at
+    least λ/2.
 
-    Each operation is to be rounded once. scaled_elimination holds as well where a product is not rounded before it is
-    subtracted, as a fused operation leaves it.
+    Each operation has to be rounded once. scaled_elimination also holds if a product is not rounded before it is
+    subtracted, as in a fused operation.
 
-    Not proved: what K is off by, of rounded lever arms, inertias and masses; δ is an assumption. The right hand side
-    and the substitutions, y1, y2, x2, x1, x0: so the backward error of the impulse, and what an outcome is off by. The
-    decompositions of Eigen's. *)
+    Some errors are outside this proof. The error of K from rounded lever arms, inertias and masses is not proved: δ is
+    an assumption. The right-hand side and the substitutions y1, y2, x2, x1, x0 are not covered. So the backward error
+    of the impulse and the error of an outcome are not proved. The decompositions of Eigen are not covered. *)
 
 Require Import List Carom.rounding Carom.collision_matrix Carom.well_conditioned.
 From Flocq Require Import Core.
 Import ListNotations.
 Local Open Scope R_scope.
 
-(** The results of Ldlt::solve_by up to d2, by its names where it gives one. *)
+(** The results of Ldlt::solve_by up to d2. The names are those of the C++ code if it has a name. *)
 Section Elimination.
   Context {T : Type} {of_T : operations T} (pivot : T -> T) (m : matrix T).
   Local Open Scope number_scope.
@@ -58,7 +59,7 @@ Proof.
   apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; auto].
 Qed.
 
-(** y²/q - x²/p, by what y and q are off from x and p. *)
+(** The difference y²/q - x²/p, bounded by the errors of y and q as approximations of x and p. *)
 Lemma square_over_error (c r x y p q : R) :
   1 <= c -> 0 <= r -> c * r <= 1 / 64 -> 1 <= p -> Rabs x <= (c - 1) / 2 -> x / p * x <= c - 1 ->
   Rabs (y - x) <= 3 * c * r -> Rabs (q - p) <= 4 * c * r ->
@@ -88,8 +89,8 @@ Proof.
   pose proof (Rabs_pos ((y - x) * (y + x) + - (square * (q - p)))); nra.
 Qed.
 
-(** The errors over numbers scaled so that the least eigenvalue is 1. Each operation may be off by u of its result and
-    by h; a pivot may be raised by s more than it has to be. *)
+(** The errors if all numbers are scaled so that the least eigenvalue is 1. Each operation may have an error of u times
+    its result plus h. A pivot may be raised by s more than necessary. *)
 Section Scaled.
   Variables u h : R.
   Hypotheses (u_not_negative : 0 <= u) (h_not_negative : 0 <= h).
@@ -102,7 +103,7 @@ Section Scaled.
     apply (Rmult_le_compat_l u) in size; auto; lra.
   Qed.
 
-  (** (x / p) y with the raised pivot q for p. *)
+  (** The error of (x / p) y if the raised pivot q replaces p. *)
   Lemma product_error c s p q x y quotient product :
     1 <= c -> 0 <= s -> c * c * (u + s) <= 1 / 64 -> 8 * c * h <= u ->
     0 < p -> p <= q -> q - p <= s * q ->
@@ -157,7 +158,7 @@ Section Scaled.
   Let exact_left := k22 - k20 / k00 * k20.
   Let exact_d2 := exact_left - exact_e21 / exact_d1 * exact_e21.
 
-  (** What I ⪯ K ⪯ c I says of them. *)
+  (** The bounds of the entries that follow from I ⪯ K ⪯ c I. *)
   Record is_bounded : Prop := {
     k00_bounded : 1 <= k00;
     k10_bounded : Rabs k10 <= (c - 1) / 2;
@@ -376,7 +377,7 @@ Proof.
   intros above; pose proof (above (vec 1 0 0)); clear above; unfold first_pivot; taken_apart; in_components; lra.
 Qed.
 
-(** What I ⪯ K ⪯ c I says of the entries and of the Schur complements. *)
+(** The bounds of the entries and of the Schur complements that follow from I ⪯ K ⪯ c I. *)
 Lemma bounded_entries (c : R) (m : matrix R) :
   symmetric m -> at_least 1 m -> at_most c m ->
   is_bounded c (x_of (row_x m)) (x_of (row_y m)) (x_of (row_z m)) (y_of (row_y m)) (y_of (row_z m)) (z_of (row_z m)).
@@ -433,7 +434,7 @@ Proof.
     pose proof (above v); lra.
 Qed.
 
-(** The entries of K off its diagonal: at most 15/2 λ where c = 16. *)
+(** The entries of K off its diagonal. They are at most 15/2 λ if c = 16. *)
 Theorem off_diagonal_bounded (lambda c : R) (m : matrix R) :
   symmetric m -> at_least lambda m -> at_most (c * lambda) m ->
   Rabs (x_of (row_y m)) <= (c - 1) / 2 * lambda /\ Rabs (x_of (row_z m)) <= (c - 1) / 2 * lambda /\
@@ -447,8 +448,8 @@ Proof.
   clear below above; taken_apart; in_components; repeat split; apply Rabs_le; lra.
 Qed.
 
-(** A computed elimination of m with I λ ⪯ m ⪯ c λ I is as it should be: the pivots are those of m up to a small part of
-    λ, so that nothing is divided by nearly zero, and no result is large, so that none overflows. *)
+(** A computed elimination of m with λ I ⪯ m ⪯ c λ I is sound. The pivots are those of m up to a small part of λ, so no
+    divisor is nearly zero. No result is large, so none overflows. *)
 Record is_sound (rounded pivot : R -> R) (lambda c error : R) (m : matrix R) : Prop := {
   first_is_close : Rabs (d0 pivot m - first_pivot m) <= error * lambda;
   second_is_close : Rabs (d1 (of_T := rounded_operations rounded) pivot m - second_pivot m) <= error * lambda;
@@ -461,16 +462,16 @@ Record is_sound (rounded pivot : R -> R) (lambda c error : R) (m : matrix R) : P
     Forall (fun x => Rabs x <= 2 * c * lambda) (other_results (of_T := rounded_operations rounded) pivot m)
 }.
 
-(** What a pivot may be made of: of a number that is off from one of at least λ, another that is not lower, and off by
-    at most sλ more. *)
+(** The condition on a pivot. The exact number is at least λ. The pivot is not lower than the computed number, and its
+    error is larger than that of the computed number by at most sλ. *)
 Definition is_pivoting (lambda s : R) (pivot : R -> R) :=
   (forall x, x <= pivot x) /\
   (forall exact x, lambda <= exact -> Rabs (pivot x - exact) <= Rabs (x - exact) + s * lambda).
 
-(** Ldlt::solve without a least eigenvalue. *)
+(** The pivot of Ldlt::solve without a least eigenvalue. *)
 Definition kept (x : R) := x.
 
-(** Ldlt::solve with one: at_least of select.hpp. *)
+(** The pivot of Ldlt::solve with a least eigenvalue: at_least of select.hpp. *)
 Definition raised_to (least x : R) := if less x least then least else x.
 
 Lemma kept_is_pivoting (lambda : R) : is_pivoting lambda 0 kept.
@@ -642,7 +643,7 @@ Section Matrix.
     repeat split; auto.
   Qed.
 
-  (** With κ = c: an error of 8 κ (κ + 1) (u + s) λ, where κ² (u + s) ≤ 1/64. *)
+  (** With κ = c, the error is 8 κ (κ + 1) (u + s) λ if κ² (u + s) ≤ 1/64. *)
   Theorem elimination_is_sound : is_sound rounded pivot lambda c (8 * c * (c + 1) * (u + s)) m.
   Proof.
     destruct all_errors as ((first & second & third) & of_quotients & of_others).
@@ -660,7 +661,7 @@ Section Matrix.
     split; auto; repeat apply Forall_cons; try apply Forall_nil; eauto.
   Qed.
 
-  (** So that the computed pivots are never below 3/4 λ. *)
+  (** Hence the computed pivots are never below 3/4 λ. *)
   Corollary pivots_at_least : Forall (fun d => 3 / 4 * lambda <= d) (pivots pivot m).
   Proof.
     refine (Forall_impl _ _ (pivots_bounded _ _ _ _ _ _ elimination_is_sound)); intros d (least & _).
@@ -679,7 +680,7 @@ Proof.
     [refine (Forall_impl _ _ of_quotients) | refine (Forall_impl _ _ of_others)]; intros; cbv beta in *; lra.
 Qed.
 
-(** What is asked of the range of a format, for λ and for the quotients. *)
+(** The conditions on the range of a format, for λ and for the quotients. *)
 Lemma small_enough (u tiny at_1 : Z) (lambda : R) :
   (tiny + 7 <= u)%Z -> (tiny + 7 <= u + at_1)%Z -> power at_1 <= lambda ->
   8 * 16 * power tiny <= power u /\ 8 * 16 * power tiny <= power u * lambda.
@@ -720,7 +721,7 @@ Proof.
     [left; apply power_positive | apply binary64_rounds_within | apply small_condition; lia].
 Qed.
 
-(** In rounder numbers: 2176 u is less than 2^-12 in binary32, and less than 2^-41 in binary64. *)
+(** Simpler bounds: 2176 u is less than 2^-12 in binary32, and less than 2^-41 in binary64. *)
 Lemma pivots_between (rounded pivot : R -> R) (lambda c error bound : R) (m : matrix R) :
   0 <= lambda -> error <= bound -> is_sound rounded pivot lambda c error m ->
   Forall (fun d => (1 - bound) * lambda <= d <= (c + bound) * lambda)
@@ -750,7 +751,7 @@ Proof.
   eapply pivots_between; [lra | | apply binary64_elimination; auto]; unfold power; simpl; lra.
 Qed.
 
-(** Nothing overflows: all that is computed is at most 2^127, and 2^1023. *)
+(** Nothing overflows: every computed number is at most 2^127 in binary32, and at most 2^1023 in binary64. *)
 Corollary binary32_finite (lambda : R) (pivot : R -> R) (m : matrix R) :
   power (-119) <= lambda <= power 122 -> symmetric m -> at_least lambda m -> at_most (16 * lambda) m ->
   is_pivoting lambda 0 pivot ->
@@ -781,7 +782,7 @@ Proof.
     change 1023%Z with (5 + 1018)%Z; rewrite power_sum, five; ring.
 Qed.
 
-(** Of a K that is itself computed: m is what K is, n what was made of it. *)
+(** Elimination if K itself is computed: m is the exact K, and n is the computed one. *)
 Definition entries (m : matrix R) :=
   [x_of (row_x m); y_of (row_x m); z_of (row_x m); x_of (row_y m); y_of (row_y m); z_of (row_y m); x_of (row_z m);
    y_of (row_z m); z_of (row_z m)].
@@ -859,7 +860,7 @@ Proof.
   apply Rmult_le_compat_r; lra.
 Qed.
 
-(** Where the bodies are such as have K ⪯ 16 λI, and K is computed well enough. *)
+(** Elimination for a contact whose bodies have K ⪯ 16 λI, if K is computed accurately enough. *)
 Theorem binary32_elimination_of_contact (c : contact R) (delta least : R) (computed : matrix R) :
   is_valid c -> is_dominated 15 (body_a c) (point c) -> is_dominated 15 (body_b c) (point c) ->
   power (-118) <= inverse_masses c -> symmetric computed -> 0 <= delta <= power (-17) ->

@@ -1,23 +1,24 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** f = -(1 + ε) a / k as frictionless_impulse computes it (src/impulse/frictionless.hpp, `const S f`), the sum, the
-    product and the quotient rounded to nearest, in this order; the sign costs nothing. Given a = N·V and k = N·KN as
-    numbers of the format, f is off by at most 3u of itself, u = 2^-24 or 2^-53, with no term of higher order; and it is
-    positive where the bodies approach. The factor of reflection_impulse is computed by the same operations, with N·N
-    for k.
+(** f = -(1 + ε) a / k as frictionless_impulse computes it (src/impulse/frictionless.hpp, `const S f`). The sum, the
+    product and the quotient are rounded to nearest, in this order. The change of sign is exact. a = N·V and k = N·KN
+    are given as numbers of the format. The relative error of f is at most 3u, with u = 2^-24 or 2^-53, without a term
+    of higher order. f is positive if the bodies approach. The same operations compute the factor of reflection_impulse,
+    with N·N for k.
 
-    The range: |a| and |a| / k are to be at least the least normal number, 2^-126 or 2^-1022. Nothing overflows where
-    4 |a| and 4 |a| / k are at most 2^127, or 2^1023.
+    Range: |a| and |a| / k have to be at least the least normal number, 2^-126 or 2^-1022. Nothing overflows if 4 |a|
+    and 4 |a| / k are at most 2^127 or 2^1023.
 
-    Not proved: what a and k are off by, of rounded lever arms, spins, inertias and masses; N·V may lose all its digits
-    by cancellation. The products f N, f / m and f J⁻¹ (r × N), and their sums with the velocities: so what an outcome
-    is off by, and its backward error. *)
+    Some errors are outside this proof. The errors of a and k from rounded lever arms, angular velocities, inertias and
+    masses are not covered: N·V may lose all its digits by cancellation. The products f N, f / m and f J⁻¹ (r × N), and
+    their sums with the velocities, are not covered. So the error of an outcome and its backward error are not proved.
+    *)
 
 Require Import Carom.rounding.
 From Flocq Require Import Core Relative.
 Local Open Scope R_scope.
 
-(** f, in the order of its operations in C++. *)
+(** f, with the operations in the order of the C++ code. *)
 Definition factor {T : Type} {of_T : operations T} (restitution approach compliance : T) : T :=
   (- (1 + restitution) * approach / compliance)%num.
 
@@ -25,7 +26,8 @@ Lemma factor_of_law (c : contact R) :
   frictionless_impulse c = scaled (factor (restitution c) (approach c) (normal_compliance c)) (normal c).
 Proof. unfold frictionless_impulse, factor; f_equal; reals; unfold Rdiv; ring. Qed.
 
-(** Three factors that are each off by u / (1 + u), which is what a rounding to nearest is off by at most. *)
+(** Three factors with relative errors of at most u / (1 + u), which is the largest relative error of rounding to
+    nearest. *)
 Lemma three_roundings (u e1 e2 e3 : R) :
   0 <= u -> Rabs e1 <= u / (1 + u) -> Rabs e2 <= u / (1 + u) -> Rabs e3 <= u / (1 + u) ->
   Rabs ((1 + e1) * (1 + e2) * (1 + e3) - 1) <= 3 * u.
@@ -107,7 +109,7 @@ Section Format.
       apply Rmult_le_compat; auto using Rabs_pos; nra.
   Qed.
 
-  (** |f^ - f| ≤ 3u |f|, with nothing of higher order. *)
+  (** |f^ - f| ≤ 3u |f|, without a term of higher order. *)
   Theorem factor_error : Rabs (computed - exact) <= 3 * unit * Rabs exact.
   Proof.
     destruct sum_bounded as (one_at_least & _); destruct product_bounded as (product_large & _).
@@ -131,7 +133,7 @@ Section Format.
     apply three_roundings; auto; left; apply power_positive.
   Qed.
 
-  (** So that it pushes, where the bodies approach. *)
+  (** Hence the impulse pushes if the bodies approach. *)
   Corollary factor_positive : approach < 0 -> 0 < computed.
   Proof.
     intros approaching; pose proof factor_error as error; apply Rabs_le_inv in error.
@@ -142,7 +144,7 @@ Section Format.
     rewrite Rabs_pos_eq in error by lra; nra.
   Qed.
 
-  (** Nothing overflows where 2^exponent is finite. *)
+  (** Nothing overflows if 2^exponent is finite. *)
   Theorem factor_bounded (exponent : Z) :
     (least <= exponent)%Z -> 4 * Rabs approach <= power exponent -> 4 * Rabs approach <= power exponent * compliance ->
     rounded (1 + restitution) <= 2 /\ Rabs (rounded (- rounded (1 + restitution) * approach)) <= power exponent /\

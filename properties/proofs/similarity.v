@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Contacts that are alike up to an isometry and the scales of three quantities: of the normal, of the velocities and
-    of the inverse masses. The impulse of each law is then the same one up to the isometry and the scales. *)
+(** Contacts that are similar up to an isometry and three scales: of the normal, of the velocities and of the inverse
+    masses. The impulse of each law is then the same up to the isometry and the scales. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.friction.
 Local Open Scope R_scope.
 
-(** The laws, and the impulse of each. *)
+(** The laws and the impulse of each law. *)
 Inductive law := frictionless | reflection | sticking | rough.
 
 Definition impulse_of (l : law) : contact R -> vector R :=
@@ -64,7 +64,7 @@ Proof. intros positive; rewrite <- (less_scaled k x 0), Rmult_0_r; auto. Qed.
 Lemma zero_less_scaled (k x : R) : 0 < k -> less 0 (k * x) = less 0 x.
 Proof. intros positive; rewrite <- (less_scaled k 0 x), Rmult_0_r; auto. Qed.
 
-(** What an isometry keeps, also where its vectors are then scaled. *)
+(** Quantities that an isometry keeps, also if its vectors are scaled afterwards. *)
 Section Isometry.
   Variable g : vector R -> vector R.
   Hypothesis iso : isometry g.
@@ -78,7 +78,7 @@ Section Isometry.
   Lemma scaled_dot s t v w : dot (scaled s (g v)) (scaled t (g w)) = s * t * dot v w.
   Proof. rewrite dot_scaled, dot_scaled_left, (keeps_dot g iso); ring. Qed.
 
-  (** The cross product itself may change its sign, its square does not. *)
+  (** The cross product may change its sign, but its square does not. *)
   Lemma scaled_square_cross s t v w :
     square (cross (scaled s (g v)) (scaled t (g w))) = Rsqr (s * t) * square (cross v w).
   Proof. rewrite !square_cross; unfold square; rewrite !scaled_dot; unfold Rsqr; ring. Qed.
@@ -88,7 +88,7 @@ Section Similar.
   Variables (g : vector R -> vector R) (alpha beta gamma : R) (c c' : contact R).
   Hypotheses (alike : similar g alpha beta gamma c c') (valid : is_valid c) (valid' : is_valid c').
 
-  (** What an impulse is multiplied by. *)
+  (** The factor that multiplies an impulse. *)
   Local Notation scale := (beta / gamma).
 
   Let iso := is_isometry _ _ _ _ _ _ alike.
@@ -157,7 +157,7 @@ Section Similar.
       split; auto; lra.
   Qed.
 
-  (** The pieces of rough. *)
+  (** The parts of rough. *)
   Lemma stops_approach_similar : stops_approach c' = scaled scale (g (stops_approach c)).
   Proof.
     unfold stops_approach.
@@ -249,7 +249,7 @@ Section Similar.
   Qed.
 End Similar.
 
-(** A change of the contact gives the same change of the outcome, where it does so for each impulse. *)
+(** A change of the contact changes the outcome in the same way if it does so for each impulse. *)
 Theorem resolved_similar (change : contact R -> contact R) (g : vector R -> vector R) (alpha beta gamma : R)
     (c : contact R) (l : law) :
   similar g alpha beta gamma c (change c) -> is_valid c -> is_valid (change c) ->

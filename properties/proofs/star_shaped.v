@@ -1,16 +1,17 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Which bodies have rrᵀ ⪯ 15 S, so that K ⪯ 16 λI: those of uniform density that are star-shaped from the point of
-    contact. Nowhere is a body taken to be convex. 15 is the least such number: needles come near it. *)
+(** The bodies that have rrᵀ ⪯ 15 S, so that K ⪯ 16 λI, are those of uniform density that are star-shaped from the point
+    of contact. No proof assumes that a body is convex. 15 is the least such number, because needles come near it. *)
 
 Require Import List.
 Require Import Carom.reals Carom.collision_matrix Carom.well_conditioned.
 Import ListNotations.
 Local Open Scope R_scope.
 
-(** By a mean over the boundary: q is the offset of a boundary point from the point of contact, weighted by the share
-    of the volume of the cone from that point. In polar coordinates the centre is at (3/4) mean q, and the mean of
-    (q·v)² over the volume is (3/5) mean (q·v)². The mean need only be of functions that have one, as an integral is. *)
+(** The proof by a mean over the boundary. q is the offset of a boundary point from the point of contact. Its weight is
+    the share of the cone over that point in the volume. In polar coordinates the centre is at (3/4) mean q, and the
+    mean of (q·v)² over the volume is (3/5) mean (q·v)². The mean is only required for functions that have one, as for
+    an integral. *)
 Section Mean.
   Variables (has_mean : (vector R -> R) -> Prop) (mean : (vector R -> R) -> R).
   Hypotheses
@@ -22,7 +23,7 @@ Section Mean.
     (mean_scaled : forall s f, has_mean f -> mean (fun q => s * f q) = s * mean f)
     (mean_nonnegative : forall f, has_mean f -> (forall q, 0 <= f q) -> 0 <= mean f).
 
-  (** Jensen. *)
+  (** Jensen's inequality. *)
   Lemma mean_of_square (f : vector R -> R) :
     has_mean f -> has_mean (fun q => f q * f q) -> mean f * mean f <= mean (fun q => f q * f q).
   Proof.
@@ -50,11 +51,11 @@ Section Mean.
   Qed.
 End Mean.
 
-(** A polyhedron that is star-shaped from the point of contact: tetrahedra with that point as apex, each with the
-    corners of its base as offsets from the apex, and its share of the volume. *)
+(** A polyhedron that is star-shaped from the point of contact. It consists of tetrahedra with that point as apex. Each
+    has the corners of its base as offsets from the apex, and its share of the volume. *)
 Record tetrahedron := { share : R; corner_a : vector R; corner_b : vector R; corner_c : vector R }.
 
-(** It is not flat; the volume is a sixth of that. *)
+(** The tetrahedron is not flat. Its volume is a sixth of the determinant. *)
 Definition has_volume (t : tetrahedron) := 0 < determinant (rows (corner_a t) (corner_b t) (corner_c t)).
 
 Definition is_star_shaped (parts : list tetrahedron) :=
@@ -64,7 +65,7 @@ Definition scaled_matrix (s : R) (m : matrix R) := product (uniform s) m.
 (** v vᵀ. *)
 Definition outer (v : vector R) := rows (scaled (x_of v) v) (scaled (y_of v) v) (scaled (z_of v) v).
 
-(** Of a uniform tetrahedron, from its apex: the mean of q, and of q qᵀ. *)
+(** The mean of q and the mean of q qᵀ of a uniform tetrahedron, from its apex. *)
 Definition corners (t : tetrahedron) := sum (corner_a t) (sum (corner_b t) (corner_c t)).
 Definition tetrahedron_centre (t : tetrahedron) := scaled (1 / 4) (corners t).
 Definition tetrahedron_moments (t : tetrahedron) :=
@@ -72,13 +73,13 @@ Definition tetrahedron_moments (t : tetrahedron) :=
     (matrix_sum (matrix_sum (outer (corner_a t)) (outer (corner_b t)))
                 (matrix_sum (outer (corner_c t)) (outer (corners t)))).
 
-(** And of all, from the point of contact. *)
+(** The mean of q and the mean of q qᵀ of all tetrahedra together, from the point of contact. *)
 Definition centre_from_point (parts : list tetrahedron) :=
   fold_right (fun t rest => sum (scaled (share t) (tetrahedron_centre t)) rest) null parts.
 Definition moments_from_point (parts : list tetrahedron) :=
   fold_right (fun t rest => matrix_sum (scaled_matrix (share t) (tetrahedron_moments t)) rest) zero_matrix parts.
 
-(** S, about the centre; and r, from the centre to the point. *)
+(** S about the centre, and r from the centre to the point. *)
 Definition moments_about_centre (parts : list tetrahedron) :=
   matrix_sum (moments_from_point parts) (scaled_matrix (-1) (outer (centre_from_point parts))).
 Definition arm_of (parts : list tetrahedron) := negated (centre_from_point parts).
@@ -99,7 +100,7 @@ Proof.
     !outer_form; ring.
 Qed.
 
-(** One tetrahedron: equal where the corners of the base are alike along v. *)
+(** The bound for one tetrahedron. Equality holds if the corners of the base have equal components along v. *)
 Lemma tetrahedron_bound (t : tetrahedron) (v : vector R) :
   16 / 15 * (dot (tetrahedron_centre t) v * dot (tetrahedron_centre t) v) <=
   dot v (applied (tetrahedron_moments t) v).
@@ -109,7 +110,7 @@ Proof.
   pose proof (Rle_0_sqr (a - b)); pose proof (Rle_0_sqr (b - c)); pose proof (Rle_0_sqr (c - a)); unfold Rsqr in *; lra.
 Qed.
 
-(** Jensen: c² lies above each of its tangents 2 e c - e², and these sums are linear. *)
+(** Jensen's inequality: c² lies above each of its tangents 2 e c - e², and these sums are linear. *)
 Lemma above_tangents (parts : list tetrahedron) (v : vector R) (e : R) :
   Forall (fun t => 0 <= share t) parts ->
   16 / 15 * (2 * e * dot (centre_from_point parts) v - e * e * fold_right (fun t rest => share t + rest) 0 parts) <=
@@ -155,7 +156,7 @@ Proof.
   reflexivity.
 Qed.
 
-(** A movable body of this mass, made of these parts, that touches in p. *)
+(** A movable body of this mass that consists of these parts and touches at p. *)
 Definition is_made_of (b : body R) (p : vector R) (mass : R) (parts : list tetrahedron) :=
   is_star_shaped parts /\ has_moments b mass (moments_about_centre parts) /\ lever_arm b p = arm_of parts.
 Definition has_star_shape (b : body R) (p : vector R) := exists mass parts, is_made_of b p mass parts.
@@ -182,8 +183,9 @@ Theorem star_shaped_condition_number (c : contact R) (u v : vector R) :
   dot u (applied (collision_matrix c) u) <= 16 * dot v (applied (collision_matrix c) v).
 Proof. intros valid shape_a shape_b; apply condition_number; auto; apply star_shape_dominated; auto. Qed.
 
-(** As a user would give it: triangles, each seen counterclockwise from outside, so that no determinant is negative
-    where the polyhedron is star-shaped; a tetrahedron's share of the volume is that of its determinant. *)
+(** The form in which a user gives it: triangles. Each triangle is counterclockwise when seen from outside. No
+    determinant is then negative if the polyhedron is star-shaped. The determinant of a tetrahedron gives its share of
+    the volume. *)
 Record triangle := { first : vector R; second : vector R; third : vector R }.
 Definition six_volumes (t : triangle) := determinant (rows (first t) (second t) (third t)).
 Definition all_volumes (surface : list triangle) := fold_right (fun t rest => six_volumes t + rest) 0 surface.
@@ -201,7 +203,7 @@ Proof.
     fold (all_volumes rest); rewrite all; field; lra.
 Qed.
 
-(** The needle: its base is of size d, at distance 1 from the point of contact. *)
+(** The needle. Its base has the size d and is at distance 1 from the point of contact. *)
 Definition needle (d : R) : list tetrahedron :=
   [{| share := 1; corner_a := vec 1 (2 * d) 0; corner_b := vec 1 (- d) d; corner_c := vec 1 (- d) (- d) |}].
 
@@ -209,7 +211,7 @@ Definition needle_body (d : R) : body R :=
   a_body 1 (diagonal (vec (10 / (4 * d * d)) (1 / (3 / 80 + d * d / 10)) (1 / (3 / 80 + 3 * d * d / 10))))
          (vec (3 / 4) 0 0) (vec (-1) 0 0) (vec 0 0 0).
 
-(** It flies against what is immovable, along its length. *)
+(** The needle moves along its length and hits an immovable body. *)
 Definition needle_contact (d : R) : contact R :=
   a_contact (needle_body d) (a_body 0 zero_matrix (vec (-1) 0 0) (vec 0 0 0) (vec 0 0 0))
             (vec 0 0 0) (vec 1 0 0) 1 0 0.
@@ -278,7 +280,7 @@ Qed.
 Lemma needle_inverse_masses (d : R) : inverse_masses (needle_contact d) = 1.
 Proof. unfold inverse_masses; cbn; lra. Qed.
 
-(** Along the needle K is λ, and across it nearly 16 λ. *)
+(** Along the needle K is λ, and across the needle K is nearly 16 λ. *)
 Lemma needle_along (d : R) :
   dot (vec 1 0 0) (applied (collision_matrix (needle_contact d)) (vec 1 0 0)) = 1.
 Proof.
@@ -300,7 +302,7 @@ Proof.
   in_components; field; split; lra.
 Qed.
 
-(** Thin enough for any eta. *)
+(** Some needle is thin enough for any eta. *)
 Lemma thin_needle (eta : R) :
   0 < eta -> exists d, 0 < d /\
   16 - eta < dot (vec 0 0 1) (applied (collision_matrix (needle_contact d)) (vec 0 0 1)).
@@ -321,7 +323,7 @@ Proof.
   repeat constructor; unfold has_volume; cbn [corner_a corner_b corner_c]; in_components; lra.
 Qed.
 
-(** 16 cannot be lowered, for one movable tetrahedron already. *)
+(** The bound 16 cannot be lowered, even for one movable tetrahedron. *)
 Theorem bound_is_sharp (eta : R) :
   0 < eta ->
   exists (c : contact R) (part : tetrahedron) (x : vector R),
@@ -341,7 +343,7 @@ Proof.
   - rewrite needle_inverse_masses; replace (square (vec 0 0 1)) with 1 by (in_components; ring); lra.
 Qed.
 
-(** Nor can the bound of the condition number. *)
+(** The bound of the condition number cannot be lowered. *)
 Theorem condition_number_is_sharp (eta : R) :
   0 < eta ->
   exists (c : contact R) (part : tetrahedron) (u v : vector R),

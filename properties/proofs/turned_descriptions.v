@@ -1,13 +1,14 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** What is described turned, or as in the mirror, is the contact turned, or in the mirror: a quaternion before each
-    orientation makes the matrices that relations.v speaks of, so that the answers are turned, or mirrored, as well. *)
+(** A turned or mirrored description gives the turned or mirrored contact. A quaternion product or the mirrored
+    quaternion gives each orientation. Their matrices are those of relations.v, so the answers are turned or mirrored
+    too. *)
 
 Require Import Carom.reals Carom.similarity Carom.described_bodies Carom.answers.
 Require Carom.relations.
 Local Open Scope R_scope.
 
-(** First q, then p. *)
+(** The rotation q followed by the rotation p. *)
 Definition quaternion_product (p q : quaternion R) : quaternion R :=
   a_quaternion (w_part p * w_part q - x_part p * x_part q - y_part p * y_part q - z_part p * z_part q)
                (w_part p * x_part q + x_part p * w_part q + y_part p * z_part q - z_part p * y_part q)
@@ -44,7 +45,7 @@ Definition turned_collision (q : quaternion R) (c : collision R) : collision R :
               (applied (rotation q) (contact_point c)) (applied (rotation q) (contact_normal c))
               (coefficient_of_restitution c) (coefficient_of_friction c) (coefficient_of_tangential_restitution c).
 
-(** In the mirror x = 0, which keeps the part of a quaternion along x, and its real one. *)
+(** The mirror x = 0 keeps the x part and the real part of a quaternion. *)
 Definition mirrored_quaternion (q : quaternion R) : quaternion R :=
   a_quaternion (w_part q) (x_part q) (- y_part q) (- z_part q).
 
@@ -63,7 +64,7 @@ Definition mirrored_collision (c : collision R) : collision R :=
 Lemma no_inertia_turned (m : matrix R) : product m (product zero_matrix (transposed m)) = zero_matrix.
 Proof. by_ring. Qed.
 
-(** R J Rᵀ, of what is turned already. *)
+(** R J Rᵀ of a matrix J that is already turned. *)
 Lemma turned_product (m n : matrix R) (d : vector R) :
   product (product m n) (product (diagonal d) (transposed (product m n))) =
   product m (product (product n (product (diagonal d) (transposed n))) (transposed m)).
@@ -120,7 +121,7 @@ Section Answers.
   Definition motion_by (polar axial : vector R -> vector R) (m : motion R) : motion R :=
     a_motion (polar (velocity_of_a m)) (axial (spin_of_a m)) (polar (velocity_of_b m)) (axial (spin_of_b m)).
 
-  (** The answer to what is described turned is the answer turned. *)
+  (** The answer to a turned description is the turned answer. *)
   Theorem answer_turned (q : quaternion R) :
     q <> zero_quaternion ->
     let turn := applied (rotation q) in
@@ -135,7 +136,7 @@ Section Answers.
     exact (rotation_keeps_dot q not_zero).
   Qed.
 
-  (** And to what is described as in the mirror, the answer in the mirror. *)
+  (** The answer to a mirrored description is the mirrored answer. *)
   Theorem answer_mirrored :
     answer (impulse_of l) (mirrored_collision c) =
     motion_by mirrored (fun w => negated (mirrored w)) (answer (impulse_of l) c).

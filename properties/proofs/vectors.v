@@ -44,15 +44,15 @@ Section Algebra.
   Definition zero_matrix := uniform 0.
   Definition identity := uniform 1.
 
-  (** [r]: what turns x into r × x. *)
+  (** [r], the matrix that maps x to r × x. *)
   Definition cross_matrix (r : vector T) :=
     rows (vec 0 (- z_of r) (y_of r)) (vec (z_of r) 0 (- x_of r)) (vec (- y_of r) (x_of r) 0).
 
-  (** Its columns are the cross products of the rows. *)
+  (** The columns of the adjugate are the cross products of the rows. *)
   Definition adjugate (m : matrix T) :=
     transposed (rows (cross (row_y m) (row_z m)) (cross (row_z m) (row_x m)) (cross (row_x m) (row_y m))).
   Definition determinant (m : matrix T) := dot (row_x m) (cross (row_y m) (row_z m)).
 
-  (** The x with m x = v, where the determinant is not 0. *)
+  (** The x with m x = v if the determinant is not 0. *)
   Definition solved (m : matrix T) (v : vector T) := scaled (1 / determinant m) (applied (adjugate m) v).
 End Algebra.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** K ⪯ 16 λI, so that the condition number of K is at most 16, whatever the masses, for bodies whose second moments
-    dominate the lever arm, rrᵀ ⪯ 15 S; star_shaped.v says which do. With rrᵀ ⪯ k S it is 1 + k. *)
+(** K ⪯ 16 λI, so the condition number of K is at most 16 for all masses. This holds for bodies whose second moments
+    dominate the lever arm, rrᵀ ⪯ 15 S. star_shaped.v proves which bodies these are. With rrᵀ ⪯ k S the bound is 1 + k.
+    *)
 
 Require Import Carom.reals Carom.collision_matrix.
 Local Open Scope R_scope.
@@ -14,10 +15,10 @@ Definition trace_without (m : matrix R) :=
        (difference (vec 0 (trace m) 0) (row_y m))
        (difference (vec 0 0 (trace m)) (row_z m)).
 
-(** J = m (tr(S) I - S), of a body of this mass whose mean of xxᵀ about the centre is S. *)
+(** J = m (tr(S) I - S) for a body of this mass. S is the mean of xxᵀ about the centre. *)
 Definition inertia (mass : R) (s : matrix R) := product (uniform mass) (trace_without s).
 
-(** rrᵀ ⪯ k S, as a form. *)
+(** rrᵀ ⪯ k S, as an inequality of forms. *)
 Definition dominates_by (k : R) (s : matrix R) (r : vector R) :=
   forall v, dot r v * dot r v <= k * dot v (applied s v).
 Definition dominates := dominates_by 15.
@@ -37,7 +38,7 @@ Lemma inertia_form (mass : R) (s : matrix R) (z : vector R) :
   dot z (applied (inertia mass s) z) = mass * (trace s * square z - dot z (applied s z)).
 Proof. rewrite applied_inertia; unfold trace; by_ring. Qed.
 
-(** tr(M) |z|² - z·Mz = Σ (e × z)·M(e × z), over the three axes e. *)
+(** tr(M) |z|² - z·Mz = Σ (e × z)·M(e × z), summed over the three axes e. *)
 Lemma trace_without_form (m : matrix R) (z : vector R) :
   let turned e := cross e z in
   trace m * square z - dot z (applied m z) =
@@ -46,7 +47,7 @@ Lemma trace_without_form (m : matrix R) (z : vector R) :
   dot (turned (vec 0 0 1)) (applied m (turned (vec 0 0 1))).
 Proof. unfold trace; by_ring. Qed.
 
-(** So that M ↦ tr(M) I - M keeps ⪰. *)
+(** Hence M ↦ tr(M) I - M keeps ⪰. *)
 Lemma trace_without_semidefinite (m : matrix R) (z : vector R) :
   positive_semidefinite m -> 0 <= trace m * square z - dot z (applied m z).
 Proof.
@@ -59,7 +60,7 @@ Lemma dominates_semidefinite (k : R) (s : matrix R) (r : vector R) :
   0 < k -> dominates_by k s r -> positive_semidefinite s.
 Proof. intros positive dominated v; pose proof (dominated v); assert (0 <= dot r v * dot r v) by nra; nra. Qed.
 
-(** |r × z|², over the same axes. *)
+(** |r × z|², summed over the same axes. *)
 Lemma square_cross_by_axes (r z : vector R) :
   square (cross r z) =
   dot r (cross (vec 1 0 0) z) * dot r (cross (vec 1 0 0) z) +
@@ -106,7 +107,7 @@ Proof.
   apply (Rmult_le_reg_l mass); auto; replace (mass * (k * q / mass)) with (k * q) by (field; lra); auto.
 Qed.
 
-(** Immovable, or with moments that dominate the arm to the point. *)
+(** The body is immovable, or its moments dominate the lever arm to the point. *)
 Definition is_dominated (k : R) (b : body R) (p : vector R) :=
   is_immovable b \/ exists mass s, has_moments b mass s /\ dominates_by k s (lever_arm b p).
 
@@ -130,7 +131,7 @@ Proof.
   unfold inverse_masses; reals; fold (square x); lra.
 Qed.
 
-(** The quotient of the greatest and the least of the form over vectors of one length. *)
+(** The form at u is at most 1 + k times the form at v, for vectors u and v of one length. *)
 Theorem condition_number_by (k : R) (c : contact R) (u v : vector R) :
   0 <= k -> is_valid c -> is_dominated k (body_a c) (point c) -> is_dominated k (body_b c) (point c) ->
   square u = square v ->

@@ -8,7 +8,7 @@
 
 namespace carom::properties {
 
-/// The answers of a session, one to each collision. Throws std::runtime_error where it gives more or fewer.
+/// The answers of a session, one for each collision. Throws std::runtime_error if the session gives more or fewer.
 [[nodiscard]] std::vector<Answer> answers_of(Session& session, std::span<const Collision> collisions);
 
 }  // namespace carom::properties

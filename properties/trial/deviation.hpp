@@ -11,11 +11,11 @@ namespace carom::properties {
 /// An invariant that a subject does not claim.
 struct Deviation {
   const Invariant* invariant;
-  const Family* family;  // in which it is not claimed; nullptr: in none
+  const Family* family;  // the family in which it is not claimed; nullptr: not claimed in any family
 };
 
-/// What "invariant" or "invariant@family" says. Throws std::invalid_argument where there is no such invariant or
-/// family; it names the nearest.
+/// The deviation that "invariant" or "invariant@family" names. If there is no such invariant or family, throws
+/// std::invalid_argument that suggests the nearest name.
 [[nodiscard]] Deviation deviation_from(std::string_view text);
 
 }  // namespace carom::properties

@@ -8,37 +8,38 @@
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Numbers and collisions as a person reads them.
+/// Numbers and collisions as text for people.
 namespace carom::properties {
 
-/// The shortest decimal that is this number and no other.
+/// The shortest decimal that identifies this number. A long double that is not a binary64 number gets 21 digits.
 [[nodiscard]] std::string in_words(double number);
 [[nodiscard]] std::string in_words(long double number);
 
-/// p/q where that is short, else the nearest binary64 number behind "≈".
+/// The exact text if it is at most 24 bytes long. Otherwise "≈" and the nearest binary64 number.
 [[nodiscard]] std::string in_words(const oracles::Rational& number);
 [[nodiscard]] std::string in_words(const oracles::Radical& number);
 
-/// "(x, y, z)".
+/// "(x, y, z)". A single number has no parentheses.
 [[nodiscard]] std::string in_words(const std::vector<double>& numbers);
 template <class S>
 [[nodiscard]] std::string in_words(const Vector3<S>& vector) {
   return '(' + in_words(vector[0]) + ", " + in_words(vector[1]) + ", " + in_words(vector[2]) + ')';
 }
 
-/// Four lines: both bodies, the contact, the coefficients.
+/// Three lines, for A, B and the contact. A fourth line has the friction and the tangential restitution if one of them
+/// is not zero. `indent` begins each line.
 [[nodiscard]] std::string in_words(const Collision& collision, const std::string& indent);
 
-/// One line a body.
+/// One line for each body, and one line for the collision matrix if there is one.
 [[nodiscard]] std::string in_words(const ReportedOutcome& outcome, const std::string& indent);
 
-/// What was compared, both sides, and by how much they miss each other; no line end.
+/// The comparison, its two sides, their distance and the allowance, without a line end.
 [[nodiscard]] std::string in_words(const Verdict& violated);
 
-/// The text with every line but the first moved in.
+/// The text with each line except the first indented.
 [[nodiscard]] std::string indented(const std::string& text, const std::string& by);
 
-/// The collision, the answer to it and the violated verdict on both, each on lines of its own.
+/// The collision, the answer to it, and the violated verdict, each on lines of its own.
 [[nodiscard]] std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated);
 
 }  // namespace carom::properties

@@ -9,7 +9,7 @@
 namespace carom::properties {
 namespace {
 
-/// The distance of optimal string alignment.
+/// The optimal string alignment distance.
 std::size_t edits_between(std::string_view x, std::string_view y) {
   std::vector<std::vector<std::size_t>> edits(x.size() + 1, std::vector<std::size_t>(y.size() + 1));
   for (std::size_t i = 0; i <= x.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A session, and how to have another.
+/// A session that can open its subject again.
 class RestartingSession {
  public:
   RestartingSession(const Subject& subject, Restarts& restarts, std::stop_token stop)

@@ -10,14 +10,14 @@
 
 namespace carom::properties {
 
-/// How often a subject may fail before it is asked no more; threads may share it.
+/// Counts the failures of a subject and limits them. Threads may share it.
 class Restarts {
  public:
-  /// No more failures than `most`, and none after they took so long together.
+  /// The subject is not started again after `most` failures, or after failures that together took `longest`.
   explicit Restarts(unsigned most, std::optional<std::chrono::nanoseconds> longest = {})
       : most_(most), longest_(longest) {}
 
-  /// Books a failure that took so long; whether the subject may be started again.
+  /// Records a failure that took this long. Returns whether the subject may be started again.
   [[nodiscard]] bool may_restart_after(std::chrono::nanoseconds took);
 
   [[nodiscard]] unsigned most() const { return most_; }
@@ -31,9 +31,9 @@ class Restarts {
   std::atomic<bool> are_spent_ = false;
 };
 
-/// A session of the subject that goes on where it fails: the collision is answered by Failed, the subject is started
-/// again, and asked what comes after it. Throws SessionFailure where that was too often, it cannot be started again, or
-/// a stop is requested. `restarts` must outlive the session.
+/// A session of the subject that continues after a failure. The answer to the failed collision is Failed. The subject
+/// is then started again for the next collisions. Throws SessionFailure if `restarts` permits no restart, if the
+/// subject cannot be started again, or if a stop is requested. `restarts` must outlive the session.
 [[nodiscard]] Session open_restarting(const Subject& subject, Restarts& restarts, std::stop_token stop = {});
 
 }  // namespace carom::properties

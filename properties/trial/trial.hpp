@@ -17,31 +17,34 @@
 #include <carom/properties/trial/deviation.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 
-/// One case put to one subject and judged on every invariant that the subject claims.
+/// Gives one case to one subject and judges it on every invariant that the subject claims.
 namespace carom::properties {
 
-/// What is judged about a subject.
+/// The claim of a subject: the subject is judged on it.
 struct Claim {
   Model model = Model::any;
   oracles::Yardstick yardstick;
-  /// Claimed for the model, without those that the subject deviates from, and those of a matrix that it does not show.
+  /// The invariants that are claimed for the model. Excluded are those that the subject deviates from, and those of a
+  /// matrix that the subject does not show.
   std::vector<const Invariant*> invariants;
-  std::vector<Deviation> deviations = {};  // from these in single families; a trial does not know of which its case is
+  std::vector<Deviation> deviations = {};  // all deviations, including those in single families: a trial does not know
+                                           // the family of its case
 
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
 
-/// What is said of the collision matrix for the subject's model, where it shows none: so it cannot be judged.
+/// The invariants of the collision matrix that are claimed for the subject's model but cannot be judged. The list is
+/// empty if the subject shows its matrix.
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
-/// What the subject is said to deviate from and is no invariant, or in no family, is passed over.
+/// The claim of the subject. It ignores a deviation whose invariant or family does not exist.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
 
-/// A case, and what is exactly known of it and of the collisions related to it. Shared by the subjects that are judged
-/// on it; for one thread.
+/// A case, with exact facts about it and about the collisions related to it. The subjects that are judged on it share
+/// it. For one thread.
 class JudgedCase {
  public:
-  /// Without the filter, also what is known of the collisions themselves is decided in ℚ alone.
+  /// If `filtered` is false, the facts about the collisions are also decided in ℚ alone.
   explicit JudgedCase(const Case& generated, bool filtered = true);
 
   [[nodiscard]] const Case& generated() const { return generated_; }
@@ -53,18 +56,19 @@ class JudgedCase {
     return *exact_;
   }
 
-  /// The collisions that an invariant of the catalogue asks about whatever the outcome, and what is exactly known of
-  /// them; remembered, since every subject is asked the same. None where one is not valid (an extreme case that the
-  /// relation takes out of range). Preconditions: is_valid(); the invariant has `questions`.
+  /// The related collisions of an invariant that do not depend on the outcome, with exact facts about them. They are
+  /// kept, because every subject gets the same questions. Empty if one of them is not valid, as for an extreme case
+  /// that the relation takes out of range. Preconditions: is_valid(); the invariant is a relation of the catalogue
+  /// whose questions depend on the collision alone.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
-  /// `reason_unjudged` of the collision, and whether there is none for each of those questions; remembered for each
-  /// unit roundoff and allowance. Preconditions: is_valid(); as of `questions_of`.
+  /// `reason_unjudged` of the collision, and whether every question of `questions_of` is judged. Both are kept for each
+  /// unit roundoff and allowance. Preconditions: is_valid(), and those of `questions_of`.
   [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
   [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const;
 
  private:
-  /// What was worked out for each unit roundoff and allowance: there are few.
+  /// Results for each unit roundoff and allowance. There are few of these pairs.
   template <class T>
   using PerYardstick = std::vector<std::pair<std::pair<double, double>, T>>;
   struct Questions {
@@ -85,46 +89,46 @@ struct NamedVerdict {
   Verdict verdict;
 };
 
-/// What came of a trial.
+/// The result of a trial.
 struct Judgement {
   std::vector<NamedVerdict> verdicts;
-  std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
-  std::optional<Skipped> skipped;             // the subject could not be posed the case
-  std::optional<Unjudged> unjudged;           // why the case is not judged; then there are no verdicts
+  std::optional<oracles::Accuracy> accuracy;  // of an outcome, if the model has a truth
+  std::optional<Skipped> skipped;             // set if the case could not be given to the subject
+  std::optional<Unjudged> unjudged;           // the reason why the case is not judged; then there are no verdicts
 };
 
-/// Which of the invariants that ask about further collisions are judged on a case: each on one in `every` cases, and
-/// one on other cases than the next, so that every case is held against some of them.
+/// Selects the invariants about related collisions that are judged on a case. Each of them is judged on one in `every`
+/// cases. The next invariant is judged on other cases, so that every case is judged by some of them.
 struct RelationTurn {
-  std::uint64_t every = 1;   // 0: none of them on any case
-  std::uint64_t number = 0;  // of the case
+  std::uint64_t every = 1;   // 0: none of the invariants on any case
+  std::uint64_t number = 0;  // number of the case
 
-  /// By the place of the invariant in its claim.
+  /// Whether the invariant at this place of its claim is judged.
   [[nodiscard]] bool has(std::size_t place) const { return every > 0 && (number + place) % every == 0; }
 };
 inline constexpr RelationTurn no_relations{0, 0};
 
-/// A trial in two steps, so that many can be put to a subject at once.
+/// A trial in two steps, so that a subject can get many questions at once.
 class Trial {
  public:
-  /// `answer` is the subject's to the case's collision. The invariants that ask about further collisions are left out
-  /// where it is not their turn.
+  /// `answer` is the subject's answer to the case's collision. `relations` selects the invariants about related
+  /// collisions.
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations = {});
 
-  // It refers to questions that it holds itself.
+  // A trial is not copyable, because it refers to questions that it stores itself.
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
   Trial(Trial&&) = default;
   Trial& operator=(Trial&&) = default;
   ~Trial() = default;
 
-  /// The related collisions that the claimed invariants ask about.
+  /// The related collisions for the claimed invariants.
   [[nodiscard]] std::vector<Collision> questions() const;
   [[nodiscard]] std::size_t question_count() const;
 
-  /// Where the backward error is surely at most `known`, that of the judgement may be too large, but by no more than
-  /// `known`: a maximum over many judgements needs few of them (oracles::accuracy). The verdicts do not depend on it.
-  /// Precondition: one answer to each question, in order.
+  /// If the backward error is certainly at most `known`, the judgement may contain a larger value that is also at most
+  /// `known` (oracles::accuracy). A maximum over many judgements therefore needs few precise values. The verdicts do
+  /// not depend on `known`. Precondition: there is one answer to each question, in order.
   [[nodiscard]] Judgement judge(std::span<const Answer> answers, double known_backward_error = 0) const;
   [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
 
@@ -133,20 +137,21 @@ class Trial {
   [[nodiscard]] Judgement judge_by(const AnswersTo& answers_to, double known_backward_error) const;
 
   void require_one_answer_each(std::size_t count) const;
-  [[nodiscard]] std::size_t most_questions() const;  // of one invariant
+  [[nodiscard]] std::size_t most_questions() const;  // for one invariant
 
   const JudgedCase* judged_case_;
   const Claim* claim_;
   ExactAnswer answer_;
   RelationTurn relations_;
-  std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // of the invariants whose questions depend on it
-  std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
+  std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // for the invariants whose questions depend on the
+                                                                // outcome
+  std::vector<std::span<const oracles::ExactCase>> questions_;  // for each claimed invariant
 };
 
-/// Answers as exactly as it computes: lets solvers in ℚ be judged as well.
+/// A solver whose answers keep the exactness of its arithmetic. Solvers in ℚ can therefore be judged too.
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
-/// A whole trial of one case.
+/// Runs the whole trial of one case.
 [[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve);
 
 }  // namespace carom::properties

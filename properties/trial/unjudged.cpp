@@ -12,10 +12,10 @@ namespace {
 
 using oracles::norm_of;
 
-/// Whether sizes stay away from the ends of binary32.
+/// Whether all given sizes stay away from the limits of binary32.
 class RangeOfBinary32 {
  public:
-  /// Zero, or within the range.
+  /// The size must be zero or within the range.
   void require(double size) {
     constexpr int largest_exponent = 120;
     int exponent = 0;
@@ -28,10 +28,10 @@ class RangeOfBinary32 {
   bool holds_ = true;
 };
 
-/// Whether all that a law makes of a contact stays in the range. `rounding` is that of N·V⁻ / ‖N‖.
+/// Whether every number that a law computes for a contact stays in the range. `rounding` is the rounding of N·V⁻ / ‖N‖.
 bool stays_in_binary32(const Collision& c, double rounding) {
   RangeOfBinary32 range;
-  double lightest = 0;  // the smaller mass, by which the impulse is bounded
+  double lightest = 0;  // the smaller mass, which bounds the impulse
   double fastest = 0;
   for (const Body* body : {&c.a, &c.b}) {
     const double length = norm_of(oracles::lever_arm<double>(*body, c.point));
@@ -50,7 +50,7 @@ bool stays_in_binary32(const Collision& c, double rounding) {
       range.require(length / moment * length);
     }
   }
-  // The impulse is made of the speed of approach, or of its rounding if that is more, and of no more than the fastest.
+  // The impulse depends on the speed of approach, or on its rounding if that is larger. The fastest speed bounds it.
   const double approach = std::abs(oracles::normal_velocity_before(c)) / norm_of(c.normal);
   for (const double speed : {std::max(approach, rounding), fastest}) {
     range.require(speed);

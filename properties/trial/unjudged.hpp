@@ -12,25 +12,26 @@
 
 namespace carom::properties {
 
-/// Why a valid collision is not judged. No case is left out because it is hard.
+/// The reason why a valid collision is not judged. No case is left out because it is hard.
 enum class Unjudged {
-  leaves_range,         // of the numbers of the subject's precision
-  no_finite_enclosure,  // of the law over the permitted inputs, where derivatives say little (oracles::PermittedInputs)
+  leaves_range,         // numbers leave the range of the subject's precision
+  no_finite_enclosure,  // the law has no finite enclosure over the permitted inputs (oracles::PermittedInputs)
 };
 inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure};
 static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_enclosure));
 
-/// How many cases were not judged, by reason.
+/// The number of cases that were not judged, by reason.
 using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.size()>;
 
-/// As reports name it: `leaves_range`, …
+/// The name in reports: `leaves_range`, …
 [[nodiscard]] std::string_view name_of(Unjudged reason);
 
-/// A sentence's end: "… whose masses, moments, impulse or torque leave the range of the precision".
+/// The end of a sentence: "… whose masses, moments, impulse or torque leave the range of the precision".
 [[nodiscard]] std::string_view in_words(Unjudged reason);
 
-/// Why a collision is not judged by a yardstick; none if it is. A subject in binary32 is judged if all that a law makes
-/// of the contact (masses, moments, impulse, torque) stays 2⁵ above the least normal number and 2⁸ below the largest.
+/// The reason why a collision is not judged by a yardstick; no value if it is judged. A subject in binary32 is judged
+/// if every number that a law computes for the contact (masses, moments, impulse, torque) stays in range. It must stay
+/// 2⁵ above the least normal number and 2⁸ below the largest.
 [[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
                                                       const oracles::Yardstick& yardstick);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,29 @@ json report_on(const std::string& subject, const std::string& cases) {
   return text.empty() ? json{{"errors", run.errors}} : json::parse(text).at("subjects").at(0);
 }
 
-TEST(Examples, StandWordForWordInTheGuide) {
+/// The text of the first block of this language, without its fences; empty if the page has none.
+std::string block_of(const std::string& page, const std::string& language) {
+  const std::string fence = "\n```" + language + "\n";
+  const std::size_t begin = page.find(fence);
+  if (begin == std::string::npos) {
+    return "";
+  }
+  const std::size_t first = begin + fence.size();
+  return page.substr(first, page.find("\n```\n", first) + 1 - first);
+}
+
+TEST(Examples, AreLinkedInTheGuideAndQuotedWordForWord) {
   const std::string guide = content_of(documents / "guide" / "plug-in.md");
-  for (const char* name : {"solver.py", "solver.mjs", "solver.cpp", "reflection.py"}) {
-    const std::string text = content_of(documents / "examples" / name);
-    ASSERT_FALSE(text.empty()) << name;
-    EXPECT_NE(guide.find(text), std::string::npos) << name << " differs from what docs/guide/plug-in.md shows";
+  const std::map<std::string, std::string> languages{
+      {"solver.py", "python"}, {"solver.mjs", ""}, {"solver.cpp", "cpp"}, {"reflection.py", ""}};
+  for (const auto& [name, language] : languages) {
+    EXPECT_NE(guide.find("(../examples/" + name + ")"), std::string::npos) << name << " is not linked";
+    if (!language.empty()) {
+      const std::string block = block_of(guide, language);
+      ASSERT_FALSE(block.empty()) << name;
+      EXPECT_NE(content_of(documents / "examples" / name).find(block), std::string::npos)
+          << name << " differs from what docs/guide/plug-in.md shows";
+    }
   }
 }
 

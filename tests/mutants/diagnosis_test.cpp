@@ -15,7 +15,7 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// The gate's diagnosis of a wrong solver: checks every row of the table in docs/guide/plug-in.md with a planted
+/// The gate's diagnosis of a wrong solver: checks every row of the table in docs/reference/diagnoses.md with a planted
 /// defect.
 namespace carom::mutants {
 namespace {
@@ -34,7 +34,7 @@ std::string trimmed(const std::string& text) {
 
 /// Rows "| `MUTANT`: SENTENCE | SAYS |" of the page.
 std::vector<Row> rows_of_the_page() {
-  std::ifstream page(CAROM_PLUG_IN_PAGE);
+  std::ifstream page(CAROM_DIAGNOSES_PAGE);
   std::vector<Row> rows;
   for (std::string line; std::getline(page, line);) {
     const std::size_t name_end = line.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", 3);
