@@ -107,10 +107,10 @@ class Pages(unittest.TestCase):
         names = {subject["name"] for subject in listed("subjects")}
         builds = {name.removesuffix("-coulomb") for name in names if name.endswith("-coulomb")}
         engines = {build.split("-")[0] for build in builds}
-        pages = {page for page in PAGES if page.startswith("docs/findings/engines/")}
+        pages = {page for page in PAGES if page.startswith("docs/reference/engines/")}
         self.assertEqual({pathlib.Path(page).stem for page in pages}, engines)
-        for page, folder in (("docs/README.md", "findings/engines"), ("docs/findings/engines.md", "engines")):
-            linked = set(re.findall(rf"\({folder}/(\w+)\.md", PAGES[page]))
+        for page in ("docs/README.md", "docs/findings/engines.md"):
+            linked = set(re.findall(r"\((?:\.\./)?reference/engines/(\w+)\.md", PAGES[page]))
             self.assertEqual(linked, engines, page)
         judged = paragraph("README.md", "**Friction**")
         for page in pages:

@@ -10,7 +10,7 @@
 
 #include "formulas/formulas.hpp"
 
-/// The collisions of docs/findings/engines that a reader can compute by hand.
+/// The collisions of docs/reference/engines that a reader can compute by hand.
 namespace carom {
 namespace {
 
@@ -87,7 +87,7 @@ struct ByHand {
   double rounding;           // of the engine's precision, relative
 };
 
-/// The formula always gives the values of docs/findings/engines, and so must the engine if it is installed. The
+/// The formula always gives the values of docs/reference/engines, and so must the engine if it is installed. The
 /// speeds are below 16 (256 in the two before the last) with a few dozen roundings.
 TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
   constexpr double single = 16 * 0x1p-20;
