@@ -12,17 +12,17 @@ std::span<const Property> three_properties() {
   static const std::array all{
       Property{"non_penetrating_post_velocity",
                "Non-penetrating post-velocity",
-               "After the impulse the bodies do not approach at the contact: N·V⁺ ≥ 0.",
+               "After the impulse, the bodies do not approach at the contact: N·V⁺ ≥ 0.",
                {"non_penetration"}},
       Property{"positive_definiteness",
                "Positive definiteness of C",
-               "The collision matrix C of a contact with a movable body is symmetric, and λI ⪯ C with "
-               "λ = 1/m_A + 1/m_B > 0. It is the matrix of the solve: C F = V⁺ − V⁻.",
+               "The collision matrix C of a contact with a movable body is symmetric, and λI ⪯ C with λ = 1/m_A + "
+               "1/m_B > 0. It is the matrix of the solve: C F = V⁺ − V⁻.",
                {"definite", "matrix_used"}},
       Property{"momentum_conservation",
                "Momentum conservation",
-               "What one body gains in linear momentum, the other loses. Each body turns by the moment of its impulse, "
-               "so the angular momentum about every point is kept.",
+               "One body gains the linear momentum that the other loses. The change of each body's angular momentum is "
+               "the moment of its impulse, so the angular momentum about every point is conserved.",
                {"linear_momentum", "angular_momentum"}}};
   return all;
 }
@@ -38,7 +38,7 @@ Ruling ruling(std::string_view property, const Collision& collision, const Repor
     claim.invariants.push_back(invariant_named(name));
   }
   if (std::holds_alternative<NotFinite>(lift(answer))) {
-    return {false, true, "the answer is not finite"};
+    return {false, true, "the answer contains infinities or NaN"};
   }
   const JudgedCase judged_case(Case{collision});
   const Judgement judgement = try_case(judged_case, claim, [&](const Collision&) { return lift(answer); });

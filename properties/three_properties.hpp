@@ -90,7 +90,7 @@ template <class Solver>
                                            std::optional<Precision> precision = std::nullopt) {
   const auto answer = solver(collision);
   static_assert(
-      requires { answer.collision_matrix; }, "the solver is to return SolvedOutcome, with its matrix");
+      requires { answer.collision_matrix; }, "the solver must return SolvedOutcome, with its matrix");
   return detail::ruling("positive_definiteness", collision, answer, precision);
 }
 

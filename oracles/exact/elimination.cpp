@@ -130,7 +130,7 @@ void write_tangential_law(System& system, std::size_t row, const BasicCollision<
       write_relative_velocity(system, row, c, t, Rational(0));
       return;
     case Model::rough:
-      throw std::invalid_argument("the law `rough` is no linear system");
+      throw std::invalid_argument("the law `rough` is not a linear system");
     case Model::coulomb:
     case Model::any:
       break;

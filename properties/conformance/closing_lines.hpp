@@ -49,7 +49,7 @@ class ClosingLines : public testing::TestEventListener {
       print_failed(program);
     }
     if (program.ad_hoc_test_result().Failed()) {
-      std::printf("[  FAILED  ] something outside of every test\n");
+      std::printf("[  FAILED  ] a failure outside of all tests\n");
     }
     std::fflush(stdout);
   }

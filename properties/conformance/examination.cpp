@@ -19,13 +19,13 @@ using properties::Verdict;
 
 Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
-    return {Status::skipped, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};
+    return {Status::skipped, "the subject skipped the case: " + judgement.skipped->why, 0, 0, {}, {}};
   }
   if (judgement.unjudged) {
     return {Status::skipped, "not judged: " + std::string(in_words(*judgement.unjudged)), 0, 0, {}, {}};
   }
   if (judgement.verdicts.empty()) {
-    return {Status::skipped, "the invariant does not speak of such cases", 0, 0, {}, {}};
+    return {Status::skipped, "the invariant does not apply to this case", 0, 0, {}, {}};
   }
   return judgement.verdicts.front().verdict;
 }
@@ -99,7 +99,7 @@ std::string Examination::violation() {
     text = properties::violation_in_words(one.collision, answer_, verdict);
   } else {
     text = properties::violation_in_words(one.collision, found_answer, found) +
-           "  asked again, the subject answers otherwise: it remembers earlier collisions\n";
+           "  the subject gives another answer if it is asked again: it keeps state from earlier collisions\n";
   }
   if (JudgedCase(one).is_valid()) {
     text += "  for `carom replay FILE`: " + collision_to_json(one.collision).dump() + '\n';

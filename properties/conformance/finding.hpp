@@ -33,8 +33,8 @@ struct Finding {
   }
   if (!examination.was_in_domain()) {
     return {Status::skipped, "no case of " + family + " is in the domain of " + invariant + " (" +
-                                 std::string(statement.invariant->domain) + "); of the first, " +
-                                 examination.why_skipped()};
+                                 std::string(statement.invariant->domain) +
+                                 "); first case: " + examination.why_skipped()};
   }
   return {Status::holds, ""};
 }

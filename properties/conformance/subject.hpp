@@ -34,7 +34,8 @@ template <class Solver>
 [[nodiscard]] constexpr auto deduced_scalar() {
   constexpr int contacts = int{SolvesContacts<Solver, float>} + int{SolvesContacts<Solver, double>} +
                            int{SolvesContacts<Solver, long double>};
-  static_assert(contacts <= 1, "the callable solves contacts of any scalar type: choose one, subject<double>(…)");
+  static_assert(contacts <= 1,
+                "the callable solves contacts of several scalar types: choose one, for example subject<double>(…)");
   if constexpr (SolvesContacts<Solver, float>) {
     return float{};
   } else if constexpr (SolvesContacts<Solver, double>) {

@@ -168,19 +168,19 @@ std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   }
   std::vector<Fault> faults;
   if (failed > 0) {
-    faults.push_back({fmt::format("It fails to answer: in {} violated cases looked at it {}.",
-                                  counted(failed, examples.size()), how),
-                      "what it wrote on standard error, below the witness"});
+    faults.push_back(
+        {fmt::format("It fails to answer in {} examined violated cases: it {}.", counted(failed, examples.size()), how),
+         "its standard error output, below the witness"});
   }
   if (not_finite > 0) {
-    faults.push_back({fmt::format("It answers with numbers that are not finite in {} violated cases looked at.",
+    faults.push_back({fmt::format("Its answer contains infinities or NaN in {} examined violated cases.",
                                   counted(not_finite, examples.size())),
-                      "divisions by what may be zero, square roots of what may be negative, overflow of squares"});
+                      "divisions by zero, square roots of negative numbers, overflow of squares"});
   }
   if (refused > 0) {
-    faults.push_back({fmt::format("It refuses valid collisions in {} violated cases looked at: {}",
+    faults.push_back({fmt::format("It refuses valid collisions in {} examined violated cases: {}",
                                   counted(refused, examples.size()), why),
-                      "what it takes for a valid collision"});
+                      "the check of the input"});
   }
   return faults;
 }
@@ -189,7 +189,7 @@ std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
 std::string first_invalid(const std::vector<ViolatedCase>& examples) {
   for (const ViolatedCase& one : examples) {
     if (const std::vector<Defect> defects = validate(one.one.collision); !defects.empty()) {
-      return ", such as one with " + describe(defects);
+      return ", for example one with " + describe(defects);
     }
   }
   return {};
@@ -204,12 +204,10 @@ std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
     return std::nullopt;
   }
   return result.count("matrix_used").violated > 0
-             ? Fault{"Its outcomes are right by themselves. The collision matrix that it shows is not symmetric, or is "
-                     "not the one that it solves with.",
-                     "what is shown: its axes, its rows and columns, of which contact it is"}
-             : Fault{"Its outcomes are right by themselves. The collision matrix that it shows is not positive "
-                     "definite, or too large.",
-                     "how C is formed: signs, the transpose of [r], moments"};
+             ? Fault{"Its outcomes are right. The collision matrix that it shows is not symmetric, or is not the one that it solves with.",
+                     "the shown matrix: its axes, its rows and columns, the contact that it belongs to"}
+             : Fault{"Its outcomes are right. The collision matrix that it shows is not positive definite, or it is too large.",
+                     "the computation of C: signs, the transpose of [r], the moments of inertia"};
 }
 
 Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples) {
@@ -223,8 +221,8 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
     });
   };
   if (violates(&Invariant::is_of_invalid)) {
-    faults.push_back({"It does not refuse invalid collisions" + first_invalid(examples) + ".",
-                      "what it takes for a valid collision"});
+    faults.push_back(
+        {"It does not refuse invalid collisions" + first_invalid(examples) + ".", "the check of the input"});
   }
   std::vector<ViolatedCase> outcomes;
   std::vector<KnownCase> off;
@@ -245,21 +243,20 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
                                                            [](const Witness& one) { return !one.is_reproduced; }));
   if (lost > 0) {
     faults.push_back(
-        {fmt::format("It remembers something of the collisions before: {} witnesses are answered otherwise "
-                     "when they are asked by themselves.",
+        {fmt::format("It keeps state from earlier collisions: {} witnesses get another answer if they are asked alone.",
                      counted(lost, result.witnesses.size())),
-         "caches and their keys, warm starts, what is not reset between contacts"});
+         "caches and their keys, warm starts, state that is not reset between contacts"});
   }
   const Explanation best = best_explanation(off);
   if (best.hypothesis != nullptr) {
-    faults.push_back({fmt::format("It answers as if {} (in {} wrong outcomes looked at).", best.hypothesis->as_if,
+    faults.push_back({fmt::format("It answers as if {} ({} examined wrong outcomes).", best.hypothesis->as_if,
                                   counted(best.explained, std::min<std::size_t>(off.size(), 40))),
                       best.hypothesis->look_at});
   } else if (violates(&Invariant::is_of_session)) {
     faults.push_back(
-        {"Asked again, it answers otherwise: it remembers something of the collisions before, or depends on how a "
-         "request is spelt.",
-         "caches, warm starts, what is not reset; the reader of numbers and of fields that are left out"});
+        {"It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer depends "
+         "on the spelling of the request.",
+         "caches, warm starts, state that is not reset; the parser of numbers and of optional fields"});
   } else if (5 * outcomes.size() > examples.size()) {
     faults.push_back(fault_of(outcomes, result.subject.model));
   }

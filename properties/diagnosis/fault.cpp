@@ -138,10 +138,10 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
     computed.push_back(shares.computed_restitution);
   }
   if (are_alike(computed)) {
-    return fmt::format("so that bodies part as if ε were {:.4g} whatever it is, ", computed[0]);
+    return fmt::format("the bodies separate as if ε were always {:.4g}, ", computed[0]);
   }
   if (are_alike(added)) {
-    return fmt::format("so that bodies part as if {:.4g} were added to ε, ", added[0]);
+    return fmt::format("the bodies separate as if {:.4g} were added to ε, ", added[0]);
   }
   return {};
 }
@@ -154,7 +154,7 @@ std::string limit_in_words(const std::vector<Shares>& all) {
       return std::abs(other.length - one.length) <= visible * visible * one.length;
     }));
     if (same >= std::max(least, all.size() / 4)) {
-      return fmt::format("{} of {} impulses are {:.4g} N s, as if that were a limit, ", same, all.size(), one.length);
+      return fmt::format("{} of {} impulses are {:.4g} N s, as if this were a limit, ", same, all.size(), one.length);
     }
   }
   return {};
@@ -171,18 +171,18 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
   const double middle = along[along.size() / 2];
   const bool is_normal_right = std::abs(along.front() - 1) < visible && std::abs(along.back() - 1) < visible;
   const bool is_constant = along.back() - along.front() < visible * std::abs(middle);
-  std::string text = "The impulse acts on both bodies as impulses do, but it is not the law's: ";
+  std::string text = "The impulse is applied correctly to both bodies, but it differs from the law's impulse: ";
   if (is_normal_right) {
-    text += "along the normal it is right, ";
+    text += "its normal part is right, ";
   } else if (is_constant) {
-    text += fmt::format("along the normal it is {:.4g} times the right one, ", middle);
+    text += fmt::format("its normal part is {:.4g} times the right one, ", middle);
   } else {
-    text += fmt::format("along the normal it is between {:.3g} and {:.3g} times the right one, ", along.front(),
-                        along.back());
+    text +=
+        fmt::format("its normal part is between {:.3g} and {:.3g} times the right one, ", along.front(), along.back());
   }
   text += restitution_in_words(all, is_normal_right) + limit_in_words(all);
-  return text + (across == 0 ? "across it it is right."
-                             : fmt::format("across it it is wrong in {} of {}.", across, all.size()));
+  return text + (across == 0 ? "and its tangential part is right."
+                             : fmt::format("and its tangential part is wrong in {} of {}.", across, all.size()));
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
       alike += of_same_kind && std::abs(other.computed - one.computed) <= visible * visible * one.computed ? 1 : 0;
     }
     if (alike >= std::max(least, cases.size() / 4)) {
-      return fmt::format(" {} of the wrong {} are {:.6g} {}, as if that were a limit.", alike,
+      return fmt::format(" {} of the wrong {} are {:.6g} {}, as if this were a limit.", alike,
                          is_spin ? "spins" : "speeds", one.computed, is_spin ? "rad/s" : "m/s");
     }
   }
@@ -240,41 +240,39 @@ Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
   count_of(Step::spin_of_both) += of_a + of_b;
   count_of(Step::spin_of_a) = count_of(Step::spin_of_b) = 0;
   const auto most = std::max_element(counts.begin(), counts.end());
-  const std::string share = fmt::format(" ({} of {} outcomes looked at)", *most, cases.size());
+  const std::string share = fmt::format(" ({} of {} examined outcomes)", *most, cases.size());
   const std::string limits = limits_in_words(cases, model);
   switch (static_cast<Step>(most - counts.begin())) {
     case Step::immovable_moved:
-      return {"An immovable body's velocity or spin changes" + share + '.', "what is done to bodies of infinite mass"};
+      return {"An immovable body's velocity or spin changes" + share + '.', "the treatment of bodies of infinite mass"};
     case Step::moved_apart:
-      return {"Contacts that do not approach are changed" + share + '.', "the condition N·V⁻ < 0"};
+      return {"It changes the velocities of contacts that do not approach" + share + '.', "the condition N·V⁻ < 0"};
     case Step::left_as_it_was:
-      return {"Contacts that approach are left as they were" + share + '.',
-              "the condition on which a contact is solved at all: thresholds, sleeping bodies, filters"};
+      return {"It does not change the velocities of colliding contacts" + share + '.',
+              "the condition for solving a contact: thresholds, sleeping bodies, filters"};
     case Step::reaction:
-      return {"What A receives is not what B loses: the linear momentum of both is not kept" + share + '.' + limits,
-              "how the impulse is applied to each body: masses, signs, what is added besides"};
+      return {"The linear momentum is not conserved: A does not gain what B loses" + share + '.' + limits,
+              "the application of the impulse to each body: masses, signs, other terms"};
     case Step::spin_of_both:
     case Step::spin_of_a:
     case Step::spin_of_b:
-      return {
-          fmt::format(
-              "The velocities follow from an impulse, and spins do not: J Δw is not r × F, of A in {}, of B in {}, "
-              "of both in {} of {} outcomes looked at.",
-              of_a, of_b, of_both, cases.size()) +
-              limits,
-          limits.empty()
-              ? "lever arms, the frame of the inertia tensor, fast paths for some inertias, what else is added to spins"
-              : "limits on spins"};
+      return {fmt::format("The velocities follow from an impulse, but the angular velocities do not: J Δw is not r × "
+                          "F. This concerns A in {}, B in {}, and both in {} of {} examined outcomes.",
+                          of_a, of_b, of_both, cases.size()) +
+                  limits,
+              limits.empty() ? "the lever arms, the frame of the inertia tensor, fast paths for some inertias, other "
+                               "terms of the angular velocity"
+                             : "limits on the angular velocity"};
     case Step::impulse:
       return {impulse_in_words(shares) + share + limits,
-              "how the impulse is worked out: the relative velocity, K, the law, limits on either"};
+              "the computation of the impulse: the relative velocity, K, the law, limits on any of these"};
     case Step::none:
       break;
   }
-  return {
-      "The outcomes are off by less than a thousandth of what changes: lost digits rather than a wrong formula" +
-          share + '.',
-      "the precision that is claimed (`precision`), single precision in between, cancellation, iterations ended early"};
+  return {"The error is less than a thousandth of the change of velocity: lost digits rather than a wrong formula" +
+              share + '.',
+          "the claimed precision (`precision`), intermediate results in single precision, cancellation, iterations "
+          "that end early"};
 }
 
 }  // namespace carom::properties::diagnosis

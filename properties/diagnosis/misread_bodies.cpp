@@ -28,7 +28,7 @@ Vector3<double> turned_by(const Quaternion<double>& q, const Vector3<double>& v)
 
 const char* const arms = "the lever arm r = P − X";
 const char* const frames = "the frame of the inertia tensor: J⁻¹ = R diag(1/I) Rᵀ, R from body to world";
-const char* const moments = "where the moments of inertia are read, and their order";
+const char* const moments = "the code that reads the moments of inertia, and their order";
 const char* const spin_terms = "the term w × r in the velocity of the contact point";
 
 const std::array misreadings{
@@ -40,54 +40,54 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision& c) { b.position = c.point; }},
     Misreading{"the lever arm of {} had the other sign", arms, true,
                [](Body& b, const Body&, const Collision& c) { b.position = 2 * c.point - b.position; }},
-    Misreading{"the lever arm of {} were turned into the body's frame", frames, true,
+    Misreading{"the lever arm of {} were rotated into the body's frame", frames, true,
                [](Body& b, const Body&, const Collision& c) {
                  b.position = c.point - turned_by(oracles::conjugate(b.orientation), c.point - b.position);
                }},
-    Misreading{"{} were not turned: its orientation the identity", frames, true,
+    Misreading{"the orientation of {} were the identity", frames, true,
                [](Body& b, const Body&, const Collision&) {
                  b.orientation = {1, 0, 0, 0};
                }},
-    Misreading{"{} were turned the other way: Rᵀ in place of R", frames, true,
+    Misreading{"the orientation of {} were inverted: Rᵀ in place of R", frames, true,
                [](Body& b, const Body&, const Collision&) { b.orientation = oracles::conjugate(b.orientation); }},
-    Misreading{"the quaternion of {} were read as x, y, z, w", "the order of the quaternion's components: w first",
-               true,
+    Misreading{"the quaternion of {} were read in the order x, y, z, w",
+               "the order of the quaternion's components: w first", true,
                [](Body& b, const Body&, const Collision&) {
                  const Quaternion<double> q = b.orientation;
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
-    Misreading{"{} could not turn", "1/I: taken for zero, or the rotational part of K left out", true,
+    Misreading{"{} could not rotate", "1/I: set to zero, or the rotational part of K is missing", true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= practically_infinite; }},
     Misreading{
-        "the moments of {} were all the mean of the three", moments, true,
+        "each moment of {} were the mean of the three", moments, true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia.mean()); }},
-    Misreading{"the moments of {} were all the first", moments, true,
+    Misreading{"each moment of {} were the first one", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia[0]); }},
-    Misreading{"the moments of {} were all 1", moments, true,
+    Misreading{"each moment of {} were 1", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia.setOnes(); }},
     Misreading{"the moments of {} were sorted", moments, true,
                [](Body& b, const Body&, const Collision&) {
                  std::sort(b.principal_inertia.begin(), b.principal_inertia.end());
                }},
     Misreading{
-        "the first two moments of {} were exchanged", moments, true,
+        "the first two moments of {} were swapped", moments, true,
         [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[0], b.principal_inertia[1]); }},
     Misreading{
-        "the last two moments of {} were exchanged", moments, true,
+        "the last two moments of {} were swapped", moments, true,
         [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[1], b.principal_inertia[2]); }},
     Misreading{
-        "the first and the last moment of {} were exchanged", moments, true,
+        "the first and the last moment of {} were swapped", moments, true,
         [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[0], b.principal_inertia[2]); }},
-    Misreading{"the moments of {} were twice what they are", moments, true,
+    Misreading{"the moments of {} were doubled", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 2; }},
-    Misreading{"the moments of {} were half of what they are", moments, true,
+    Misreading{"the moments of {} were halved", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 2; }},
-    Misreading{"the moments of {} were ten thousand times what they are: kg cm² for kg m²", moments, true,
+    Misreading{"the moments of {} were multiplied by 10000: kg cm² read as kg m²", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 1e4; }},
-    Misreading{"the moments of {} were a ten-thousandth of what they are: kg m² for kg cm²", moments, true,
+    Misreading{"the moments of {} were divided by 10000: kg m² read as kg cm²", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 1e4; }},
-    Misreading{"{} turned as the other body does: its lever arm, moments and orientation",
-               "which body's terms are read", true,
+    Misreading{"{} had the lever arm, the moments and the orientation of the other body",
+               "the body whose terms are read", true,
                [](Body& b, const Body& other, const Collision&) {
                  b.position = other.position;
                  b.principal_inertia = other.immovable ? Vector3<double>(practically_infinite * b.principal_inertia)
@@ -99,46 +99,46 @@ const std::array misreadings{
     Misreading{"the moments of {} were those of the other body", moments, true,
                [](Body& b, const Body& other, const Collision&) { b.principal_inertia = other.principal_inertia; }},
     Misreading{
-        "the moments of {} were their inverses", "I where 1/I belongs", true,
+        "the moments of {} were replaced by their inverses", "I in place of 1/I", true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia = b.principal_inertia.cwiseInverse(); }},
-    Misreading{"the mass of {} were that of the other body", "which body's mass is read", true,
+    Misreading{"the mass of {} were that of the other body", "the body whose mass is read", true,
                [](Body& b, const Body& other, const Collision&) {
                  b.mass = other.immovable ? practically_infinite * b.mass : other.mass;
                }},
-    Misreading{"the mass of {} were 1", "the mass: left out", true,
+    Misreading{"the mass of {} were 1", "the mass: it is missing", true,
                [](Body& b, const Body&, const Collision&) { b.mass = 1; }},
-    Misreading{"the mass of {} were its inverse", "m where 1/m belongs", true,
+    Misreading{"the mass of {} were replaced by its inverse", "m in place of 1/m", true,
                [](Body& b, const Body&, const Collision&) { b.mass = 1 / b.mass; }},
-    Misreading{"the mass of {} were twice what it is", "the mass", true,
+    Misreading{"the mass of {} were doubled", "the mass", true,
                [](Body& b, const Body&, const Collision&) { b.mass *= 2; }},
-    Misreading{"{} were immovable", "what is taken for immovable: mass thresholds, sleeping bodies, flags", true,
+    Misreading{"{} were immovable", "the test for immovable bodies: mass thresholds, sleeping bodies, flags", true,
                [](Body& b, const Body&, const Collision&) {
                  b.mass *= practically_infinite;
                  b.principal_inertia *= practically_infinite;
                },
                true},
-    Misreading{"{} had no velocity before", "the relative velocity: v of that body left out", false,
+    Misreading{"{} had no velocity before", "the relative velocity: the v of this body is missing", false,
                [](Body& b, const Body&, const Collision&) { b.velocity.setZero(); }},
     Misreading{"{} had no spin before", spin_terms, false,
                [](Body& b, const Body&, const Collision&) { b.angular_velocity.setZero(); }},
-    Misreading{"{} had neither velocity nor spin before", "the relative velocity: that body left out", false,
+    Misreading{"{} had neither velocity nor spin before", "the relative velocity: this body is missing", false,
                [](Body& b, const Body&, const Collision&) {
                  b.velocity.setZero();
                  b.angular_velocity.setZero();
                }},
-    Misreading{"{}, where immovable, had no velocity", "a driven wall: its velocity left out of V⁻", false,
+    Misreading{"{}, when immovable, had no velocity", "a driven wall: its velocity is missing in V⁻", false,
                [](Body& b, const Body&, const Collision&) {
                  if (b.immovable) {
                    b.velocity.setZero();
                  }
                }},
-    Misreading{"{}, where immovable, had no spin", "a driven wall: its spin left out of V⁻", false,
+    Misreading{"{}, when immovable, had no spin", "a driven wall: its spin is missing in V⁻", false,
                [](Body& b, const Body&, const Collision&) {
                  if (b.immovable) {
                    b.angular_velocity.setZero();
                  }
                }},
-    Misreading{"{}, where immovable, had neither velocity nor spin", "a driven wall: its motion left out of V⁻", false,
+    Misreading{"{}, when immovable, had neither velocity nor spin", "a driven wall: its motion is missing in V⁻", false,
                [](Body& b, const Body&, const Collision&) {
                  if (b.immovable) {
                    b.velocity.setZero();
@@ -146,27 +146,27 @@ const std::array misreadings{
                  }
                }},
     Misreading{"the spin of {} were crossed with the other body's lever arm in V⁻",
-               "the term w × r: which body's r, and which body's w", false,
+               "the term w × r: r and w must belong to the same body", false,
                [](Body& b, const Body& other, const Collision&) {
                  b.velocity += b.angular_velocity.cross(b.position - other.position);
                }},
-    Misreading{"the spin of {} were the other body's in V⁻", "the term w × r: which body's r, and which body's w",
-               false,
+    Misreading{"the spin of {} in V⁻ were that of the other body",
+               "the term w × r: r and w must belong to the same body", false,
                [](Body& b, const Body& other, const Collision&) { b.angular_velocity = other.angular_velocity; }},
-    Misreading{"the spin of {} had the other sign in V⁻", "the order of w × r", false,
+    Misreading{"the spin of {} in V⁻ had the other sign", "the order of w × r", false,
                [](Body& b, const Body&, const Collision&) { b.angular_velocity = -b.angular_velocity; }},
-    Misreading{"the velocity of {} had the other sign in V⁻", "V = V_A − V_B", false,
+    Misreading{"the velocity of {} in V⁻ had the other sign", "V = V_A − V_B", false,
                [](Body& b, const Body&, const Collision&) { b.velocity = -b.velocity; }},
     Misreading{"the spin of {} were in the body's frame", "the frame of the angular velocity: world coordinates", false,
                [](Body& b, const Body&, const Collision&) {
                  b.angular_velocity = turned_by(b.orientation, b.angular_velocity);
                }},
-    Misreading{"the spin of {} were turned into the body's frame",
+    Misreading{"the spin of {} were rotated into the body's frame",
                "the frame of the angular velocity: world coordinates", false,
                [](Body& b, const Body&, const Collision&) {
                  b.angular_velocity = turned_by(oracles::conjugate(b.orientation), b.angular_velocity);
                }},
-    Misreading{"the spin of {} were half of what it is in V⁻", spin_terms, false,
+    Misreading{"the spin of {} in V⁻ were halved", spin_terms, false,
                [](Body& b, const Body&, const Collision&) { b.angular_velocity /= 2; }},
 };
 
@@ -221,8 +221,8 @@ std::vector<Hypothesis> misread_bodies() {
   // The misreading affects both steps, only the computation of the impulse, or only its application.
   constexpr std::array steps{
       Step{"", false, answer_to},
-      Step{", where the impulse is worked out; what it does to the bodies is right", true, impulse_of},
-      Step{", where the impulse is applied; the impulse itself is right", true, misapplied}};
+      Step{" in the computation of the impulse; the impulse is applied correctly", true, impulse_of},
+      Step{" in the application of the impulse; the impulse itself is right", true, misapplied}};
   std::vector<Hypothesis> all;
   for (const Misreading& misreading : misreadings) {
     for (const Step& step : steps) {

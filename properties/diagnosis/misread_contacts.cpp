@@ -53,9 +53,9 @@ std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCa
 
 std::vector<Hypothesis> misread_contacts() {
   const std::string coefficient =
-      "where the coefficient of restitution comes from: thresholds, defaults, how two are combined";
-  const std::string friction = "where the coefficient of friction comes from, and where it is used";
-  const std::string normal = "what becomes of the normal before it is used: rounding to an axis, a plane, its sign";
+      "the source of the coefficient of restitution: thresholds, defaults, the combination of two coefficients";
+  const std::string friction = "the source and the use of the coefficient of friction";
+  const std::string normal = "changes to the normal before its use: rounding to an axis or a plane, its sign";
   const auto decided_wrongly = [](const KnownCase& one) -> std::optional<Outcome<double>> {
     if (one.approach == oracles::Approach::inert) {
       return std::nullopt;
@@ -65,24 +65,23 @@ std::vector<Hypothesis> misread_contacts() {
                : law_answer(one.collision, one.model, oracles::Approach::colliding).outcome;
   };
   std::vector<Hypothesis> all{
-      {"whether a contact approaches were decided the wrong way: what parts is solved, and what approaches is left",
-       "the condition N·V⁻ < 0: its sign, or that it is missing, or that V is not that of the contact point",
-       decided_wrongly},
+      {"the test for approach were inverted: separating contacts are solved, and colliding contacts are not",
+       "the condition N·V⁻ < 0: it may be missing, have the wrong sign, or use a V of another point", decided_wrongly},
       of_changed("ε were 0", coefficient, [](Collision& c) { c.restitution = 0; }),
       of_changed("ε were 1", coefficient, [](Collision& c) { c.restitution = 1; }),
       of_changed("ε were squared", coefficient, [](Collision& c) { c.restitution *= c.restitution; }),
       of_changed("the square root of ε were taken", coefficient,
                  [](Collision& c) { c.restitution = std::sqrt(c.restitution); }),
       of_changed("ε were 1 − ε", coefficient, [](Collision& c) { c.restitution = 1 - c.restitution; }),
-      of_changed("ε were half of what it is", coefficient, [](Collision& c) { c.restitution /= 2; }),
-      of_changed("ε were the mean of itself and 1", coefficient,
+      of_changed("ε were halved", coefficient, [](Collision& c) { c.restitution /= 2; }),
+      of_changed("ε were replaced by the mean of ε and 1", coefficient,
                  [](Collision& c) { c.restitution = (1 + c.restitution) / 2; }),
-      of_changed("ε were a half", coefficient, [](Collision& c) { c.restitution = 0.5; }),
+      of_changed("ε were 1/2", coefficient, [](Collision& c) { c.restitution = 0.5; }),
       of_changed("μ were 0", friction, [](Collision& c) { c.friction = 0; }),
       of_changed("μ were squared", friction, [](Collision& c) { c.friction *= c.friction; }),
-      of_changed("μ were twice what it is", friction, [](Collision& c) { c.friction *= 2; }),
-      of_changed("μ were half of what it is", friction, [](Collision& c) { c.friction /= 2; }),
-      of_changed("μ were √2 times what it is", friction, [](Collision& c) { c.friction *= std::sqrt(2.0); }),
+      of_changed("μ were doubled", friction, [](Collision& c) { c.friction *= 2; }),
+      of_changed("μ were halved", friction, [](Collision& c) { c.friction /= 2; }),
+      of_changed("μ were multiplied by √2", friction, [](Collision& c) { c.friction *= std::sqrt(2.0); }),
       of_changed("μ were multiplied by 1 + ε", friction, [](Collision& c) { c.friction *= 1 + c.restitution; }),
       of_changed("μ were divided by 1 + ε", friction, [](Collision& c) { c.friction /= 1 + c.restitution; }),
       of_changed("friction had no limit", friction, [](Collision& c) { c.friction = 1e30; }),
@@ -91,36 +90,36 @@ std::vector<Hypothesis> misread_contacts() {
                  [](Collision& c) { c.tangential_restitution = -c.tangential_restitution; }),
       of_changed("the tangential restitution were ε", friction,
                  [](Collision& c) { c.tangential_restitution = c.restitution; }),
-      of_changed("the normal pointed the other way", "the side that the normal points to: from B to A",
+      of_changed("the normal pointed in the other direction", "the direction of the normal: from B to A",
                  [](Collision& c) { c.normal = -c.normal; }),
-      of_changed("the normal were the coordinate axis that is nearest to it", normal,
+      of_changed("the normal were replaced by the nearest coordinate axis", normal,
                  [](Collision& c) { c.normal = nearest_axis(c.normal); }),
       of_changed("the normal had no z component", normal, [](Collision& c) { c.normal[2] = 0; }),
       of_changed("the normal had no y component", normal, [](Collision& c) { c.normal[1] = 0; }),
       of_changed("the normal had no x component", normal, [](Collision& c) { c.normal[0] = 0; }),
-      of_changed("the normal were the line from B's centre to A's", normal,
+      of_changed("the normal pointed from B's centre to A's centre", normal,
                  [](Collision& c) { c.normal = c.a.position - c.b.position; }),
-      of_changed("the normal were that from B's centre to the contact", normal,
+      of_changed("the normal pointed from B's centre to the contact point", normal,
                  [](Collision& c) { c.normal = c.point - c.b.position; }),
-      of_changed("the contact were half way between the centres", "where the contact point comes from",
+      of_changed("the contact point were halfway between the centres", "the source of the contact point",
                  [](Collision& c) { c.point = (c.a.position + c.b.position) / 2; }),
-      of_changed("both lever arms were twice as long", "the lever arms",
+      of_changed("both lever arms were doubled", "the lever arms",
                  [](Collision& c) {
                    point_from(c.a.position, c.point, 2);
                    point_from(c.b.position, c.point, 2);
                  }),
-      of_changed("both lever arms were half as long", "the lever arms",
+      of_changed("both lever arms were halved", "the lever arms",
                  [](Collision& c) {
                    point_from(c.a.position, c.point, 0.5);
                    point_from(c.b.position, c.point, 0.5);
                  }),
-      of_changed("the heavier body were immovable", "what is taken for immovable: mass ratios, mass thresholds",
+      of_changed("the heavier body were immovable", "the test for immovable bodies: mass ratios, mass thresholds",
                  [](Collision& c) { make_practically_immovable(c.a.mass > c.b.mass ? c.a : c.b); }),
-      of_changed("both masses were exchanged", "which body's mass is read",
+      of_changed("both masses were swapped", "the body whose mass is read",
                  [](Collision& c) { std::swap(c.a.mass, c.b.mass); }),
-      of_changed("the bodies' moments of inertia were exchanged", "which body's inertia is read",
+      of_changed("the bodies' moments of inertia were swapped", "the body whose inertia is read",
                  [](Collision& c) { std::swap(c.a.principal_inertia, c.b.principal_inertia); }),
-      of_changed("the bodies' orientations were exchanged", "which body's orientation is read",
+      of_changed("the bodies' orientations were swapped", "the body whose orientation is read",
                  [](Collision& c) { std::swap(c.a.orientation, c.b.orientation); }),
   };
   return all;

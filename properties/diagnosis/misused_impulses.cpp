@@ -40,39 +40,43 @@ Hypothesis with_factor(std::string as_if, std::string look_at, double (*factor)(
 
 std::vector<Hypothesis> misused_impulses() {
   const std::string which_contacts =
-      "the condition on which a contact is solved at all: thresholds on the approach, sleeping bodies, filters";
-  const std::string impulse_on_b = "what is done with −F on body B, after the impulse F on A is known";
-  const std::string impulse_on_a = "what is done with F on body A";
-  const std::string spins = "where r × F is turned into a change of spin";
+      "the condition for solving a contact: thresholds on the approach, sleeping bodies, filters";
+  const std::string impulse_on_b = "the application of −F to body B";
+  const std::string impulse_on_a = "the application of F to body A";
+  const std::string spins = "the computation of the change of spin from r × F";
   const std::string factor =
-      "factors of the scalar impulse: a 2 or a ½ too many, an impulse applied twice, a relaxation factor";
-  const std::string length = "where the normal is taken for a unit vector: normalise it first, or divide by N·N";
+      "factors of the scalar impulse: an extra 2 or ½, an impulse that is applied twice, a relaxation factor";
+  const std::string length = "the use of the normal as a unit vector: normalise it first, or divide by N·N";
   return {
-      with_factors("the contact were left out: the velocities are those before", which_contacts, {0, 0, 0, 0}),
+      with_factors("the contact were ignored: the velocities do not change", which_contacts, {0, 0, 0, 0}),
       with_factors("B got no reaction at all", impulse_on_b, {1, 1, 0, 0}),
       with_factors("A got no impulse at all", impulse_on_a, {0, 0, 1, 1}),
-      with_factors("no body's spin were changed", spins, {1, 0, 1, 0}),
+      with_factors("neither body's spin were changed", spins, {1, 0, 1, 0}),
       with_factors("A's spin were not changed", spins, {1, 0, 1, 1}),
       with_factors("B's spin were not changed", spins, {1, 1, 1, 0}),
-      with_factors("no body's velocity were changed, their spins alone", "where F/m is added", {0, 1, 0, 1}),
-      with_factors("A's velocity were not changed", "where F/m is added to A", {0, 1, 1, 1}),
-      with_factors("B's velocity were not changed", "where F/m is subtracted from B", {1, 1, 0, 1}),
-      with_factors("B were pushed the same way as A", "the sign of the impulse on B: it is −F", {1, 1, -1, -1}),
-      with_factors("A were pushed the wrong way", "the sign of the impulse on A: it is +F, along the normal",
+      with_factors("only the spins were changed, and no velocity", "the addition of F/m to the velocities",
+                   {0, 1, 0, 1}),
+      with_factors("A's velocity were not changed", "the addition of F/m to A's velocity", {0, 1, 1, 1}),
+      with_factors("B's velocity were not changed", "the subtraction of F/m from B's velocity", {1, 1, 0, 1}),
+      with_factors("B were pushed in the same direction as A", "the sign of the impulse on B: it is −F",
+                   {1, 1, -1, -1}),
+      with_factors("A were pushed in the wrong direction", "the sign of the impulse on A: it is +F, along the normal",
                    {-1, -1, 1, 1}),
-      with_factors("both bodies were pushed the wrong way", "the side that the normal points to: from B to A",
+      with_factors("both bodies were pushed in the wrong direction", "the direction of the normal: from B to A",
                    {-1, -1, -1, -1}),
-      with_factors("A's spin were changed the wrong way", "the sign, or the order, of r × F for A", {1, -1, 1, 1}),
-      with_factors("B's spin were changed the wrong way", "the sign, or the order, of r × (−F) for B", {1, 1, 1, -1}),
-      with_factors("both spins were changed the wrong way", "the order of r × F", {1, -1, 1, -1}),
-      with_factors("B's velocity were changed the wrong way", "the sign of F/m for B", {1, 1, -1, 1}),
-      with_factors("A's velocity were changed the wrong way", "the sign of F/m for A", {-1, 1, 1, 1}),
-      with_factors("the impulse were twice what it is", factor, {2, 2, 2, 2}),
-      with_factors("the impulse were half of what it is", factor, {0.5, 0.5, 0.5, 0.5}),
-      with_factors("the change of spin were twice what it is", spins, {1, 2, 1, 2}),
-      with_factors("the change of spin were half of what it is", spins, {1, 0.5, 1, 0.5}),
-      with_factors("A's change of spin were twice what it is", spins, {1, 2, 1, 1}),
-      with_factors("B's change of spin were twice what it is", spins, {1, 1, 1, 2}),
+      with_factors("A's spin were changed in the wrong direction", "the sign, or the order, of r × F for A",
+                   {1, -1, 1, 1}),
+      with_factors("B's spin were changed in the wrong direction", "the sign, or the order, of r × (−F) for B",
+                   {1, 1, 1, -1}),
+      with_factors("both spins were changed in the wrong direction", "the order of r × F", {1, -1, 1, -1}),
+      with_factors("B's velocity were changed in the wrong direction", "the sign of F/m for B", {1, 1, -1, 1}),
+      with_factors("A's velocity were changed in the wrong direction", "the sign of F/m for A", {-1, 1, 1, 1}),
+      with_factors("the impulse were doubled", factor, {2, 2, 2, 2}),
+      with_factors("the impulse were halved", factor, {0.5, 0.5, 0.5, 0.5}),
+      with_factors("the change of spin were doubled", spins, {1, 2, 1, 2}),
+      with_factors("the change of spin were halved", spins, {1, 0.5, 1, 0.5}),
+      with_factors("A's change of spin were doubled", spins, {1, 2, 1, 1}),
+      with_factors("B's change of spin were doubled", spins, {1, 1, 1, 2}),
       with_factor("the impulse were multiplied by the length of the normal", length,
                   [](const Collision& c) { return c.normal.norm(); }),
       with_factor("the impulse were multiplied by the squared length of the normal", length,
@@ -81,7 +85,7 @@ std::vector<Hypothesis> misused_impulses() {
                   [](const Collision& c) { return 1 / c.normal.norm(); }),
       with_factor("the impulse were divided by the squared length of the normal", length,
                   [](const Collision& c) { return 1 / c.normal.squaredNorm(); }),
-      with_factor("the impulse were multiplied by 1 + ε once more", "the factor 1 + ε: it is there twice",
+      with_factor("the impulse were multiplied by 1 + ε twice", "the factor 1 + ε: it occurs twice",
                   [](const Collision& c) { return 1 + c.restitution; }),
       with_factor("the impulse were multiplied by ε", "the factor 1 + ε",
                   [](const Collision& c) { return c.restitution; }),

@@ -6,8 +6,8 @@ namespace carom::properties::diagnosis {
 std::vector<Hypothesis> other_laws() {
   std::vector<Hypothesis> all;
   for (const Model model : models_with_truth) {
-    all.push_back({"it claimed the law " + std::string(name_of(model)),
-                   "which law is meant: that answer is right for another `model` than the subject says",
+    all.push_back({"its law were " + std::string(name_of(model)),
+                   "the claimed law: this answer is right for another `model` than the claimed one",
                    [model](const KnownCase& one) -> std::optional<Outcome<double>> {
                      if (model == one.model) {
                        return std::nullopt;

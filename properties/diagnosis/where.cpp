@@ -119,11 +119,11 @@ class Sample {
   static std::string words_of(oracles::Approach approach) {
     switch (approach) {
       case oracles::Approach::colliding:
-        return "contacts that approach (N·V⁻ < 0)";
+        return "colliding contacts (N·V⁻ < 0)";
       case oracles::Approach::resting:
-        return "contacts at rest (N·V⁻ = 0)";
+        return "resting contacts (N·V⁻ = 0)";
       case oracles::Approach::separating:
-        return "contacts that part (N·V⁻ > 0)";
+        return "separating contacts (N·V⁻ > 0)";
       case oracles::Approach::inert:
         break;
     }
@@ -297,20 +297,20 @@ std::string in_words(const Where& where) {
   };
   const std::string of = where.of.empty() ? "cases" : where.of;
   const std::string share = percent(where.violated_there, where.cases_there);
-  const std::string rest =
-      where.violated_there == where.violated
-          ? std::string()
-          : fmt::format("; {} of {} violated cases are others", where.violated - where.violated_there, where.violated);
+  const std::string rest = where.violated_there == where.violated
+                               ? std::string()
+                               : fmt::format("; {} of {} violated cases are not among them",
+                                             where.violated - where.violated_there, where.violated);
   if (where.conditions.empty()) {
     return is_nearly_all(where.violated_there, where.cases_there)
-               ? fmt::format("In nearly all {}: {}{}.", of, share, rest)
-               : fmt::format("In {} of the {}; no feature tells them from the others{}.", share, of, rest);
+               ? fmt::format("Nearly all {} fail: {}{}.", of, share, rest)
+               : fmt::format("{} of the {} fail; no feature distinguishes them from the others{}.", share, of, rest);
   }
-  std::string text = fmt::format("Of the {}, where ", of);
+  std::string text = "If ";
   for (std::size_t i = 0; i < where.conditions.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == where.conditions.size() ? ", and " : ", ") + where.conditions[i].words;
   }
-  return text + fmt::format(": {} of these are violated, {} cases{}.", share, where.violated_there, rest);
+  return text + fmt::format(", {} of the {} fail: {} cases{}.", share, of, where.violated_there, rest);
 }
 
 }  // namespace carom::properties::diagnosis

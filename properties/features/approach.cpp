@@ -76,7 +76,8 @@ double speed(const Collision& c) { return size_of(relative_velocity(c)); }
 std::vector<Feature> of_approach() {
   return {
       pair_relation(
-          "head_on", "V⁻ lies along the normal", "a tangent basis from V⁻ has no direction (failure case 3)",
+          "head_on", "V⁻ lies along the normal",
+          "a tangent basis that is built from V⁻ has no direction (failure case 3)",
           [](const Collision& c) { return are_parallel(relative_velocity(c), c.normal); },
           [](Stream& stream, Collision& c) {
             c.normal = with_few_bits(c.normal);
@@ -92,7 +93,8 @@ std::vector<Feature> of_approach() {
           },
           {.kinds_of = {"slope of the approach"}}),
       pair_relation(
-          "near_head_on", "v_t is less than 10⁻⁸ of v_n, and not zero", "a tangent basis from V⁻ is rounding noise",
+          "near_head_on", "v_t is not zero, and is less than 10⁻⁸ v_n",
+          "a tangent basis that is built from V⁻ is rounding noise",
           [](const Collision& c) {
             const Parts parts = parts_of(c);
             return is_slight(parts.tangential, parts.normal);
@@ -111,7 +113,7 @@ std::vector<Feature> of_approach() {
           },
           {.kinds_of = {"slope of the approach"}}),
       pair_relation(
-          "grazing", "v_n is less than 10⁻⁸ of v_t, and not zero", "guards on the approach (failure cases 38, 39)",
+          "grazing", "v_n is not zero, and is less than 10⁻⁸ v_t", "thresholds on the approach (failure cases 38, 39)",
           [](const Collision& c) {
             const Parts parts = parts_of(c);
             return is_slight(parts.normal, parts.tangential);
@@ -126,7 +128,7 @@ std::vector<Feature> of_approach() {
           },
           {.kinds_of = {"slope of the approach"}}),
       pair_relation(
-          "approach_along_axis", "V⁻ has one component", "terms of r × V and K V that vanish",
+          "approach_along_axis", "V⁻ has one nonzero component", "terms of r × V and K V vanish",
           [](const Collision& c) { return nonzero_components(relative_velocity(c)) == 1; },
           [](Stream& stream, Collision& c) {
             V approach = V::Zero();
@@ -141,8 +143,8 @@ std::vector<Feature> of_approach() {
             set_approach(stream, c, approach);
           }),
       pair_relation(
-          "approach_by_spin", "both velocities are zero: the approach is spin alone",
-          "linear terms taken for all of it",
+          "approach_by_spin", "both velocities are zero, and the bodies approach by spin alone",
+          "a solver that uses only the linear terms sees no approach",
           [](const Collision& c) { return is_zero(c.a.velocity) && is_zero(c.b.velocity); },
           [](Stream&, Collision& c) {
             c.a.velocity.setZero();
@@ -154,7 +156,7 @@ std::vector<Feature> of_approach() {
                            "both velocities are zero"}},
            .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade}}}),
       pair_relation(
-          "momenta_opposite", "m_A v_A = −m_B v_B, not zero", "the frame of the centre of mass: sums vanish",
+          "momenta_opposite", "m_A v_A = −m_B v_B ≠ 0", "in the frame of the centre of mass, sums of momenta vanish",
           [](const Collision& c) {
             return !c.a.immovable && !c.b.immovable && !is_zero(c.a.velocity) &&
                    V(c.a.velocity * c.a.mass) == V(c.b.velocity * -c.b.mass);

@@ -134,10 +134,10 @@ bool is_whole(const Collision& c) {
 }  // namespace
 
 std::vector<Feature> of_both_bodies() {
-  constexpr std::string_view whole = "a whole number is 0, or 1 and more";
+  constexpr std::string_view whole = "the magnitude of an integer is 0, or at least 1";
   return {
       pair_relation(
-          "masses_equal", "both masses are equal", "m_A − m_B vanishes; velocities are exchanged",
+          "masses_equal", "both masses are equal", "m_A − m_B vanishes; the bodies exchange velocities",
           [](const Collision& c) { return are_movable(c) && c.a.mass == c.b.mass; },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
@@ -146,14 +146,15 @@ std::vector<Feature> of_both_bodies() {
           },
           {.only_in = {{"mass_ratio", 0, 0, ratio_is_one}}}),
       pair_relation(
-          "moments_alike", "the moments of B are those of A", "one body's taken for the other's",
+          "moments_alike", "both bodies have the same moments", "the moments of the two bodies may be confused",
           [](const Collision& c) { return are_movable(c) && c.a.principal_inertia == c.b.principal_inertia; },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
             take_moments(c);
           }),
       pair_relation(
-          "bodies_alike", "masses and moments of both are equal", "two of a kind, as nearly all scenes have them",
+          "bodies_alike", "both bodies have the same mass and the same moments",
+          "nearly all scenes contain identical bodies",
           [](const Collision& c) {
             return are_movable(c) && c.a.mass == c.b.mass && c.a.principal_inertia == c.b.principal_inertia;
           },
@@ -165,7 +166,8 @@ std::vector<Feature> of_both_bodies() {
           },
           {.only_in = {{"mass_ratio", 0, 0, ratio_is_one}, {"size_ratio", 0, 0, ratio_is_one}}}),
       pair_relation(
-          "orientations_equal", "the orientations are equal", "boxes on a grid; relative rotation taken for none",
+          "orientations_equal", "both orientations are equal",
+          "boxes on a grid; a solver may assume that there is no relative rotation",
           [](const Collision& c) { return are_movable(c) && c.a.orientation == c.b.orientation; },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
@@ -173,7 +175,7 @@ std::vector<Feature> of_both_bodies() {
           },
           {.kinds_of = {"orientations"}}),
       pair_relation(
-          "orientations_opposite", "q_B = −q_A", "the same rotation by other numbers",
+          "orientations_opposite", "q_B = −q_A", "q and −q are the same rotation",
           [](const Collision& c) { return are_movable(c) && c.a.orientation == negated(c.b.orientation); },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
@@ -182,14 +184,14 @@ std::vector<Feature> of_both_bodies() {
           {.kinds_of = {"orientations"}}),
       pair_relation(
           "velocities_equal", "both velocities are equal and not zero",
-          "v_A − v_B vanishes: the approach is spin alone",
+          "v_A − v_B vanishes: the bodies approach by spin alone",
           [](const Collision& c) { return c.a.velocity == c.b.velocity && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.velocity, c.b.velocity, 1, V{1, -0.5, 0.25});
           },
           {.kinds_of = {"velocities", "velocities and momenta"}}),
       pair_relation(
-          "velocities_opposite", "v_A = −v_B, not zero", "two alike that meet: momenta cancel",
+          "velocities_opposite", "v_A = −v_B ≠ 0", "identical bodies that meet: their momenta cancel",
           [](const Collision& c) { return c.a.velocity == negated(c.b.velocity) && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.velocity, c.b.velocity, -1, V(negated(c.normal) / size_of(c.normal)));
@@ -205,7 +207,7 @@ std::vector<Feature> of_both_bodies() {
           },
           {.kinds_of = {"spins"}}),
       pair_relation(
-          "spins_opposite", "w_A = −w_B, not zero", "gears; w_A + w_B vanishes",
+          "spins_opposite", "w_A = −w_B ≠ 0", "gears; w_A + w_B vanishes",
           [](const Collision& c) {
             return c.a.angular_velocity == negated(c.b.angular_velocity) && !is_zero(c.a.angular_velocity);
           },
@@ -214,7 +216,7 @@ std::vector<Feature> of_both_bodies() {
           },
           {.kinds_of = {"spins"}}),
       pair_relation(
-          "lever_arms_opposite", "r_A = −r_B, not zero", "two of a kind; sums of lever arms cancel",
+          "lever_arms_opposite", "r_A = −r_B ≠ 0", "identical bodies; sums of lever arms cancel",
           [](const Collision& c) {
             return !is_zero(lever_arm(c, c.a)) && lever_arm(c, c.a) == negated(lever_arm(c, c.b));
           },
@@ -225,8 +227,8 @@ std::vector<Feature> of_both_bodies() {
           },
           {.kinds_of = {"centres"}}),
       pair_relation(
-          "centres_coincide", "both centres of mass are at one place, the contact elsewhere",
-          "a normal from centre to centre is zero (failure case 12)",
+          "centres_coincide", "both centres of mass coincide, and the contact is elsewhere",
+          "a normal that is computed from the centres is zero (failure case 12)",
           [](const Collision& c) { return c.a.position == c.b.position && !is_zero(lever_arm(c, c.a)); },
           [](Stream& stream, Collision& c) {
             set_exact_lever_arm(c, c.a, one_lever_arm(stream, c));
@@ -234,7 +236,8 @@ std::vector<Feature> of_both_bodies() {
           },
           {.kinds_of = {"centres"}}),
       pair_relation(
-          "central", "both lever arms lie along the normal", "spheres: no impulse turns them (mathematics, §3.5)",
+          "central", "both lever arms lie along the normal",
+          "spheres: an impulse along N does not change their spins (mathematics, §3.5)",
           [](const Collision& c) {
             return are_parallel(lever_arm(c, c.a), c.normal) && are_parallel(lever_arm(c, c.b), c.normal);
           },
@@ -244,9 +247,9 @@ std::vector<Feature> of_both_bodies() {
             set_exact_lever_arm(c, c.b, turned_along(lever_arm(c, c.b), c.normal));
           },
           {.never_with = {{{"velocities_equal", "approach_by_spin"},
-                           "where lever arms lie along the normal spins approach nothing"}}}),
+                           "if the lever arms lie along the normal, spins do not contribute to the approach"}}}),
       pair_relation(
-          "point_at_origin", "the contact is at the origin", "P left out",
+          "point_at_origin", "the contact is at the origin", "P may be missing in a formula",
           [](const Collision& c) { return is_zero(c.point); },
           [](Stream&, Collision& c) {
             for (Body* b : {&c.a, &c.b}) {
@@ -255,12 +258,12 @@ std::vector<Feature> of_both_bodies() {
             c.point.setZero();
           },
           {.only_in = {{"distance", no_decade, no_decade, zero_is_in_no_decade}}}),
-      pair_relation("whole_numbers", "every number is a whole one",
-                    "parsers that read integers; exact arithmetic hides rounding", is_whole, make_whole,
+      pair_relation("whole_numbers", "every number is an integer",
+                    "parsers that read integers; results without rounding errors", is_whole, make_whole,
                     {.never_with = {{{"normal_unit", "normal_short", "normal_very_short", "restitution_half",
                                       "friction_some", "tangential_restitution_positive",
                                       "tangential_restitution_negative", "restitution_equals_friction"},
-                                     "between 0 and 1 there is no whole number"}},
+                                     "no integer lies between 0 and 1"}},
                      .only_in = {{"X.size", -5, no_decade, domain_of_masses},
                                  {"restitution", no_decade, no_decade, whole},
                                  {"loss", no_decade, no_decade, whole},
@@ -269,12 +272,13 @@ std::vector<Feature> of_both_bodies() {
                                  {"X.speed", 0, no_decade, whole},
                                  {"X.spin", 0, no_decade, whole},
                                  {"distance", 0, no_decade, whole}}}),
-      pair_relation("planar", "all of it happens in one plane z = const",
-                    "two-dimensional engines, and scenes that test with them", is_planar, make_planar,
-                    {.never_with = {{{"normal_plus_z", "normal_minus_z", "normal_near_plus_z", "normal_near_minus_z",
-                                      "normal_diagonal", "X.orientation_half_turn", "X.spin_along_normal",
-                                      "X.spin_along_lever_arm", "X.spin_along_velocity", "X.spin_equals_velocity"},
-                                     "in a plane all spins and turns are about z, and all else has no part along z"}}}),
+      pair_relation(
+          "planar", "the whole collision lies in one plane z = const", "two-dimensional engines and their test scenes",
+          is_planar, make_planar,
+          {.never_with = {{{"normal_plus_z", "normal_minus_z", "normal_near_plus_z", "normal_near_minus_z",
+                            "normal_diagonal", "X.orientation_half_turn", "X.spin_along_normal",
+                            "X.spin_along_lever_arm", "X.spin_along_velocity", "X.spin_equals_velocity"},
+                           "in a plane, all rotations are about z, and all other vectors have no z component"}}}),
   };
 }
 

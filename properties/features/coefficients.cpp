@@ -42,20 +42,20 @@ std::vector<Feature> of_coefficients() {
   constexpr auto restitution = &Collision::restitution;
   constexpr auto friction = &Collision::friction;
   constexpr auto tangential = &Collision::tangential_restitution;
-  constexpr const char* not_read = "read by the laws with friction alone: one that peeps at it is another law";
+  constexpr const char* not_read = "only the laws with friction read it; a solver of another law must not";
   return {
       exactly("restitution_zero", restitution, 0, "ε = 0", "no rebound; outcomes vanish (failure case 20)",
               {.kinds_of = {"restitution", "restitution against friction"},
                .only_in = {{"restitution", no_decade, no_decade, is_that_number},
                            {"loss", no_decade, no_decade, "1 − ε is 1"}}}),
-      exactly("restitution_one", restitution, 1, "ε = 1", "energy is kept; 1 − ε vanishes (failure case 48)",
+      exactly("restitution_one", restitution, 1, "ε = 1", "energy is conserved; 1 − ε vanishes (failure case 48)",
               {.kinds_of = {"restitution", "restitution against friction"},
                .only_in = {{"restitution", no_decade, no_decade, is_that_number},
                            {"loss", no_decade, no_decade, zero_is_in_no_decade}}}),
-      exactly("restitution_half", restitution, 0.5, "ε = 1/2", "ε and 1 − ε are the same",
+      exactly("restitution_half", restitution, 0.5, "ε = 1/2", "ε and 1 − ε are equal",
               {.kinds_of = {"restitution"},
                .only_in = {{"restitution", -1, -1, is_that_number}, {"loss", -1, -1, is_that_number}}}),
-      exactly("friction_zero", friction, 0, "μ = 0", "the default; a solver that branches on it",
+      exactly("friction_zero", friction, 0, "μ = 0", "the default; a solver may branch on it",
               {.kinds_of = {"friction", "friction against restitution"}}),
       between("friction_some", friction, 0, 1, "0 < μ < 1", not_read, {.kinds_of = {"friction"}}),
       exactly("friction_one", friction, 1, "μ = 1", not_read,
@@ -74,8 +74,8 @@ std::vector<Feature> of_coefficients() {
               {.kinds_of = {"tangential restitution"}}),
       {"restitution_equals_friction",
        FeatureKind::relation,
-       "ε = μ, neither 0 nor 1",
-       "one read for the other",
+       "ε = μ, and neither is 0 or 1",
+       "the two coefficients may be confused",
        {},
        0,
        [](const Collision& c) { return c.restitution == c.friction && c.restitution != 0 && c.restitution != 1; },

@@ -19,8 +19,8 @@ namespace carom::properties::features {
 [[nodiscard]] std::vector<Feature> magnitudes();
 
 /// Reasons for the decades that a feature allows.
-inline constexpr std::string_view zero_is_in_no_decade = "what is zero is in no decade";
-inline constexpr std::string_view is_that_number = "it is that very number";
+inline constexpr std::string_view zero_is_in_no_decade = "zero is in no decade";
+inline constexpr std::string_view is_that_number = "the feature fixes this number";
 inline constexpr std::string_view ratio_is_one = "the ratio is 1";
 inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10¹⁰ kg";
 

@@ -41,7 +41,7 @@ std::vector<Feature> of_inertia() {
       {"mass_one",
        special,
        "the mass is 1",
-       "m and 1/m, m and m² are the same: a formula wrong in m is right",
+       "m, 1/m and m² are equal, so an error in m has no effect",
        true,
        [](const Collision&, const Body& b) { return b.mass == 1; },
        [](Stream&, Collision&, Body& b) { set_mass(b, 1); },
@@ -69,12 +69,12 @@ std::vector<Feature> of_inertia() {
        [](const Collision&, const Body& b) { return are_equal(b.principal_inertia); },
        [](Stream&, Collision&, Body& b) { b.principal_inertia.setConstant(greatest(b.principal_inertia)); },
        {.kinds_of = {"order of moments"},
-        .never_with = {{{"X.flat"}, "of three equal moments none is the sum of the others"}},
+        .never_with = {{{"X.flat"}, "if all moments are equal, none is the sum of the others"}},
         .only_in = {{"X.moment_ratio", 0, 0, ratio_is_one}}}},
       {"moments_one",
        special,
        "the three moments are 1",
-       "what engines take where none is given; J⁻¹ = J",
+       "the default of many engines; J⁻¹ = J",
        true,
        [](const Collision&, const Body& b) { return b.principal_inertia == V(1, 1, 1); },
        [](Stream& stream, Collision& c, Body& b) {
@@ -91,13 +91,13 @@ std::vector<Feature> of_inertia() {
          }
        },
        {.kinds_of = {"values of moments"},
-        .never_with = {{{"X.flat"}, "of three equal moments none is the sum of the others"}},
+        .never_with = {{{"X.flat"}, "if all moments are equal, none is the sum of the others"}},
         .only_in = {{"X.moment_ratio", 0, 0, ratio_is_one},
                     {"X.size", -5, 4, domain_of_masses},
                     {"X.lever_arm", -no_decade, 4, domain_of_masses}}}},
       {"moments_two_equal",
        relation,
-       "two moments are equal and the third is another",
+       "exactly two moments are equal",
        "discs, cylinders, capsules",
        true,
        [](const Collision&, const Body& b) {
@@ -114,7 +114,7 @@ std::vector<Feature> of_inertia() {
       {"moments_ascending",
        relation,
        "the moments ascend",
-       "sorted, or eigenvalues as a library gives them",
+       "sorted moments, or eigenvalues in the order of a library",
        true,
        [](const Collision&, const Body& b) {
          return b.principal_inertia[0] < b.principal_inertia[1] && b.principal_inertia[1] < b.principal_inertia[2];
@@ -124,15 +124,16 @@ std::vector<Feature> of_inertia() {
       {"moments_descending",
        relation,
        "the moments descend",
-       "axes exchanged by a sort",
+       "a sort of the moments swaps the axes",
        true,
        [](const Collision&, const Body& b) {
          return b.principal_inertia[0] > b.principal_inertia[1] && b.principal_inertia[1] > b.principal_inertia[2];
        },
        [](Stream&, Collision&, Body& b) { sort_moments(b, false); },
        {.kinds_of = {"order of moments", "values of moments"}}},
-      {"flat", relation, "one moment is the sum of the others", "a thin plate: validations of the triangle inequality",
-       true, [](const Collision&, const Body& b) { return is_flat(b.principal_inertia); },
+      {"flat", relation, "one moment is the sum of the other two",
+       "a thin plate; solvers that check the triangle inequality", true,
+       [](const Collision&, const Body& b) { return is_flat(b.principal_inertia); },
        [](Stream& stream, Collision&, Body& b) {
          V& i = b.principal_inertia;
          const int sum = stream.integer(0, 2);
@@ -155,7 +156,7 @@ std::vector<Feature> of_inertia() {
        {.never_with = {{{"X.orientation_*", "X.mass_one", "X.mass_power_of_two", "X.moments_*", "X.flat",
                          "masses_equal", "moments_alike", "bodies_alike", "orientations_*", "momenta_opposite"},
                         "an immovable body has neither mass nor moments nor orientation"},
-                       {{"Y.immovable"}, "of two immovable bodies none is struck"}},
+                       {{"Y.immovable"}, "two immovable bodies exchange no impulse"}},
         .only_in = {{"X.mass", no_decade, no_decade, has_none},
                     {"X.size", no_decade, no_decade, has_none},
                     {"mass_ratio", no_decade, no_decade, has_none},

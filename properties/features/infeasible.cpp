@@ -23,14 +23,14 @@ bool matches(std::string_view name, NamePattern pattern, char body) {
 
 std::string_view why_of_magnitudes(const Feature& x, const Feature& y) {
   if (x.quantity == y.quantity) {
-    return "a quantity is in one decade";
+    return "a quantity lies in one decade only";
   }
   if (x.quantity == "restitution" && y.quantity == "loss" && x.decade < -1 && y.decade < -1) {
-    return "ε and 1 − ε are not both below 0.1";
+    return "ε and 1 − ε cannot both be below 0.1";
   }
   const bool same_body = x.quantity.substr(0, 2) == y.quantity.substr(0, 2);
   if (same_body && x.quantity.ends_with(".size") && y.quantity.ends_with(".lever_arm") && y.decade > x.decade + 1) {
-    return "the contact would lie outside of the body, where K has no bound";
+    return "the contact would lie outside of the body, and K would have no bound";
   }
   return {};
 }
@@ -55,7 +55,7 @@ std::string_view why_in_order(const Feature& x, const Feature& y) {
   const bool are_of_a_kind = x.body == y.body && std::ranges::any_of(x.limits.kinds_of, [&](std::string_view kind) {
                                return std::ranges::find(y.limits.kinds_of, kind) != y.limits.kinds_of.end();
                              });
-  return are_of_a_kind ? "one of them at most" : "";
+  return are_of_a_kind ? "at most one of them holds" : "";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<Feature> of_lever_arm() {
   constexpr auto relation = FeatureKind::relation;
   return for_both({
       {"at_origin", special, "the centre of mass is at the origin",
-       "X left out, or taken for the body's origin (failure case 7)", false,
+       "X may be missing, or confused with the body's origin (failure case 7)", false,
        [](const Collision&, const Body& b) { return is_zero(b.position); },
        [](Stream&, Collision& c, Body& b) {
          Body& other = &b == &c.a ? c.b : c.a;
@@ -47,20 +47,20 @@ std::vector<Feature> of_lever_arm() {
        {.kinds_of = {"lever arm's components", "lever arm against the normal"},
         .never_with = {{{"X.lever_arm_along_velocity", "X.spin_along_lever_arm", "X.rolling", "lever_arms_opposite",
                          "centres_coincide", "central"},
-                        "a lever arm of zero has no direction, and spin moves nothing there"}},
+                        "a zero lever arm has no direction, and spin does not move the contact point"}},
         .only_in = {{"X.lever_arm", no_decade, no_decade, zero_is_in_no_decade}}}},
       {"lever_arm_along_axis",
        special,
        "the lever arm lies along a coordinate axis",
-       "boxes hit at the middle of a face",
+       "a box that is hit at the middle of a face",
        false,
        [](const Collision& c, const Body& b) { return nonzero_components(lever_arm(c, b)) == 1; },
        [](Stream& stream, Collision& c, Body& b) { turn_along(c, b, some_axis(stream)); },
        {.kinds_of = {"lever arm's components"}}},
       {"lever_arm_in_plane",
        special,
-       "the lever arm has one component that is zero",
-       "boxes hit at the middle of an edge",
+       "exactly one component of the lever arm is zero",
+       "a box that is hit at the middle of an edge",
        false,
        [](const Collision& c, const Body& b) { return nonzero_components(lever_arm(c, b)) == 2; },
        [](Stream& stream, Collision& c, Body& b) {
@@ -75,7 +75,7 @@ std::vector<Feature> of_lever_arm() {
       {"lever_arm_along_normal",
        relation,
        "the lever arm lies along the normal",
-       "spheres, and a guard that leaves out r × N = 0",
+       "spheres; a solver may skip the terms with r × N = 0",
        false,
        [](const Collision& c, const Body& b) { return are_parallel(lever_arm(c, b), c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
@@ -96,7 +96,7 @@ std::vector<Feature> of_lever_arm() {
        {.kinds_of = {"lever arm against the normal"},
         .never_with = {{{"central"}, "central lever arms lie along the normal"}}}},
       {"lever_arm_along_velocity", relation, "the lever arm lies along the velocity",
-       "a body that flies at its contact", false,
+       "a body that flies towards its contact point", false,
        [](const Collision& c, const Body& b) { return are_parallel(lever_arm(c, b), b.velocity); },
        [](Stream&, Collision& c, Body& b) {
          if (is_zero(b.velocity)) {

@@ -93,23 +93,24 @@ double ratio_of(double x, double y) { return x == 0 || y == 0 ? 0 : std::max(x, 
 
 std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) {
   return {
-      {letter + ".mass", "the mass of " + letter + " [kg]", "guards against masses of zero, caps, units other than SI",
-       -9, 9, [=](const Collision& c) { return (c.*body).immovable ? 0 : (c.*body).mass; },
+      {letter + ".mass", "the mass of " + letter + " [kg]",
+       "thresholds for zero masses, limits on masses, units other than SI", -9, 9,
+       [=](const Collision& c) { return (c.*body).immovable ? 0 : (c.*body).mass; },
        [=](Stream& stream, Collision& c, double value) {
          make_movable(stream, c, c.*body);
          (c.*body).principal_inertia *= value / (c.*body).mass;
          (c.*body).mass = value;
        }},
       {letter + ".size", "the radius of gyration of " + letter + " [m]",
-       "tiny moments taken for none (failure case 64), thresholds in metres", -9, 9,
+       "tiny moments treated as zero (failure case 64), thresholds in metres", -9, 9,
        [=](const Collision& c) { return radius_of_gyration(c.*body); },
        [=](Stream& stream, Collision& c, double value) {
          make_movable(stream, c, c.*body);
          set_size(c, c.*body, value);
        },
        1, false, DrawnBy::size_of_body},
-      {letter + ".lever_arm", "the length of the lever arm of " + letter + " [m]", "a lever arm taken for zero", -9, 9,
-       [=](const Collision& c) { return length(lever_arm(c, c.*body)); },
+      {letter + ".lever_arm", "the length of the lever arm of " + letter + " [m]", "small lever arms treated as zero",
+       -9, 9, [=](const Collision& c) { return length(lever_arm(c, c.*body)); },
        [=](Stream&, Collision& c, double value) {
          Body& b = c.*body;
          V r = is_zero(lever_arm(c, b)) ? V{0.5, -0.75, 0.25} : lever_arm(c, b);
@@ -121,7 +122,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          }
        },
        1, false, DrawnBy::lever_arm},
-      {letter + ".moment_ratio", "the greatest moment of " + letter + " over its least",
+      {letter + ".moment_ratio", "the greatest moment of " + letter + " over its least moment",
        "rods and needles: J⁻¹ in world coordinates loses the spin about the long axis", 0, 8,
        [=](const Collision& c) {
          const V& moments = (c.*body).principal_inertia;
@@ -143,11 +144,11 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          }
        },
        4, true},
-      {letter + ".speed", "the speed of " + letter + " [m/s]", "bodies put to sleep, speeds capped", -9, 9,
+      {letter + ".speed", "the speed of " + letter + " [m/s]", "sleeping bodies, limits on the speed", -9, 9,
        [=](const Collision& c) { return length((c.*body).velocity); },
        [=](Stream&, Collision& c, double value) { set_length((c.*body).velocity, value); }},
-      {letter + ".spin", "the angular speed of " + letter + " [rad/s]", "small spins dropped, great ones capped", -9, 9,
-       [=](const Collision& c) { return length((c.*body).angular_velocity); },
+      {letter + ".spin", "the angular speed of " + letter + " [rad/s]", "small spins set to zero, limits on the spin",
+       -9, 9, [=](const Collision& c) { return length((c.*body).angular_velocity); },
        [=](Stream&, Collision& c, double value) { set_length((c.*body).angular_velocity, value); }},
   };
 }
@@ -186,8 +187,8 @@ std::vector<Quantity> quantities() {
                  },
                  6, true});
   all.push_back({"distance", "the distance of the contact from the origin [m]",
-                 "lever arms lost in the places that they are differences of (failure case 40)", -3, 9,
-                 [](const Collision& c) { return length(c.point); },
+                 "lever arms smaller than the rounding of the positions they are computed from (failure case 40)", -3,
+                 9, [](const Collision& c) { return length(c.point); },
                  [](Stream& stream, Collision& c, double value) {
                    V of_a = lever_arm(c, c.a);
                    V of_b = lever_arm(c, c.b);
@@ -204,7 +205,7 @@ std::vector<Quantity> quantities() {
                    c.b.position = c.point - of_b;
                  }});
   all.push_back({"approach", "the speed of approach [m/s]",
-                 "thresholds below which nothing bounces (failure cases 38, 39, 50, 51)", -9, 9,
+                 "thresholds below which bodies do not bounce (failure cases 38, 39, 50, 51)", -9, 9,
                  [](const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); },
                  [](Stream& stream, Collision& c, double value) {
                    c.normal = with_few_bits(c.normal);
@@ -223,10 +224,10 @@ std::vector<Quantity> quantities() {
                    quick.velocity = plus(quick.velocity, c.normal, value / length(c.normal));
                  },
                  2, true});
-  all.push_back({"restitution", "ε", "ε below a threshold taken for 0", -9, -1,
+  all.push_back({"restitution", "ε", "thresholds below which ε is treated as 0", -9, -1,
                  [](const Collision& c) { return c.restitution < 1 ? c.restitution : 0; },
                  [](Stream&, Collision& c, double value) { c.restitution = std::min(value, 0.9375); }, 2});
-  all.push_back({"loss", "1 − ε", "ε near 1 taken for 1", -9, -1,
+  all.push_back({"loss", "1 − ε", "thresholds above which ε is treated as 1", -9, -1,
                  [](const Collision& c) { return c.restitution > 0 ? 1 - c.restitution : 0; },
                  [](Stream&, Collision& c, double value) { c.restitution = 1 - std::min(value, 0.9375); }, 2});
   return all;

@@ -32,26 +32,26 @@ std::vector<BodyFeature> of_velocity() {
       {"velocity_zero",
        special,
        "the velocity is zero",
-       "one body at rest, or spinning in its place",
+       "a body at rest, or one that spins in place",
        false,
        [](const Collision&, const Body& b) { return is_zero(b.velocity); },
        [](Stream&, Collision&, Body& b) { b.velocity.setZero(); },
        {.kinds_of = {"velocity's components", "velocity's ties", "velocity against the normal"},
         .never_with = {{{"X.lever_arm_along_velocity", "X.spin_along_velocity", "X.spin_equals_velocity", "X.rolling",
                          "velocities_*", "momenta_opposite"},
-                        "a velocity of zero has no direction"}},
+                        "a zero velocity has no direction"}},
         .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade}}}},
       {"velocity_along_axis",
        special,
-       "the velocity has one component",
-       "the scene that a programmer tries first",
+       "the velocity has one nonzero component",
+       "the first scene that a programmer tries",
        false,
        [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 1; },
        [](Stream& stream, Collision&, Body& b) { b.velocity = along_axis(stream, b.velocity); },
        {.kinds_of = {"velocity's components", "velocity's ties"}}},
       {"velocity_in_plane",
        special,
-       "the velocity has two components",
+       "the velocity has two nonzero components",
        "scenes in a plane",
        false,
        [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 2; },
@@ -64,8 +64,8 @@ std::vector<BodyFeature> of_velocity() {
        {.kinds_of = {"velocity's components"}}},
       {"velocity_ties",
        special,
-       "two components of the velocity are equal but for the sign",
-       "the largest component of two",
+       "two components of the velocity have the same nonzero magnitude",
+       "a search for the largest component has two results",
        false,
        [](const Collision&, const Body& b) { return has_ties(b.velocity); },
        [](Stream& stream, Collision&, Body& b) {
@@ -89,7 +89,7 @@ std::vector<BodyFeature> of_velocity() {
       {"velocity_across_normal",
        relation,
        "the velocity is orthogonal to the normal",
-       "sliding, or struck by the other alone",
+       "a sliding body, or a body that only the other one approaches",
        false,
        [](const Collision& c, const Body& b) { return are_orthogonal(b.velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
@@ -98,7 +98,7 @@ std::vector<BodyFeature> of_velocity() {
        },
        {.kinds_of = {"velocity against the normal"}}},
       {"minus_zero", special, "a component of the velocity or of the spin is −0",
-       "copysign, 1/x, and signs taken from bits", false,
+       "copysign, 1/x, and signs read from bits", false,
        [](const Collision&, const Body& b) { return has_minus_zero(b.velocity) || has_minus_zero(b.angular_velocity); },
        [](Stream& stream, Collision&, Body& b) {
          const int component = stream.integer(0, 2);
@@ -115,22 +115,22 @@ std::vector<BodyFeature> of_spin() {
       {"spin_zero",
        special,
        "the body does not spin",
-       "a point mass, so to speak",
+       "the body moves like a point mass",
        false,
        [](const Collision&, const Body& b) { return is_zero(b.angular_velocity); },
        [](Stream&, Collision&, Body& b) { b.angular_velocity.setZero(); },
        {.kinds_of = {"spin against the normal"},
         .never_with = {{{"X.spin_along_axis", "X.spin_along_lever_arm", "X.spin_along_velocity",
                          "X.spin_equals_velocity", "X.rolling", "spins_*"},
-                        "a spin of zero has no direction"}},
+                        "a zero spin has no direction"}},
         .only_in = {{"X.spin", no_decade, no_decade, zero_is_in_no_decade}}}},
-      {"spin_along_axis", special, "the angular velocity has one component", "scenes in a plane", false,
+      {"spin_along_axis", special, "the angular velocity has one nonzero component", "scenes in a plane", false,
        [](const Collision&, const Body& b) { return nonzero_components(b.angular_velocity) == 1; },
        [](Stream& stream, Collision&, Body& b) { b.angular_velocity = along_axis(stream, b.angular_velocity); }},
       {"spin_along_normal",
        relation,
        "the body spins about the normal",
-       "spin counted into the slip (failure case 56)",
+       "a solver may add this spin to the slip (failure case 56)",
        false,
        [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
@@ -148,7 +148,8 @@ std::vector<BodyFeature> of_spin() {
          b.angular_velocity = turned_across(stream, b.angular_velocity, c.normal);
        },
        {.kinds_of = {"spin against the normal"}}},
-      {"spin_along_lever_arm", relation, "the spin lies along the lever arm", "w × r = 0 though neither is", false,
+      {"spin_along_lever_arm", relation, "the spin lies along the lever arm",
+       "w × r = 0, although neither w nor r is zero", false,
        [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, lever_arm(c, b)); },
        [](Stream& stream, Collision& c, Body& b) {
          if (is_zero(lever_arm(c, b))) {
@@ -164,8 +165,9 @@ std::vector<BodyFeature> of_spin() {
          }
          b.angular_velocity = turned_along(b.angular_velocity, b.velocity);
        }},
-      {"spin_equals_velocity", relation, "the angular velocity is, as numbers, the velocity", "one taken for the other",
-       false, [](const Collision&, const Body& b) { return !is_zero(b.velocity) && b.velocity == b.angular_velocity; },
+      {"spin_equals_velocity", relation, "the angular velocity has the same components as the velocity",
+       "the two vectors may be confused", false,
+       [](const Collision&, const Body& b) { return !is_zero(b.velocity) && b.velocity == b.angular_velocity; },
        [](Stream& stream, Collision&, Body& b) {
          if (is_zero(b.velocity)) {
            b.velocity = along_axis(stream, b.velocity);
@@ -174,8 +176,8 @@ std::vector<BodyFeature> of_spin() {
        }},
       {"rolling",
        relation,
-       "the body moves, and its point at the contact does not",
-       "rolling on what it touches",
+       "the body moves, but its contact point does not",
+       "the body rolls on the other one",
        false,
        [](const Collision& c, const Body& b) {
          return !is_zero(b.velocity) && b.velocity == cross(lever_arm(c, b), b.angular_velocity);
@@ -195,7 +197,7 @@ std::vector<BodyFeature> of_spin() {
        },
        {.never_with = {{{"X.spin_along_lever_arm", "X.spin_along_velocity", "X.spin_equals_velocity",
                          "X.lever_arm_along_velocity"},
-                        "v = r × w is orthogonal to both, and zero where they are parallel"}}}},
+                        "v = r × w is orthogonal to r and w, and is zero if they are parallel"}}}},
   };
 }
 
@@ -221,7 +223,7 @@ std::vector<Feature> of_motion() {
                          "X.lever_arm_along_velocity", "X.spin_along_*", "X.spin_across_normal",
                          "X.spin_equals_velocity", "X.rolling", "velocities_*", "spins_*", "momenta_opposite"},
                         "a body at rest has neither velocity nor spin"},
-                       {{"Y.at_rest"}, "where nothing moves nothing collides"}},
+                       {{"Y.at_rest"}, "bodies at rest do not collide"}},
         .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade},
                     {"X.spin", no_decade, no_decade, zero_is_in_no_decade}}}});
   return for_both(features);

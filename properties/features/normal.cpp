@@ -31,7 +31,7 @@ Feature along_axis(int axis, double sign) {
   return {std::string("normal_") + (sign > 0 ? "plus_" : "minus_") + axis_names[axis],
           FeatureKind::special_value,
           std::string("the normal is exactly along ") + (sign > 0 ? "+" : "−") + axis_names[axis],
-          "floors and walls; tangent bases divide by what is zero here, and Frisvad's of 2012 at −z",
+          "floors and walls; some tangent bases divide by zero here (Frisvad's basis of 2012 at −z)",
           {},
           0,
           [=](const Collision& c) { return nonzero_components(c.normal) == 1 && c.normal[axis] * sign > 0; },
@@ -43,16 +43,16 @@ Feature along_axis(int axis, double sign) {
 }
 
 Feature near_axis(int axis, double sign) {
-  return {
-      std::string("normal_near_") + (sign > 0 ? "plus_" : "minus_") + axis_names[axis],
-      FeatureKind::special_value,
-      std::string("the normal is within 0.001 of ") + (sign > 0 ? "+" : "−") + axis_names[axis] + ", and not along it",
-      "guards of tangent bases, which have their thresholds here",
-      {},
-      0,
-      [=](const Collision& c) { return is_near(c.normal, axis, sign); },
-      [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); },
-      {.kinds_of = {"normal's direction"}}};
+  return {std::string("normal_near_") + (sign > 0 ? "plus_" : "minus_") + axis_names[axis],
+          FeatureKind::special_value,
+          std::string("the normal is within 0.001 of ") + (sign > 0 ? "+" : "−") + axis_names[axis] +
+              ", and not exactly along it",
+          "tangent bases have their thresholds here",
+          {},
+          0,
+          [=](const Collision& c) { return is_near(c.normal, axis, sign); },
+          [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); },
+          {.kinds_of = {"normal's direction"}}};
 }
 
 Feature of_length(const char* name, const char* statement, const char* why, double low, double high, int low_exponent,
@@ -74,8 +74,8 @@ std::vector<Feature> of_components() {
   constexpr auto special = FeatureKind::special_value;
   return {{"normal_in_plane",
            special,
-           "the normal has one component that is zero",
-           "scenes in a plane; r × N loses terms",
+           "exactly one component of the normal is zero",
+           "scenes in a plane; some terms of r × N vanish",
            {},
            0,
            [](const Collision& c) { return nonzero_components(c.normal) == 2; },
@@ -88,8 +88,8 @@ std::vector<Feature> of_components() {
            {.kinds_of = {"normal's components"}}},
           {"normal_ties",
            special,
-           "two components of the normal are equal but for the sign, the third is not",
-           "the least or the largest component of two: which axis a basis is built from",
+           "exactly two components of the normal have the same nonzero magnitude",
+           "the least or the largest component is not unique, and tangent bases choose an axis by it",
            {},
            0,
            [](const Collision& c) {
@@ -109,8 +109,8 @@ std::vector<Feature> of_components() {
            {.kinds_of = {"normal's ties"}}},
           {"normal_diagonal",
            special,
-           "the three components of the normal are equal but for the sign",
-           "no component is the largest: |n| ≥ 1/√3 by a rounding or not",
+           "the three components of the normal have the same magnitude",
+           "no component is the largest; the test |n| ≥ 1/√3 depends on rounding",
            {},
            0,
            [](const Collision& c) {
@@ -126,8 +126,8 @@ std::vector<Feature> of_components() {
            {.kinds_of = {"normal's direction", "normal's components", "normal's ties"}}},
           {"normal_unit",
            special,
-           "the normal has length 1 but for rounding, and is no axis",
-           "what engines hand over",
+           "the normal has length 1 except for rounding, and is not along an axis",
+           "the normals of most engines",
            {},
            0,
            [](const Collision& c) {
@@ -145,13 +145,13 @@ std::vector<Feature> of_components() {
 }
 
 std::vector<Feature> of_lengths() {
-  return {of_length("normal_long", "the normal is 10 to 10⁶ long", "‖N‖ = 1 taken on trust (failure case 11)", 10, 1e6,
-                    5, 18, {.kinds_of = {"normal's length"}}),
+  return {of_length("normal_long", "the normal is 10 to 10⁶ long", "a solver may assume ‖N‖ = 1 (failure case 11)", 10,
+                    1e6, 5, 18, {.kinds_of = {"normal's length"}}),
           of_length("normal_very_long", "the normal is 10¹⁰ long or longer", "N·N, N·K N overflow in binary32", 1e10,
                     1e300, 40, 100, {.kinds_of = {"normal's length"}}),
-          of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "guards against a zero normal", 1e-6, 0.1, -18,
+          of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "thresholds for a zero normal", 1e-6, 0.1, -18,
                     -5, {.kinds_of = {"normal's length"}}),
-          of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "guards against a zero normal", 1e-300,
+          of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "thresholds for a zero normal", 1e-300,
                     1e-10, -100, -40, {.kinds_of = {"normal's length"}})};
 }
 

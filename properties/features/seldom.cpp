@@ -78,7 +78,7 @@ std::vector<const Feature*> features_beginning(std::string_view beginning) {
     }
   }
   if (features.empty()) {
-    throw std::logic_error("the name of no feature begins with \"" + std::string(beginning) + '"');
+    throw std::logic_error("no feature has a name that begins with \"" + std::string(beginning) + '"');
   }
   return features;
 }

@@ -112,7 +112,8 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
   }
   constexpr std::uint64_t one_in = 10;  // cases may be skipped at most
   if (skipped_of_valid * one_in > valid) {
-    return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) + " cases were skipped, more than a tenth";
+    return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
+           " cases were skipped, which is more than a tenth";
   }
   // Every law claims some of these invariants, and each needs only one outcome. The invariant of untouched contacts is
   // not among them.
@@ -121,12 +122,13 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
   const bool is_of_collisions =
       std::any_of(coverage.begin(), coverage.end(), [](const Coverage& of_family) { return of_family.colliding > 0; });
   if (is_of_collisions && !was_answered) {
-    return "no law of the outcome of a colliding contact was exercised";
+    return "no case exercised an invariant of the outcome of a colliding contact";
   }
   const auto holds_anywhere = [](const FamilyResult& family) {
     return std::any_of(family.counts.begin(), family.counts.end(), [](const auto& x) { return x.second.holds > 0; });
   };
-  return std::any_of(result.families.begin(), result.families.end(), holds_anywhere) ? "" : "nothing was exercised";
+  return std::any_of(result.families.begin(), result.families.end(), holds_anywhere) ? ""
+                                                                                     : "no case exercised an invariant";
 }
 
 bool SubjectResult::is_sound() const { return error.empty() && not_judged.empty() && violated_invariants().empty(); }

@@ -31,7 +31,7 @@ Verdict check_collinear_spin(const Evidence& e) {
 
 std::vector<Invariant> collinear_spin_invariants() {
   return {Invariant{"collinear_spin",
-                    "Where both lever arms are along the normal, as for spheres, no body changes its spin.",
+                    "If both lever arms are along the normal, as for spheres, no body changes its spin.",
                     R"(r_A \times N = r_B \times N = 0 \Rightarrow w_A^+ = w_A^-,\ w_B^+ = w_B^-)", "note eq. 19",
                     "colliding contacts with both lever arms exactly along the normal",
                     std::vector{Model::frictionless, Model::reflection}, AboutOutcome{check_collinear_spin},

@@ -93,10 +93,10 @@ Verdict of_shown_matrix(const Evidence& e) {
   }
   const LiftedMatrix* shown = e.outcome.collision_matrix();
   if (shown == nullptr) {
-    return outside_domain("no collision matrix is shown for this contact");
+    return outside_domain("the subject shows no collision matrix for this contact");
   }
   if (!shown->is_finite()) {
-    return {Status::violated, "the shown C is not finite", 0, 0, {}, {}};
+    return {Status::violated, "the shown C contains infinities or NaN", 0, 0, {}, {}};
   }
   return check(e, *shown);
 }
@@ -185,35 +185,36 @@ Verdict check_matrix_used(const Evidence& e, const LiftedMatrix& shown) {
 }  // namespace
 
 std::vector<Invariant> matrix_invariants() {
-  return {Invariant{"definite", "The collision matrix is positive definite, with the margin λ.",
-                    R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
-                    "note eq. 27, with QᵀJ⁻¹Q positive semidefinite", "a movable body, and a subject that shows its C",
-                    every_model(), AboutMatrix{of_shown_matrix<check_definite>},
-                    Proof{ProvedOf::every_impulse, {{"definite", "collision_matrix.v"}}}, 8},
-          Invariant{
-              "well_conditioned",
-              "For uniform bodies that are star-shaped from the contact point, as convex ones touched inside are, the "
-              "condition number of C is at most 16.",
-              R"(C \preceq 16\, \lambda I)",
-              "rrᵀ ⪯ 15 S for the second moments S about the centre of mass: Jensen's inequality over the boundary, "
-              "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
-              "Geom. 13 (1995), Thm 4.1, with n = 3",
-              "bodies known to be uniform and star-shaped from the contact point, and a subject that shows its C",
-              every_model(), AboutMatrix{check_well_conditioned_if_convex, true},
-              Proof{ProvedOf::every_impulse,
-                    {{"well_conditioned", "well_conditioned.v"},
-                     {"star_shaped_well_conditioned", "star_shaped.v"},
-                     {"star_shaped_condition_number", "star_shaped.v"},
-                     {"bound_is_sharp", "star_shaped.v"}}}},
-          Invariant{"matrix_used",
-                    "The collision matrix that is shown is symmetric, and takes the impulse to the change of the "
-                    "relative velocity.",
-                    R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
-                    "a movable body, and a subject that shows its C", every_model(),
-                    AboutMatrix{of_shown_matrix<check_matrix_used>},
-                    Proof{ProvedOf::every_impulse,
-                          {{"velocity_change", "collision_matrix.v"},
-                           {"collision_matrix_symmetric", "collision_matrix.v"}}}}};
+  return {
+      Invariant{"definite", "The collision matrix is positive definite, and its least eigenvalue is at least λ.",
+                R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
+                "note eq. 27, with QᵀJ⁻¹Q positive semidefinite",
+                "contacts with a movable body, if the subject shows its C", every_model(),
+                AboutMatrix{of_shown_matrix<check_definite>},
+                Proof{ProvedOf::every_impulse, {{"definite", "collision_matrix.v"}}}, 8},
+      Invariant{
+          "well_conditioned",
+          "If the bodies are uniform and star-shaped from the contact point, the condition number of C is at most 16. "
+          "A convex body is star-shaped from each of its points.",
+          R"(C \preceq 16\, \lambda I)",
+          "rrᵀ ⪯ 15 S for the second moments S about the centre of mass: Jensen's inequality over the boundary, "
+          "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
+          "Geom. 13 (1995), Thm 4.1, with n = 3",
+          "bodies that are known to be uniform and star-shaped from the contact point, if the subject shows its C",
+          every_model(), AboutMatrix{check_well_conditioned_if_convex, true},
+          Proof{ProvedOf::every_impulse,
+                {{"well_conditioned", "well_conditioned.v"},
+                 {"star_shaped_well_conditioned", "star_shaped.v"},
+                 {"star_shaped_condition_number", "star_shaped.v"},
+                 {"bound_is_sharp", "star_shaped.v"}}}},
+      Invariant{
+          "matrix_used",
+          "The shown collision matrix is symmetric, and maps the impulse to the change of the relative velocity.",
+          R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
+          "contacts with a movable body, if the subject shows its C", every_model(),
+          AboutMatrix{of_shown_matrix<check_matrix_used>},
+          Proof{ProvedOf::every_impulse,
+                {{"velocity_change", "collision_matrix.v"}, {"collision_matrix_symmetric", "collision_matrix.v"}}}}};
 }
 
 }  // namespace carom::properties

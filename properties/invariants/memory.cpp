@@ -21,7 +21,7 @@ std::optional<Verdict> difference(std::string_view place, std::span<const long d
                                   std::span<const long double> again, Sameness sameness) {
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (!is_same(first[i], again[i], sameness)) {
-      Verdict verdict{Status::violated, std::string(place) + ", asked first and asked again", 0, 0, {}, {}};
+      Verdict verdict{Status::violated, std::string(place) + ", first answer and repeated answer", 0, 0, {}, {}};
       for (std::size_t j = 0; j < first.size(); ++j) {
         verdict.left.push_back(static_cast<double>(first[j]));
         verdict.right.push_back(static_cast<double>(again[j]));
@@ -40,7 +40,7 @@ std::span<const long double> numbers_of(const Numbers& numbers) {
 
 Verdict check_memoryless(const Answer& first, const Answer& again, Sameness sameness) {
   if (first.index() != again.index()) {
-    return differs("asked again, it is answered otherwise: an outcome, a refusal and a skip are not the same");
+    return differs("the repeated request got another kind of answer: an outcome, a refusal and a skip differ");
   }
   const auto* before = std::get_if<ReportedOutcome>(&first);
   if (before == nullptr) {
@@ -54,7 +54,7 @@ Verdict check_memoryless(const Answer& first, const Answer& again, Sameness same
     }
   }
   if (before->collision_matrix.has_value() != after.collision_matrix.has_value()) {
-    return differs("asked again, it is answered otherwise: with a collision matrix, and without one");
+    return differs("only one of the two answers to the same request has a collision matrix");
   }
   if (before->collision_matrix) {
     const auto differing =
@@ -68,11 +68,12 @@ Verdict check_memoryless(const Answer& first, const Answer& again, Sameness same
 
 std::vector<Invariant> memory_invariants() {
   return {Invariant{"memoryless",
-                    "The same collision has the same answer whenever it is asked: later in a session, in another "
-                    "order, after an invalid one, in a session of its own. Of a program the numbers are the same, of "
-                    "all others the bits.",
-                    R"(y_2(x) = y_1(x))", "caches, warm starts, and what a refused request leaves behind",
-                    "collisions that are asked again", every_model(), AboutSession{check_memoryless}, Proof{}, 3}};
+                    "The same collision always gets the same answer: later in a session, in another order, after an "
+                    "invalid collision, and in a separate session. The answers of a program are equal as numbers, and "
+                    "all other answers are equal bit for bit.",
+                    R"(y_2(x) = y_1(x))", "caches, warm starts, and state that a refused request leaves behind",
+                    "collisions that the gate asks a second time", every_model(), AboutSession{check_memoryless},
+                    Proof{}, 3}};
 }
 
 }  // namespace carom::properties

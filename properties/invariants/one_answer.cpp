@@ -10,10 +10,10 @@ Verdict violated(std::string detail) { return {Status::violated, std::move(detai
 /// `finite`, for the answer to a valid collision.
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Model /*model*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
-    return violated("the outcome is not finite");
+    return violated("the outcome contains infinities or NaN");
   }
   if (const auto* refused = std::get_if<Refused>(&answer)) {
-    return violated("a valid collision was refused: " + refused->why);
+    return violated("the subject refused a valid collision: " + refused->why);
   }
   if (const auto* failed = std::get_if<Failed>(&answer)) {
     return violated("no answer: the subject " + failed->why);
@@ -39,22 +39,22 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
     return {};
   }
   if (const auto* failed = std::get_if<Failed>(&answer)) {
-    return violated("an invalid collision was not refused: the subject " + failed->why);
+    return violated("the subject did not refuse an invalid collision: it " + failed->why);
   }
   if (is_invalid_by_unread_fields(collision, model)) {
-    return {Status::skipped, "the model does not read the field that is invalid", 0, 0, {}, {}};
+    return {Status::skipped, "the law does not use the invalid field", 0, 0, {}, {}};
   }
-  return violated("an invalid collision was answered");
+  return violated("the subject answered an invalid collision");
 }
 
 }  // namespace
 
 std::vector<Invariant> answer_invariants() {
-  return {Invariant{"finite", "A valid collision is answered, with finite numbers.",
+  return {Invariant{"finite", "A subject answers each valid collision with finite numbers.",
                     R"(x \text{ valid} \Rightarrow y(x) \in \mathbb{R}^{12})",
                     "protocol; failure cases 12, 25, 28 to 30, 34", "valid collisions", every_model(),
                     AboutAnswer{true, check_finite}, Proof{}, 2},
-          Invariant{"invalid_refused", "An invalid collision is refused, not answered.",
+          Invariant{"invalid_refused", "A subject refuses each invalid collision.",
                     R"(x \text{ invalid} \Rightarrow \text{no } y(x))", "protocol; failure cases 12, 22, 28",
                     "invalid collisions", every_model(), AboutAnswer{false, check_invalid_refused}, Proof{}, 1}};
 }

@@ -90,9 +90,9 @@ Verdict check_angular_momentum(const Evidence& e) {
     }
   }
   if (!body(e, true).immovable && !body(e, false).immovable) {
-    worst =
-        both(std::move(worst), holds(e, Relation::equal, "angular momentum about the origin: what A gains and B loses",
-                                     equation::TotalAngularMomentum{}));
+    worst = both(std::move(worst),
+                 holds(e, Relation::equal, "angular momentum about the origin: the gain of A and the loss of B",
+                       equation::TotalAngularMomentum{}));
   }
   return worst;
 }
@@ -120,7 +120,7 @@ Verdict check_push(const Evidence& e) {
   // The residual of the outputs does not include the rounding of the inputs, which decides the sign of N·V⁻ here.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
-      return outside_domain("within rounding of a separating contact");
+      return outside_domain("the contact is separating, or differs from a separating one by rounding only");
     }
     if (!e.accuracy->is_decided) {
       return beyond_range();
@@ -139,7 +139,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (!determines_outcome(e.model)) {
     // Within rounding of a colliding contact the law may act, and its allowance is unknown.
     if (e.exact_case.is_grazing(e.allowance())) {
-      return outside_domain("within rounding of a colliding contact");
+      return outside_domain("the contact is colliding, or differs from a colliding one by rounding only");
     }
     return both(untouched_body(e, true), untouched_body(e, false));
   }
@@ -209,10 +209,10 @@ Verdict check_slip_opposed(const Evidence& e) {
     return sticks;
   }
   const bool off_a = oracles::reads_impulse_off_a(e.exact_case.collision());
-  return both(both(holds(e, Relation::equal, "‖N × F‖² and (μ N·F)², where the contact point slips",
-                         equation::FrictionCone{off_a}),
-                   holds(e, Relation::equal, "(N × F) × (N × V⁺) and 0", equation::FrictionAlongSlip{off_a})),
-              holds(e, Relation::at_most, "(N × F)·(N × V⁺) and 0", equation::FrictionAgainstSlip{off_a}));
+  return both(
+      both(holds(e, Relation::equal, "‖N × F‖² and (μ N·F)²; the contact point slips", equation::FrictionCone{off_a}),
+           holds(e, Relation::equal, "(N × F) × (N × V⁺) and 0", equation::FrictionAlongSlip{off_a})),
+      holds(e, Relation::at_most, "(N × F)·(N × V⁺) and 0", equation::FrictionAgainstSlip{off_a}));
 }
 
 Verdict check_energy(const Evidence& e) {
@@ -231,22 +231,22 @@ Verdict check_energy(const Evidence& e) {
 std::vector<Invariant> outcome_invariants() {
   return {
       Invariant{
-          "backward_error", "The outcome is exact for inputs within the limit of those at hand.",
+          "backward_error", "The outcome is exact for inputs that differ from the given ones by at most the limit.",
           R"(\eta = \max_k \frac{\lVert \hat y_k - y_k \rVert}{u \left(\sum_q \lVert \partial y_k / \partial q \rVert\, \lVert q \rVert + \lVert y_k^- \rVert\right)} \le \eta_{\max})",
           "mixed forward-backward error, N. Higham, Accuracy and Stability of Numerical Algorithms, §1.5; y is exact",
           "valid collisions", with_truth(), AboutOutcome{check_backward_error}},
-      Invariant{"linear_momentum", "What A gains in linear momentum, B loses.",
-                R"(m_A (v_A^+ - v_A^-) = -m_B (v_B^+ - v_B^-))", "note eq. 23", "two movable bodies", every_model(),
-                AboutOutcome{check_linear_momentum},
+      Invariant{"linear_momentum", "A gains the linear momentum that B loses.",
+                R"(m_A (v_A^+ - v_A^-) = -m_B (v_B^+ - v_B^-))", "note eq. 23", "contacts of two movable bodies",
+                every_model(), AboutOutcome{check_linear_momentum},
                 Proof{ProvedOf::every_impulse, {{"linear_momentum", "momentum.v"}}}, 6},
-      Invariant{
-          "angular_momentum",
-          "Each movable body turns by the moment of the impulse that it received; the total about any point is kept.",
-          R"(J (w^+ - w^-) = r \times m (v^+ - v^-))", "note eq. 11, 23", "a movable body", every_model(),
-          AboutOutcome{check_angular_momentum},
-          Proof{ProvedOf::every_impulse,
-                {{"angular_momentum", "momentum.v"}, {"angular_momentum_of_each", "momentum.v"}}},
-          7},
+      Invariant{"angular_momentum",
+                "The change of each movable body's angular momentum is the moment of its impulse; the total angular "
+                "momentum about every point is conserved.",
+                R"(J (w^+ - w^-) = r \times m (v^+ - v^-))", "note eq. 11, 23", "contacts with a movable body",
+                every_model(), AboutOutcome{check_angular_momentum},
+                Proof{ProvedOf::every_impulse,
+                      {{"angular_momentum", "momentum.v"}, {"angular_momentum_of_each", "momentum.v"}}},
+                7},
       Invariant{"restitution", "The normal velocity is reversed and multiplied by ε.",
                 R"(N \cdot V^+ = -\varepsilon\, N \cdot V^-)", "note eq. 17", "colliding contacts", every_model(),
                 AboutOutcome{check_restitution},
@@ -257,13 +257,14 @@ std::vector<Invariant> outcome_invariants() {
                        {"restitution_of_sticking", "laws_of_impulse.v"},
                        {"restitution_of_rough_law", "friction.v"}}},
                 14},
-      Invariant{"non_penetration", "After the impulse the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
-                "note §1, after eq. 4", "a movable body", every_model(), AboutOutcome{check_non_penetration},
+      Invariant{"non_penetration", "After the impulse, the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
+                "note §1, after eq. 4", "contacts with a movable body", every_model(),
+                AboutOutcome{check_non_penetration},
                 Proof{ProvedOf::its_laws,
                       {{"non_penetration_of_every_law", "every_law.v"}, {"non_penetration", "laws_of_impulse.v"}}},
                 15},
-      Invariant{"push", "The impulse pushes the bodies apart, it never pulls.", R"(N \cdot F \ge 0)",
-                "note eq. 18, with C positive definite", "a movable body",
+      Invariant{"push", "The impulse pushes the bodies apart and never pulls them together.", R"(N \cdot F \ge 0)",
+                "note eq. 18, with C positive definite", "contacts with a movable body",
                 std::vector{Model::frictionless, Model::reflection, Model::rough, Model::coulomb, Model::any},
                 AboutOutcome{check_push},
                 Proof{ProvedOf::its_laws,
@@ -277,29 +278,29 @@ std::vector<Invariant> outcome_invariants() {
                 AboutOutcome{check_separating_untouched},
                 Proof{ProvedOf::every_impulse, {{"separating_untouched", "laws_of_impulse.v"}}}, 5},
       Invariant{"immovable_untouched", "A body of infinite mass keeps its velocity.",
-                R"(1/m = 0 \Rightarrow v^+ = v^-,\ w^+ = w^-)", "protocol; failure cases 26, 27", "an immovable body",
-                every_model(), AboutOutcome{check_immovable_untouched},
+                R"(1/m = 0 \Rightarrow v^+ = v^-,\ w^+ = w^-)", "protocol; failure cases 26, 27",
+                "contacts with an immovable body", every_model(), AboutOutcome{check_immovable_untouched},
                 Proof{ProvedOf::every_impulse, {{"immovable_untouched", "laws_of_impulse.v"}}}, 4},
       Invariant{"frictionless_direction",
                 "The impulse is along the normal.",
                 R"(N \times F = 0)",
                 "note eq. 10",
-                "a movable body",
+                "contacts with a movable body",
                 {Model::frictionless},
                 AboutOutcome{check_frictionless_direction},
                 Proof{ProvedOf::its_laws, {{"frictionless_direction", "laws_of_impulse.v"}}},
                 9},
       Invariant{"reflection_plane",
-                "The tangential relative velocity of the contact point is kept.",
+                "The tangential relative velocity of the contact point does not change.",
                 R"(N \times V^+ = N \times V^-)",
                 "note eq. 20, 21",
-                "a movable body",
+                "contacts with a movable body",
                 {Model::reflection},
                 AboutOutcome{check_reflection_plane},
                 Proof{ProvedOf::its_laws, {{"reflection_plane", "laws_of_impulse.v"}}},
                 10},
       Invariant{"sticks",
-                "The contact point keeps no tangential relative velocity.",
+                "The tangential relative velocity of the contact point is zero after the impulse.",
                 R"(N \times V^+ = 0)",
                 "the limit μ → ∞ of Coulomb friction",
                 "colliding contacts",
@@ -311,14 +312,15 @@ std::vector<Invariant> outcome_invariants() {
                 "The impulse lies in the friction cone about the normal.",
                 R"(\lVert N \times F \rVert \le \mu\, N \cdot F)",
                 "Coulomb friction; A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998)",
-                "a movable body",
+                "contacts with a movable body",
                 {Model::rough, Model::coulomb},
                 AboutOutcome{check_friction_cone},
                 Proof{ProvedOf::its_laws, {{"friction_cone", "friction.v"}}},
                 12},
       Invariant{
           "slip_opposed",
-          "The contact point sticks, or friction is on its cone and opposed to the slip after the impulse.",
+          "The contact point sticks, or the friction impulse is on the friction cone and opposes the slip after the "
+          "impulse.",
           R"(N \times V^+ = 0 \ \lor\ \lVert N \times V^+ \rVert\, (N \times F) = -\mu\, (N \cdot F)\, (N \times V^+))",
           "Coulomb friction; docs: the laws",
           "colliding contacts",
@@ -326,20 +328,19 @@ std::vector<Invariant> outcome_invariants() {
           AboutOutcome{check_slip_opposed},
           Proof{},
           13},
-      Invariant{
-          "energy",
-          "The kinetic energy grows by no more than the work of a driven wall.",
-          R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",
-          "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law, −½ κ (2−κ) DᵀKD besides for the rough one, with "
-          "0 ≤ κ ≤ 2; reflection and sticking can create energy, so it is not claimed there",
-          "a movable body",
-          {Model::frictionless, Model::rough},
-          AboutOutcome{check_energy},
-          Proof{ProvedOf::its_laws,
-                {{"energy_of_frictionless", "energy.v"},
-                 {"energy_of_rough_law", "friction.v"},
-                 {"energy_of_frictionless_with_driven_walls", "driven_walls.v"},
-                 {"energy_of_rough_with_driven_walls", "driven_walls.v"}}}}};
+      Invariant{"energy",
+                "The kinetic energy grows by at most the work of a driven wall.",
+                R"(E^+ - E^- \le W,\quad E = \tfrac12 m v^2 + \tfrac12 w^\top J w)",
+                "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law; the rough law adds −½ κ (2−κ) DᵀKD with 0 ≤ κ "
+                "≤ 2. Reflection and sticking can create energy, so they do not claim this invariant",
+                "contacts with a movable body",
+                {Model::frictionless, Model::rough},
+                AboutOutcome{check_energy},
+                Proof{ProvedOf::its_laws,
+                      {{"energy_of_frictionless", "energy.v"},
+                       {"energy_of_rough_law", "friction.v"},
+                       {"energy_of_frictionless_with_driven_walls", "driven_walls.v"},
+                       {"energy_of_rough_with_driven_walls", "driven_walls.v"}}}}};
 }
 
 }  // namespace carom::properties

@@ -20,16 +20,16 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
     return outcome;
   }
   if (const auto* skipped = std::get_if<Skipped>(&related.answer)) {
-    return outside_domain("the related collision was skipped: " + skipped->why);
+    return outside_domain("the subject skipped the related collision: " + skipped->why);
   }
   if (std::holds_alternative<Failed>(related.answer)) {
-    return outside_domain("the related collision was not answered, which `finite` is about");
+    return outside_domain("the subject did not answer the related collision; `finite` judges this");
   }
   Verdict verdict;
   verdict.status = Status::violated;
   const auto* refused = std::get_if<Refused>(&related.answer);
-  verdict.detail = refused != nullptr ? "the related collision was refused: " + refused->why
-                                      : std::string("the outcome of the related collision is not finite");
+  verdict.detail = refused != nullptr ? "the subject refused the related collision: " + refused->why
+                                      : std::string("the outcome of the related collision contains infinities or NaN");
   return verdict;
 }
 
@@ -456,13 +456,13 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   const Collision& c = e.exact_case.collision();
   const double approach = std::abs(c.normal.dot(relative_velocity(c)));
   if (c.restitution * approach <= 2 * e.allowance() * slack_of_separation(e)) {
-    return outside_domain("the outcome separates by no more than rounding");
+    return outside_domain("the separation after the impulse is within rounding");
   }
   const Related& second = related[0];
   // The outcome may have an error of the allowance. It was also rounded to binary64 for the second question. The
   // grazing band has to include both errors.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
-    return outside_domain("the outcome is within rounding of a colliding contact");
+    return outside_domain("the outcome differs from a colliding contact by rounding only");
   }
   const auto answer = outcome_of(second);
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {
@@ -486,45 +486,48 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
 
 std::vector<Invariant> relation_invariants() {
   return {
-      Invariant{"swap", "Naming the bodies the other way round changes nothing.",
+      Invariant{"swap", "If A and B are swapped and the normal is reversed, each body has the same outcome.",
                 R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
                 with_truth(), AboutRelation{ask_swap, check_swap},
                 Proof{ProvedOf::its_laws, {{"swap", "relations.v"}}}},
-      Invariant{"galilean", "A common velocity is only added.", R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)",
-                "Galilean invariance", "valid collisions, velocities rounded to a grid so that the sum is exact",
-                with_truth(), AboutRelation{ask_galilean, check_galilean},
-                Proof{ProvedOf::its_laws, {{"galilean", "relations.v"}}}},
-      Invariant{"translation", "The place of the origin does not matter.", R"(y(X + t, P + t) = y(X, P))",
-                "homogeneity of space", "valid collisions, places rounded to a grid so that the sum is exact",
-                with_truth(), AboutRelation{ask_translation, check_translation},
+      Invariant{"galilean",
+                "If both bodies get an additional common velocity, the outcome gets the same additional velocity.",
+                R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)", "Galilean invariance",
+                "valid collisions with velocities rounded to a grid, so that the sum is exact", with_truth(),
+                AboutRelation{ask_galilean, check_galilean}, Proof{ProvedOf::its_laws, {{"galilean", "relations.v"}}}},
+      Invariant{"translation", "The outcome does not depend on the position of the origin.",
+                R"(y(X + t, P + t) = y(X, P))", "homogeneity of space",
+                "valid collisions with positions rounded to a grid, so that the sum is exact", with_truth(),
+                AboutRelation{ask_translation, check_translation},
                 Proof{ProvedOf::its_laws, {{"translation", "relations.v"}}}},
-      Invariant{"rotation", "Turned by 90°, the outcome is turned by 90°.", R"(y(T x) = T y(x))", "isotropy of space",
-                "valid collisions, turned about z and about x", with_truth(),
+      Invariant{"rotation", "If the collision is rotated by 90°, the outcome is rotated by 90°.", R"(y(T x) = T y(x))",
+                "isotropy of space", "valid collisions, rotated about z and about x", with_truth(),
                 AboutRelation{ask_rotation, check_rotation},
                 Proof{ProvedOf::its_laws, {{"rotation", "relations.v"}, {"answer_turned", "turned_descriptions.v"}}}},
-      Invariant{"reflection_symmetry", "The mirror image of a collision has the mirror image as its outcome.",
+      Invariant{"reflection_symmetry", "The outcome of a mirrored collision is the mirrored outcome.",
                 R"(y(M x) = M y(x))", "parity; angular velocities are axial vectors",
                 "valid collisions, mirrored in x = 0", with_truth(),
                 AboutRelation{ask_reflection_symmetry, check_reflection_symmetry},
                 Proof{ProvedOf::its_laws,
                       {{"reflection_symmetry", "relations.v"}, {"answer_mirrored", "turned_descriptions.v"}}}},
-      Invariant{"unit_scaling", "The units of mass, length and time do not matter.",
+      Invariant{"unit_scaling", "The outcome does not depend on the units of mass, length and time.",
                 R"(y(2^a \mathrm{kg}, 2^b \mathrm{m}, 2^c \mathrm{s}) = y(\mathrm{kg}, \mathrm{m}, \mathrm{s}))",
                 "dimensional analysis; failure cases 21, 31", "valid collisions", with_truth(),
                 AboutRelation{ask_unit_scaling, check_unit_scaling},
                 Proof{ProvedOf::its_laws, {{"unit_scaling", "relations.v"}}}},
-      Invariant{"homogeneous", "Three times the velocities give three times the outcome.",
+      Invariant{"homogeneous", "If the velocities are multiplied by 3, the outcome is multiplied by 3.",
                 R"(y(k V) = k\, y(V),\ k = 3)", "the laws are linear in the velocities; failure cases 21, 38",
                 "valid collisions, velocities rounded to 50 bits", with_truth(),
                 AboutRelation{ask_homogeneous, check_homogeneous},
                 Proof{ProvedOf::its_laws, {{"homogeneous", "relations.v"}}}},
       Invariant{"continuous",
-                "A small tangential velocity changes the outcome little: as v_t → 0 it becomes the head-on one.",
+                "A small tangential velocity changes the outcome little: for v_t → 0 the outcome converges to the "
+                "head-on one.",
                 R"(y(v_n, v_t) - (v_n, v_t) = y(v_n, 0) - (v_n, 0),\ v_t = 2^{-30} v_n)",
                 "the laws depend on N·V⁻ alone; failure cases 3, 4",
-                "the bodies of valid collisions, meeting head-on without spin",
+                "valid collisions, changed to head-on contacts without spin",
                 std::vector{Model::frictionless, Model::reflection}, AboutRelation{ask_continuous, check_continuous}},
-      Invariant{"repeat", "A second impulse on the outcome does nothing.",
+      Invariant{"repeat", "A second impulse does not change the outcome.",
                 R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
                 "colliding contacts with ε > 0", with_truth(), AboutRelation{ask_repeat, check_repeat},
                 Proof{ProvedOf::its_laws, {{"repeat_of_every_law", "every_law.v"}, {"repeat", "laws_of_impulse.v"}}}}};

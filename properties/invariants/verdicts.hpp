@@ -24,7 +24,7 @@ namespace carom::properties {
 
 /// An undecided check never passes.
 [[nodiscard]] inline Verdict beyond_range() {
-  return {Status::skipped, "the scale leaves the range of numbers", 0, 0, {}, {}, true};
+  return {Status::skipped, "the scale overflows or underflows", 0, 0, {}, {}, true};
 }
 
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
@@ -45,7 +45,8 @@ namespace carom::properties {
   return determines_outcome(e.model) && exact_case.has_two_answers(e.model, e.allowance());
 }
 [[nodiscard]] inline Verdict between_two_answers() {
-  return outside_domain("within rounding of both colliding and separating contacts, whose answers differ");
+  return outside_domain(
+      "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
 /// Compares a vector of an outcome with `expected`; their distance may be `allowed`. Both vectors are enclosures. If

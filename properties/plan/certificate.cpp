@@ -103,7 +103,7 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
       result.backward_error = accuracy.backward_error(ulps_.unit_roundoff);
       result.digits = collides() ? std::optional<double>(accuracy.digits()) : std::nullopt;
     } else if (!exact().is_open(demand_.law, ulps_.allowance())) {
-      result.failure = "not decided: the scale leaves the range of numbers";
+      result.failure = "not decided: the scale overflows or underflows";
       return result;
     }
   } else if (demand_.digits && collides()) {

@@ -27,11 +27,12 @@ class Linter {
     // An invalid collision can have only coefficients out of range here.
     for (const Defect& defect : validate(c)) {
       add(Lint::coefficient, Severity::warning, defect.field,
-          "expected " + defect.expected + "; no law is defined, and the contact is left out");
+          "expected " + defect.expected + "; no law is defined for this value, so the plan ignores the contact");
     }
     if (c.friction > friction_noted) {
       add(Lint::coefficient, Severity::note, "friction",
-          fmt::format("μ = {} is greater than what is measured of solids", in_words(c.friction)));
+          fmt::format("μ = {} is larger than the measured values of solids; check the coefficient",
+                      in_words(c.friction)));
     }
   }
 
@@ -58,9 +59,10 @@ class Linter {
           const bool is_rounding = moments[i] <= others * (Rational(1) + Rational(moments_warned));
           add(Lint::moments, is_rounding ? Severity::note : Severity::warning,
               fmt::format("{}.principal_inertia[{}]", name, i),
-              fmt::format("{} is more than {}, the sum of the other two: {}", in_words(oracles::to_double(moments[i])),
-                          in_words(oracles::to_double(others)),
-                          is_rounding ? "a flat body, rounded in binary32" : "no body has such moments"));
+              fmt::format("{} is more than {}, the sum of the other two moments: {}",
+                          in_words(oracles::to_double(moments[i])), in_words(oracles::to_double(others)),
+                          is_rounding ? "the values fit a flat body that is rounded to binary32"
+                                      : "no body has such moments; correct them"));
         }
       }
     }
@@ -85,14 +87,13 @@ class Linter {
     }
     if (!oracles::ExactCase(c).is_bounded_by(Rational(largest_condition) * inverse_mass)) {
       add(Lint::condition, Severity::warning, of_bodies,
-          fmt::format(
-              "κ(K) > {}: convex bodies of uniform density cannot touch so, nor others that are star-shaped from "
-              "the contact point; a moment of inertia or a lever arm is wrong",
-              largest_condition));
+          fmt::format("κ(K) > {}: this is impossible for uniform bodies that are star-shaped from the contact point, "
+                      "such as convex bodies; check the moments of inertia and the lever arm",
+                      largest_condition));
     } else if (!of_bodies.empty()) {
       add(Lint::lever_arm, Severity::warning, of_bodies,
-          fmt::format("[r]ᵀ J⁻¹ [r] exceeds {}/m: the contact point lies too far from the centre of mass for these "
-                      "moments, or a moment is wrong",
+          fmt::format("[r]ᵀ J⁻¹ [r] exceeds {}/m: the contact point is too far from the centre of mass for these "
+                      "moments; check the moments and the positions",
                       largest_condition - 1));
     }
   }
@@ -115,9 +116,9 @@ class Linter {
       }
       const bool is_rounding = -height <= Rational(centre_of_mass_warned) * terms;
       add(Lint::centre_of_mass, is_rounding ? Severity::note : Severity::warning, name + ".position",
-          fmt::format("the centre of mass lies {}beyond the plane through the contact point across N, on the side of "
-                      "the other body: outside of a convex body, or the normal points the wrong way",
-                      is_rounding ? "by rounding " : ""));
+          fmt::format("the centre of mass lies {}on the other body's side of the contact plane; this is impossible for "
+                      "a convex body, so check the direction of the normal",
+                      is_rounding ? "by a rounding error " : ""));
     }
   }
 
@@ -131,8 +132,7 @@ class Linter {
       add(Lint::mass_ratio, ratio > Rational(mass_ratio_warned) ? Severity::warning : Severity::note,
           exact_.a.mass < exact_.b.mass ? "b.mass" : "a.mass",
           fmt::format(
-              "{:.3g} times the other mass; one contact is solved as well, but solvers of many at once converge "
-              "slowly",
+              "the mass is {:.3g} times the other mass; a solver of many simultaneous contacts converges slowly",
               oracles::to_double(ratio)));
     }
   }
@@ -154,10 +154,9 @@ class Linter {
     if (!is_within(length_noted)) {
       const oracles::RootBelow length = oracles::root_below(squared);
       add(lint, is_within(length_warned) ? Severity::note : Severity::warning, field,
-          fmt::format(
-              "has length {:.9g}; Carom takes it for its direction, a solver that takes its length for 1 errs by "
-              "that",
-              oracles::to_double(length.root)));
+          fmt::format("the normal has length {:.9g}; Carom uses only its direction, but a solver that assumes length 1 "
+                      "gives a wrong result",
+                      oracles::to_double(length.root)));
     }
   }
 

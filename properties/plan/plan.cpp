@@ -284,10 +284,10 @@ std::optional<double> Plan::saving_by_class(bool in_batches) const {
 Plan make_plan(std::span<const ClassedCollision> contacts, std::span<const Candidate> candidates,
                const PlanOptions& options) {
   if (contacts.empty()) {
-    throw std::invalid_argument("a plan needs a contact");
+    throw std::invalid_argument("a plan needs at least one contact");
   }
   if (options.demand.law == Model::any) {
-    throw std::invalid_argument("a plan needs a law");
+    throw std::invalid_argument("a plan needs one law, not `any`");
   }
   Plan plan;
   std::ranges::copy_if(candidates, std::back_inserter(plan.candidates), [&](const Candidate& candidate) {

@@ -107,7 +107,7 @@ std::optional<Reduction> to_sticking(const ExactCase& c, Model law) {
 std::string_view in_words(Reduction reduction) {
   switch (reduction) {
     case Reduction::same_law:
-      return "it is the law asked for";
+      return "it is the requested law";
     case Reduction::untouched:
       return "the contact does not collide";
     case Reduction::eigenvector:
@@ -117,13 +117,13 @@ std::string_view in_words(Reduction reduction) {
     case Reduction::no_share:
       return "e_t = −1";
     case Reduction::no_slip:
-      return "without friction no slip is left";
+      return "the frictionless outcome has no slip";
     case Reduction::sticks:
       return "the contact sticks, inside the friction cone";
     case Reduction::isotropic:
       break;
   }
-  return "K is alike in all directions across N, and e_t = 0";
+  return "K is the same in all directions across N, and e_t = 0";
 }
 
 std::span<const Model> lesser_laws(Model law) {
@@ -174,7 +174,7 @@ std::optional<Reduction> reduction(const ExactCase& exact_case, Model law, Model
     case Model::any:
       break;
   }
-  throw std::logic_error(std::string(name_of(lesser)) + " is no lesser law of " + std::string(name_of(law)));
+  throw std::logic_error(std::string(name_of(lesser)) + " is not a lesser law of " + std::string(name_of(law)));
 }
 
 }  // namespace carom::properties::plan

@@ -126,7 +126,7 @@ class PolyhedraChecker {
       const double start = arcs[k].path.start;
       const double before = arcs[k - 1].path.start;
       if (!(start >= before)) {
-        report(body, "itself", before, start, "a path begins before the one that it follows on");
+        report(body, "itself", before, start, "a path begins before the preceding path");
       }
     }
   }
@@ -154,7 +154,7 @@ class PolyhedraChecker {
       if ((is_changed(pose.velocity, wide(path.velocity), speed) ||
            is_changed(pose.angular_velocity, spin, pose.angular_velocity.norm())) &&
           !touches_something(body, k)) {
-        report(body, "itself", path.start, path.start, "it is struck where nothing touches it");
+        report(body, "itself", path.start, path.start, "it is struck although nothing touches it");
       }
       if (!track.is_ball()) {
         const Real turn = (wide_rotation(track.orientation(k)) - pose.axes).norm() / std::sqrt(Real(2));

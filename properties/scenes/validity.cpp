@@ -237,7 +237,7 @@ class Checker {
       const double begin = std::max(arcs[k].path.start, history_.begin());
       const double end = k + 1 < arcs.size() ? arcs[k + 1].path.start : history_.end();
       if (arcs[k].path.radius != scene_.spheres[sphere].radius) {
-        report(sphere, "itself", begin, end, "the radius is not the sphere's");
+        report(sphere, "itself", begin, end, "the radius differs from the sphere's radius");
       }
       if (!(begin <= end)) {
         report(sphere, "itself", begin, end, "an arc ends before it begins");
@@ -261,7 +261,8 @@ class Checker {
     }
     found_.largest_jump = std::max(found_.largest_jump, static_cast<double>(jump));
     if (jump > 8 * std::numeric_limits<double>::epsilon() * size) {
-      report(sphere, "itself", after.start, after.start, fmt::format("jumps by {:.3g} m", static_cast<double>(jump)));
+      report(sphere, "itself", after.start, after.start,
+             fmt::format("its path jumps by {:.3g} m", static_cast<double>(jump)));
     }
   }
 
@@ -269,7 +270,7 @@ class Checker {
     for (std::size_t plane = 0; plane < scene_.planes.size(); ++plane) {
       ++found_.planes;
       if (!is_far_above(scene_.planes[plane], path, begin, end) && !is_above(scene_.planes[plane], path, begin, end)) {
-        report(sphere, fmt::format("plane {}", plane), begin, end, "is not above the plane throughout");
+        report(sphere, fmt::format("plane {}", plane), begin, end, "it is not above the plane during the whole time");
       }
     }
   }

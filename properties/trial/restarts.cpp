@@ -54,14 +54,14 @@ class RestartingSession {
     session_ = Session();
     if (!may_restart) {
       throw SessionFailure("it failed " + std::to_string(restarts_->most()) +
-                               " times, and is judged no further; the last time: " + failure.what(),
+                               " times, and the gate stops judging it; the last failure: " + failure.what(),
                            answers, failure.failed());
     }
     try {
       session_ = open_();
       is_over_ = false;
     } catch (const std::exception& error) {
-      throw SessionFailure(std::string("after a failure it cannot be started again: ") + error.what(), answers,
+      throw SessionFailure(std::string("it cannot be restarted after a failure: ") + error.what(), answers,
                            failure.failed());
     }
   }

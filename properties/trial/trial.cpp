@@ -267,7 +267,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
     next_question += questions_[i].size();
     if (!is_judged) {
-      judgement.verdicts.push_back({&invariant, outside_domain("the related collision is not judged")});
+      judgement.verdicts.push_back({&invariant, outside_domain("the gate does not judge the related collision")});
       continue;
     }
     related.clear();

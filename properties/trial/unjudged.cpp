@@ -82,11 +82,11 @@ std::string_view name_of(Unjudged reason) {
 std::string_view in_words(Unjudged reason) {
   switch (reason) {
     case Unjudged::leaves_range:
-      return "masses, moments, impulse or torque leave the range of the precision";
+      return "a mass, a moment of inertia, the impulse or its torque leaves the range of the precision";
     case Unjudged::no_finite_enclosure:
       break;
   }
-  return "the enclosure of the law over the permitted inputs is not finite";
+  return "the enclosure of the law over the permitted inputs is unbounded";
 }
 
 std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case, const oracles::Yardstick& yardstick) {

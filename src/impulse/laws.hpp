@@ -66,11 +66,11 @@ struct Description {
     case Model::reflection:
       return {"basis-free reflection", "LDLᵀ", ""};
     case Model::sticking:
-      return {"the contact point stops but for ε", "LDLᵀ", ""};
+      return {"the tangential relative velocity becomes zero", "LDLᵀ", ""};
     case Model::rough:
       return {"Coulomb friction with tangential restitution", "LDLᵀ", "Chatterjee and Ruina 1998"};
     case Model::coulomb:
-      return {"Coulomb friction opposed to the slip after the impulse", "LDLᵀ", ""};
+      return {"Coulomb friction that opposes the slip after the impulse", "LDLᵀ", ""};
     case Model::any:
       break;
   }

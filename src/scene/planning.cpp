@@ -118,7 +118,8 @@ bool Simulation::plan_or_doubt(Index sphere) {
   const Placed here = placed(path, now_);
   if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width())) {
     throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
-                     scene_.spheres[sphere].name + ") is so far away that its place is no longer known to a cell");
+                     scene_.spheres[sphere].name +
+                     ") is too far from the origin for the grid; end the run earlier, or use a shorter duration");
   }
   const bool flies = spheres_.is_flying(sphere);
   const QuickLook look(here, path.radius, scene_.gravity, spheres_.extent(now_), now_,
@@ -163,7 +164,7 @@ bool Simulation::plan_or_doubt(Index sphere) {
 ExactTime Simulation::exact_time(Index sphere, const Planned& planned) const {
   const auto found = [](std::optional<ExactTime> time) {
     if (!time) {
-      throw std::logic_error("Simulation: an event within its bounds does not exist");
+      throw std::logic_error("Simulation: a predicted event does not exist");
     }
     return *std::move(time);
   };
@@ -217,8 +218,8 @@ void Simulation::move_clear(Index sphere) {
       return;
     }
   }
-  throw SceneError("at t = " + std::to_string(now_) + " there is no place within 3 ulps for sphere " +
-                   std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ") that overlaps nothing");
+  throw SceneError("at t = " + std::to_string(now_) + " no position within 3 ulps is free of overlaps for sphere " +
+                   std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ")");
 }
 
 }  // namespace carom::scene

@@ -50,7 +50,7 @@ std::string_view name_of(EventKind kind) {
 Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
   CAROM_EXPECTS(has_valid_fields(scene_));
   if (!scene_.polyhedra.empty()) {
-    throw std::logic_error("Simulation: a scene with polyhedra is for Tumbling");
+    throw std::logic_error("Simulation: this class does not support polyhedra; use Tumbling");
   }
   const std::size_t count = scene_.spheres.size();
   agenda_.resize(count);
@@ -76,7 +76,7 @@ Simulation::Simulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_)
   for (Index i = 0; i < count; ++i) {
     if (!is_clear(i)) {
       throw SceneError("sphere " + std::to_string(i) + " (" + scene_.spheres[i].name +
-                       ") overlaps another body at the beginning");
+                       ") overlaps another body at t = 0; move one of them");
     }
   }
   for (Index i = 0; i < count; ++i) {
@@ -207,7 +207,7 @@ void Simulation::count_instant(const char* what, Index sphere) {
   counts_.at_one_instant = std::max(counts_.at_one_instant, at_this_instant_);
   if (at_this_instant_ > most_at_one_instant) {
     throw SceneError("more than " + std::to_string(most_at_one_instant) +
-                     " impacts at the instant t = " + std::to_string(now_) + ", the last of sphere " +
+                     " impacts at the instant t = " + std::to_string(now_) + "; the last is of sphere " +
                      std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ") with " + what);
   }
 }

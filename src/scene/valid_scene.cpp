@@ -34,19 +34,16 @@ Found scene_defect(const Scene& scene) {
     return defect("gravity", "expected finite numbers");
   }
   if (const double g = scene.gravity.cwiseAbs().maxCoeff(); g > 0 && g < least_gravity) {
-    return defect("gravity", "expected 0 or at least 1e-200 m/s^2, so that what it does is a normal number");
+    return defect("gravity", "expected 0 or at least 1e-200 m/s^2, so that its effect does not underflow");
   }
   if ((scene.gravity.array() != 0).count() > 1) {
-    return defect(
-        "gravity",
-        "expected gravity along one axis of the world, two of three numbers 0: the planes that spheres rest on "
-        "are level");
+    return defect("gravity", "expected gravity along one world axis, so that two of its three numbers are 0");
   }
   if (!(scene.capture_height > 0 && std::isfinite(scene.capture_height))) {
     return defect("capture_height", "expected a finite number greater than 0");
   }
   if (scene.pairs.count() != scene.materials.size()) {
-    return defect("pairs", "expected the pairs of as many materials as there are");
+    return defect("pairs", "expected pairs of as many materials as the scene has");
   }
   return std::nullopt;
 }
@@ -88,7 +85,7 @@ Found plane_defect(const Scene& scene) {
       return defect("normal", "expected finite numbers");
     }
     if (!std::isnormal(plane.normal.squaredNorm())) {
-      return defect("normal", "expected a vector whose length neither is 0 nor leaves the range of binary64");
+      return defect("normal", "expected a vector with a length that is not 0 and does not overflow binary64");
     }
     if (!plane.point.allFinite()) {
       return defect("point", "expected finite numbers");
@@ -141,7 +138,7 @@ Found spheres_defect(const Scene& scene) {
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     if (scene.spheres[i].position.cwiseAbs().maxCoeff() / (2 * radius) > farthest) {
       return SceneDefect{Of::sphere, i, 0, "position",
-                         "expected to be within 2^28 diameters of the largest sphere of 0"};
+                         "expected a position within 2^28 diameters of the largest sphere from the origin"};
     }
   }
   return std::nullopt;
@@ -170,9 +167,9 @@ Found overlap_defect(const Scene& scene) {
       const Plane& plane = scene.planes[k];
       if (!is_far_above(sphere, plane) &&
           overlap(paths[i], {plane.normal, reach_of(plane.normal, plane.point, sphere.radius)}, 0, undecided)) {
-        return SceneDefect{
-            Of::sphere, i, 0, "",
-            text_of(description_of(scene, i), " overlaps plane ", k, " (", plane.name, "), or is behind it")};
+        return SceneDefect{Of::sphere, i, 0, "",
+                           text_of(description_of(scene, i), " overlaps plane ", k, " (", plane.name,
+                                   "), or is behind it; move one of them")};
       }
     }
     // The grid holds only the spheres with a lower index.

@@ -129,7 +129,7 @@ TEST(CollisionJson, NamesAMissingField) {
         "/b/velocity", "/b/angular_velocity", "/a", "/b", "/point", "/normal", "/restitution"}) {
     const json::json_pointer pointer(field);
     EXPECT_EQ(error_of([&](json& r) { r.at(pointer.parent_pointer()).erase(pointer.back()); }),
-              std::string(field) + ": is missing");
+              std::string(field) + ": is missing; add this field");
   }
 }
 
@@ -175,7 +175,7 @@ TEST(CollisionJson, NamesAnImmovableThatIsNotBoolean) {
 }
 
 TEST(CollisionJson, PutsTheGivenPlaceBeforeItsOwn) {
-  EXPECT_EQ(error_of([](json& r) { r.erase("normal"); }, "/cases/3"), "/cases/3/normal: is missing");
+  EXPECT_EQ(error_of([](json& r) { r.erase("normal"); }, "/cases/3"), "/cases/3/normal: is missing; add this field");
 }
 
 TEST(CollisionJson, CutsALongFindingShort) {
@@ -202,10 +202,10 @@ TEST(ParseJson, ReadsWhatTheLibraryReads) {
 
 TEST(ParseJson, RefusesWhatJsonLeavesOpen) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
-           {R"({"a":1,"b":{"a":1},"a":2})", "the field \"a\" stands twice"},
-           {R"([{"a":{"b":1,"b":1}}])", "the field \"b\" stands twice"},
-           {std::string(65, '[') + std::string(65, ']'), "more than 64 levels deep"},
-           {"1e999", "number overflow"},
+           {R"({"a":1,"b":{"a":1},"a":2})", "the field \"a\" occurs twice"},
+           {R"([{"a":{"b":1,"b":1}}])", "the field \"b\" occurs twice"},
+           {std::string(65, '[') + std::string(65, ']'), "expected at most 64 nested levels"},
+           {"1e999", "overflows binary64"},
            {"[1,]", "not JSON"},
            {"[1] 2", "not JSON"},
            {"", "not JSON"},

@@ -36,7 +36,7 @@ run(${CMAKE_COMMAND} -E env "CAROM_ENGINES=${engines}" PATH=/no/such "${carom}" 
 expect_output("node, which runs it, is not on the PATH")
 file(REMOVE "${engines}/cannon.mjs")
 run(${CMAKE_COMMAND} -E env "CAROM_ENGINES=${engines}" "${carom}" subjects)
-expect_output("${engines}/cannon.mjs is not there, in the folder that CAROM_ENGINES names")
+expect_output("${engines}/cannon.mjs does not exist; check CAROM_ENGINES")
 
 # If the folder is not writable, the user must copy it. The superuser can write to any folder.
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)

@@ -75,7 +75,7 @@ TEST(Comparison, ASubjectThatDoesNotCountIsNewForACompareAlone) {
   const Comparison comparison = compared(report_with({{"push", held}}, {}), now);
   EXPECT_EQ(comparison.count_new(false), 1U);
   EXPECT_EQ(comparison.count_new(true), 0U);
-  EXPECT_EQ(baseline_verdict(comparison), "nothing new in what counts (1 in what does not), 0 known, 0 fixed");
+  EXPECT_EQ(baseline_verdict(comparison), "nothing new in subjects that count (1 in others), 0 known, 0 fixed");
 }
 
 TEST(Comparison, KnownIsAnInvariantThatIsNewInNoFamily) {
@@ -130,14 +130,15 @@ TEST(Comparison, NamesEachSettingInWhichTheRunsDiffer) {
       {"version of Carom", [](report::Run& report) { report.carom = "9.0.0"; }},
       {"seed", [](report::Run& report) { report.settings.seed = 7; }},
       {"cases of each family", [](report::Run& report) { report.settings.cases = 7; }},
-      {"families that the other has not",
+      {"families of one run only",
        [](report::Run& report) {
          report.families.push_back({"z", "", {}, {}});
        }},
       {"yardstick", [](report::Run& report) { report.settings.yardstick.digits = 4; }},
-      {"relations judged on every so many cases", [](report::Run& report) { report.settings.relations_every = 4; }},
-      {"cut short", [](report::Run& report) { report.settings.fail_fast = true; }},
-      {"cut short", [](report::Run& report) { report.interrupted = true; }},
+      {"interval between the cases on which relations are judged",
+       [](report::Run& report) { report.settings.relations_every = 4; }},
+      {"ended early", [](report::Run& report) { report.settings.fail_fast = true; }},
+      {"ended early", [](report::Run& report) { report.interrupted = true; }},
       {"shard", [](report::Run& report) {
          report.settings.shard = {1, 3};
        }}};

@@ -73,7 +73,7 @@ TEST(Annotations, AreAnErrorForEachViolationAndANoticeWithTheVerdict) {
                    "100", "--out", out.path().string()});
   ASSERT_GE(commands.size(), 3U);
   EXPECT_EQ(commands[0].name, "notice");
-  EXPECT_EQ(commands[0].title, "what is wrong with reflection-in-basis-double");
+  EXPECT_EQ(commands[0].title, "diagnosis of reflection-in-basis-double");
   EXPECT_NE(commands[0].message.find("Look at: "), std::string::npos) << commands[0].message;
   for (std::size_t i = 1; i + 1 < commands.size(); ++i) {
     EXPECT_EQ(commands[i].name, "error");

@@ -67,7 +67,7 @@ TEST(Deviates, IsShownInEveryReport) {
   const RunResult result = run_carom({"gate", "frictionless-double", "--families", "head_on", "--cases", "5",
                                       "--deviates", "energy@head_on", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("not claimed, by --deviates: energy@head_on"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("not judged because of --deviates: energy@head_on"), std::string::npos) << result.output;
   EXPECT_NE(content_of(out.path() / "report.html").find("energy@head_on"), std::string::npos);
   EXPECT_NE(content_of(out.path() / "report.json").find("energy@head_on"), std::string::npos);
 }
@@ -78,13 +78,14 @@ TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",
                                       "--families", "head_on", "--cases", "20", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  const std::string said = "not claimed, as it shows no collision matrix: definite, well_conditioned, matrix_used\n";
+  const std::string said =
+      "not claimed, because it shows no collision matrix: definite, well_conditioned, matrix_used\n";
   const std::size_t at = result.output.find(said);
   ASSERT_NE(at, std::string::npos) << result.output;
   EXPECT_NE(result.output.find(said, at + 1), std::string::npos);
   EXPECT_EQ(result.output.find(said, result.output.find(said, at + 1) + 1), std::string::npos);
   const std::string html = content_of(out.path() / "report.html");
-  EXPECT_NE(html.find("as it shows no collision matrix"), std::string::npos);
+  EXPECT_NE(html.find("because it shows no collision matrix"), std::string::npos);
   const json report = json::parse(content_of(out.path() / "report.json"));
   for (const auto& [subject, shows] : {std::pair{0, false}, std::pair{1, true}, std::pair{2, false}}) {
     const json& record = report.at("subjects").at(static_cast<std::size_t>(subject));

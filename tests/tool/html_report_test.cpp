@@ -97,7 +97,7 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_STREQ(page->document.child("html").attribute("lang").value(), "en");
   EXPECT_EQ(page->text_of("//section[@id='summary']/p"),
             "Of 3 subjects that count, 1 is sound, 1 violates an invariant, and 1 could not be judged to the end.");
-  EXPECT_EQ(page->text_of("//dt[text()='exit status']/../dd"), "2: not everything could be judged");
+  EXPECT_EQ(page->text_of("//dt[text()='exit status']/../dd"), "2: some subjects could not be judged");
   EXPECT_EQ(page->text_of("//section[@id='environment']//dt[text()='seed']/../dd"), "4");
   EXPECT_EQ(page->text_of("//section[@id='subjects']//tr[th='frictionless-double']/td[1]"), "sound");
   EXPECT_NE(page->text_of("//section[@class='error']/pre").find("/no/such"), std::string::npos);
@@ -110,7 +110,7 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_EQ(page->text_of("//section[@id='invariants']//tr[th='frictionless-double']/td[1]/span[@class='spoken']"),
             "holds in ");
   EXPECT_EQ(page->text_of("//section[@id='families']//tr[th='exec:/no/such']/td[1]/span[@class='spoken']"),
-            "nothing to compare");
+            "no outcome to compare with");
   const pugi::xml_node witness =
       page->document.select_node("//article[h4='reflection-in-basis-double violates restitution']").node();
   ASSERT_TRUE(witness);
@@ -182,7 +182,7 @@ TEST_F(Markup, AddsNothingToThePageInABrowser) {
                             "--disable-background-networking", "--disable-component-update", "--disable-sync",
                             "--user-data-dir=" + profile.path().string(), "--dump-dom", "file://" + page->file()});
   const std::string& seen = result.output;
-  ASSERT_NE(seen.find("What was generated"), std::string::npos) << result.errors;
+  ASSERT_NE(seen.find("Generated cases"), std::string::npos) << result.errors;
   // The browser's output escapes "<" in texts, so these would be elements.
   for (const char* injected : {"<script", "<img", "<b ", "<b>", "<parsererror"}) {
     EXPECT_EQ(seen.find(injected), std::string::npos) << injected;

@@ -69,7 +69,8 @@ TEST(Summary, ThatCannotBeWrittenIsAnErrorBeforeAnythingIsJudged) {
   const RunResult result = run_carom({"gate", "frictionless-double", "--summary", "/no/such/summary.md"});
   EXPECT_EQ(result.exit_status, 2);
   EXPECT_TRUE(result.output.empty()) << result.output;
-  EXPECT_EQ(result.errors, "carom: --summary: /no/such/summary.md cannot be written\n");
+  EXPECT_EQ(result.errors,
+            "carom: --summary: the file /no/such/summary.md cannot be written; check the path and its permissions\n");
 }
 
 }  // namespace

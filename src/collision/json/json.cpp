@@ -43,7 +43,7 @@ struct AsBinary64 {
   double operator()(const std::string& text, long double wide) const {
     const double number = rounded_once(text, wide);
     if (!std::isfinite(number)) {
-      throw FormatError("not JSON: number overflow parsing '" + text + '\'');
+      throw FormatError("the number '" + text + "' overflows binary64");
     }
     return number;
   }
@@ -81,7 +81,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
   bool key(string_t& name) override {
     const auto [member, is_new] = open_.back()->emplace(std::move(name), nullptr);
     if (!is_new) {
-      throw FormatError("the field " + shortened(json(member.key())) + " stands twice in one object");
+      throw FormatError("the field " + shortened(json(member.key())) + " occurs twice in one object; keep one of them");
     }
     next_ = &*member;
     return true;
@@ -117,7 +117,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
     // A collision needs four levels. Deeper values could exhaust the stack of recursive readers.
     constexpr std::size_t deepest = 64;
     if (open_.size() == deepest) {
-      throw FormatError("nested more than " + std::to_string(deepest) + " levels deep");
+      throw FormatError("expected at most " + std::to_string(deepest) + " nested levels of objects and arrays");
     }
     Json& opened = place();
     opened = std::move(empty);
@@ -139,7 +139,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 template <class Json, class Number>
 Json built(std::string_view text, Number number) {
   if (text.find('\0') != std::string_view::npos) {
-    throw FormatError("not JSON: holds a zero byte");
+    throw FormatError("not JSON: the text contains a zero byte");
   }
   Builder<Json, Number> builder(number);
   (void)WideJson::sax_parse(text, &builder);

@@ -81,7 +81,7 @@ class ObjectReader {
 
   [[nodiscard]] const Json& required(const char* name) {
     if (!has(name)) {
-      throw FormatError(at(name), "is missing");
+      throw FormatError(at(name), "is missing; add this field");
     }
     return object_.at(name);
   }

@@ -16,7 +16,7 @@ PackTask<S> task_of(ContactArrays<const S> contacts, OutcomeArrays<S> outcomes) 
   std::size_t k = 0;
   const auto begin_of = [&](const auto& array) {
     if (array.size() != task.count) {
-      throw std::invalid_argument("carom::impulse::solve: arrays of different lengths");
+      throw std::invalid_argument("carom::impulse::solve: the arrays have different lengths");
     }
     return array.data();
   };
@@ -39,10 +39,11 @@ bool are_made_of_valid(const PackTask<S>& task) {
 template <class S>
 void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
   if (!is_available(set)) {
-    throw std::invalid_argument("carom::impulse::solve: this machine has no " + std::string(name_of(set)));
+    throw std::invalid_argument("carom::impulse::solve: this machine does not support " + std::string(name_of(set)));
   }
   if (!determines_outcome(model)) {
-    throw std::invalid_argument("carom::impulse::solve: the model says no law");
+    throw std::invalid_argument("carom::impulse::solve: batches do not support the law `" +
+                                std::string(name_of(model)) + "`; use frictionless, reflection, sticking or rough");
   }
   CAROM_EXPECTS(are_made_of_valid(task), task.count);
 #ifdef CAROM_BATCH_HAS_avx512

@@ -35,7 +35,7 @@ template <class S>
 void solve(const ContactBatch<S>& contacts, Model model, OutcomeBatch<S>& outcomes,
            InstructionSet set = best_instruction_set()) {
   if (contacts.size() != outcomes.size()) {
-    throw std::invalid_argument("carom::impulse::solve: batches of different sizes");
+    throw std::invalid_argument("carom::impulse::solve: the batches have different sizes");
   }
   PackTask<S> task;
   for (std::size_t k = 0; k < contact_number_count; ++k) {

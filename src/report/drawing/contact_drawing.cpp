@@ -124,8 +124,8 @@ std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, co
                       body.immovable ? Outline{} : outline(plane, body), velocities});
   }
   Drawing drawing(parent, name, title + ": the bodies",
-                  fmt::format("The contact point, the normal upwards, and the centres of both bodies with their "
-                              "velocities before and after, seen in the plane of the normal and of {}.",
+                  fmt::format("The contact point, the normal (upwards), and the centres of both bodies with their "
+                              "velocities before and after the impulse, in the plane of the normal and {}.",
                               plane.spanned_by));
   const long double scale = length_scale(bodies);
   bool is_to_scale = true;
@@ -162,15 +162,16 @@ std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, co
                   one.name + (one.body->immovable ? " (wall)" : ""));
   }
   drawing.finish();
-  return fmt::format("Bodies and the velocities of their centres, seen in the plane of N and {}.{}{}", plane.spanned_by,
+  return fmt::format("Bodies and the velocities of their centres, in the plane of N and {}.{}{}", plane.spanned_by,
                      sentence(!is_to_scale, "An outline is not to scale."),
-                     sentence(is_shortened, "A computed velocity is drawn shortened."));
+                     sentence(is_shortened, "The drawing shortens a computed velocity."));
 }
 
 std::string draw_relative_velocity(pugi::xml_node parent, const ContactPicture& picture, const Plane& plane,
                                    const std::string& name, const std::string& title) {
-  Drawing drawing(parent, name, title + ": the contact point",
-                  "The velocity of A relative to B at the contact point before and after, the normal upwards.");
+  Drawing drawing(
+      parent, name, title + ": the contact point",
+      "The velocity of A relative to B at the contact point before and after the impulse. The normal points upwards.");
   const Velocities velocities = seen(plane, picture, [](const Motion& motion) { return motion.relative_velocity; });
   drawing.line({-wall_in_pixels, 0}, {wall_in_pixels, 0}, "surface");
   drawing.arrow({0, 0}, {0, normal_in_pixels}, "normal");
@@ -180,10 +181,10 @@ std::string draw_relative_velocity(pugi::xml_node parent, const ContactPicture& 
   drawing.label({0, 0}, "0");
   drawing.finish();
   const auto is_zero = [](const std::optional<Place>& place) { return place && length(*place) == 0; };
-  return "Velocity of the contact point, V = V_A − V_B, from 0." +
-         sentence(is_shortened, "The computed one is drawn shortened.") +
-         sentence(is_zero(velocities.computed), "The computed one is zero.") +
-         sentence(is_zero(velocities.exact), "The exact one is zero.");
+  return "Relative velocity of the contact point, V = V_A − V_B, drawn from 0." +
+         sentence(is_shortened, "The drawing shortens the computed velocity.") +
+         sentence(is_zero(velocities.computed), "The computed velocity is zero.") +
+         sentence(is_zero(velocities.exact), "The exact velocity is zero.");
 }
 
 }  // namespace
@@ -197,8 +198,7 @@ void add_contact_figure(pugi::xml_node parent, const ContactPicture& picture, co
   add(bodies, "figcaption", {}, of_bodies);
   const pugi::xml_node relative = add(figures, "figure");
   const std::string of_contact = draw_relative_velocity(relative, picture, plane, name + "-contact", title);
-  add(relative, "figcaption", {},
-      of_contact + (picture.computed ? "" : " What was computed is not finite, or nothing."));
+  add(relative, "figcaption", {}, of_contact + (picture.computed ? "" : " There is no finite computed outcome."));
   add_contact_legend(figures);
 }
 

@@ -50,7 +50,7 @@ Plane contact_plane(const Collision& collision, const Vector3<double>& relative_
   // A smaller value is rounding error of the subtraction.
   constexpr long double visible = 1e-12L;
   return best.askew.norm() > visible ? Plane{best.askew.normalized(), normal, best.name}
-                                     : Plane{any_orthogonal(normal), normal, "any direction across it"};
+                                     : Plane{any_orthogonal(normal), normal, "any direction orthogonal to N"};
 }
 
 Place projected(const Plane& plane, const Direction& vector) {

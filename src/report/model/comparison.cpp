@@ -93,12 +93,12 @@ std::string or_none(const std::optional<std::uint64_t>& number, const char* none
 }
 
 std::string cases_in_words(const Settings& settings) {
-  return settings.budget_seconds ? fmt::format("as many as {} s allow", *settings.budget_seconds)
+  return settings.budget_seconds ? fmt::format("as many as possible in {} s", *settings.budget_seconds)
                                  : or_none(settings.cases, "unknown");
 }
 
 std::string yardstick_in_words(const oracles::Yardstick& yardstick) {
-  return limit_in_words(yardstick) + (yardstick.filtered ? "" : ", in exact arithmetic alone");
+  return limit_in_words(yardstick) + (yardstick.filtered ? "" : ", only in exact arithmetic");
 }
 
 std::vector<std::string> families_of(const Run& run) {
@@ -241,14 +241,16 @@ std::vector<Difference> differences_between(const Run& before, const Run& now) {
     }
   };
   const auto cut_short = [](const Run& run) -> std::string {
-    return run.interrupted ? "interrupted" : run.settings.fail_fast ? "at the first violation of each subject" : "not";
+    return run.interrupted          ? "interrupted"
+           : run.settings.fail_fast ? "after the first violation of each subject"
+                                    : "no";
   };
   const auto relations = [](const Run& run) {
-    return run.settings.relations_every > 0 ? std::to_string(run.settings.relations_every) : "as is the default";
+    return run.settings.relations_every > 0 ? std::to_string(run.settings.relations_every) : "default";
   };
   const auto part = [](const Run& run) {
     const std::string shard = heading_of(run, "").shard;
-    return shard.empty() ? "the whole" : shard;
+    return shard.empty() ? "the whole run" : shard;
   };
   note("version of Carom", shown(before.carom), shown(now.carom));
   note("seed", std::to_string(before.settings.seed), std::to_string(now.settings.seed));
@@ -256,11 +258,11 @@ std::vector<Difference> differences_between(const Run& before, const Run& now) {
   const std::vector<std::string> gone = without(families_of(before), families_of(now));
   const std::vector<std::string> added = without(families_of(now), families_of(before));
   if (!gone.empty() || !added.empty()) {
-    differences.push_back({"families that the other has not", list_of(gone), list_of(added)});
+    differences.push_back({"families of one run only", list_of(gone), list_of(added)});
   }
   note("yardstick", yardstick_in_words(before.settings.yardstick), yardstick_in_words(now.settings.yardstick));
-  note("relations judged on every so many cases", relations(before), relations(now));
-  note("cut short", cut_short(before), cut_short(now));
+  note("interval between the cases on which relations are judged", relations(before), relations(now));
+  note("ended early", cut_short(before), cut_short(now));
   note("shard", part(before), part(now));
   return differences;
 }
@@ -357,7 +359,7 @@ std::string baseline_verdict(const Comparison& comparison) {
   const std::size_t counting = comparison.count_new(true);
   std::string text = counting == 0 ? "nothing new" : fmt::format("{} new", counting);
   if (all > counting) {
-    text += fmt::format(" in what counts ({} in what does not)", all - counting);
+    text += fmt::format(" in subjects that count ({} in others)", all - counting);
   }
   return text + fmt::format(", {} known, {} fixed", comparison.count(Change::known), comparison.count(Change::fixed));
 }

@@ -20,8 +20,8 @@ std::string worst_text(const SubjectSummary& summary) {
 }  // namespace
 
 const char* const differences_mean =
-    "The runs differ in what they were asked: counts and worst values are not comparable, and what is new or fixed may "
-    "be so for that alone.";
+    "The runs have different settings. Their counts and worst values are not comparable. The settings alone may be the "
+    "reason for new and fixed violations.";
 
 std::string counts_in_words(const ComparedViolation& violation) {
   switch (violation.change) {

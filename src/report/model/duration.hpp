@@ -9,7 +9,7 @@
 namespace carom::report {
 
 /// The format of a duration, for error messages.
-inline constexpr const char* duration_form = "a number and a unit, 500ms, 10s, 2m or 1h, from 1ms to 1000h";
+inline constexpr const char* duration_form = "a number and a unit, for example 500ms, 10s, 2m or 1h, from 1ms to 1000h";
 
 /// Parses "500ms", "10s", "2m" or "1.5h": a decimal number followed by its unit. None if the text is anything else, or
 /// if the duration is less than a millisecond or more than 1000 hours.

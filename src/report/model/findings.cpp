@@ -27,7 +27,7 @@ json first_record(const std::vector<ViolatedCase>& first) {
 std::uint64_t case_number(const Field& field, std::uint64_t cases) {
   const std::uint64_t number = field.count();
   if (number >= cases) {
-    field.fail(fmt::format("the number of a case, below {}", cases));
+    field.fail(fmt::format("the number of a case, less than {}", cases));
   }
   return number;
 }

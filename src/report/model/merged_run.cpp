@@ -19,8 +19,9 @@ using properties::Witness;
 
 [[noreturn]] void fail_different(const ReadShard& first, const ReadShard& other, const std::string& field,
                                  const std::string& of_first, const std::string& of_other) {
-  throw MergeError(fmt::format("the shards do not belong together: {}: {} in {}, {} in {}", field, shown(of_first),
-                               shown(first.file), shown(of_other), shown(other.file)));
+  throw MergeError(
+      fmt::format("the shards do not belong to one run: {}: {} in {}, but {} in {}; merge only shards of the same run",
+                  field, shown(of_first), shown(first.file), shown(of_other), shown(other.file)));
 }
 
 /// The facts that must be the same in all shards, by the name of the field.
@@ -85,14 +86,14 @@ void require_all_once(const std::vector<ReadShard>& shards) {
       continue;
     }
     if (by_number[number] != nullptr) {
-      throw MergeError(fmt::format("shard {} of {} is there twice: {} and {}", number, of,
+      throw MergeError(fmt::format("shard {} of {} occurs twice: {} and {}; give each shard once", number, of,
                                    shown(by_number[number]->file), shown(shard.file)));
     }
     by_number[number] = &shard;
   }
   for (std::uint64_t number = 1; number <= of; ++number) {
     if (number >= by_number.size() || by_number[number] == nullptr) {
-      throw MergeError(fmt::format("shard {} of {} is missing", number, of));
+      throw MergeError(fmt::format("shard {} of {} is missing; give the directories of all shards", number, of));
     }
   }
 }
@@ -158,8 +159,8 @@ std::vector<Witness> best_witnesses(const SubjectResult& result,
       }
     }
     if (chosen == nullptr) {
-      throw MergeError(
-          fmt::format("{} violates {}, and no shard has a witness of it", shown(result.subject.name), invariant));
+      throw MergeError(fmt::format("{} violates {}, but no shard has a witness of this; run the shards again",
+                                   shown(result.subject.name), invariant));
     }
     best.push_back(*chosen);
   }
@@ -170,7 +171,7 @@ std::vector<Witness> best_witnesses(const SubjectResult& result,
 
 Run merged_run(const std::vector<ReadShard>& shards) {
   if (shards.empty()) {
-    throw MergeError("there is no shard to merge");
+    throw MergeError("no shards are given; give the directories of all shards");
   }
   require_one_run(shards);
   require_all_once(shards);

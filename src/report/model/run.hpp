@@ -117,7 +117,7 @@ struct Run {
 [[nodiscard]] std::vector<std::string> not_claimed_by(const Subject& subject);
 
 /// The reason in words.
-inline constexpr const char* shows_no_matrix = "as it shows no collision matrix";
+inline constexpr const char* shows_no_matrix = "because it shows no collision matrix";
 
 /// The totals of a run over the subjects that count.
 struct Overall {

@@ -102,7 +102,7 @@ struct Json<DigitsHistogram> {
     for (const Field& pair : record.at("bins").elements()) {
       const std::vector<Field> numbers = pair.elements();
       if (numbers.size() != 2 || numbers[0].count() >= properties::DigitsScale::bins) {
-        pair.fail("a bin and how many are in it");
+        pair.fail("a bin and its count");
       }
       counts.resize(std::max<std::size_t>(counts.size(), numbers[0].count() + 1));
       counts[numbers[0].count()] = numbers[1].count();
@@ -110,7 +110,7 @@ struct Json<DigitsHistogram> {
     const double smallest = record.at("smallest").number();
     const double largest = record.at("largest").number();
     if (!counts.empty() && !(smallest <= largest)) {
-      record.fail("a smallest number that is at most the largest");
+      record.fail("a smallest number that is not greater than the largest");
     }
     return DigitsHistogram::restored(std::move(counts), smallest, largest);
   }
@@ -269,7 +269,7 @@ void subject_fields(A& archive, Is<Subject> auto& subject) {
 /// Throws FormatError if the name occurs a second time in the list.
 inline void require_new(std::set<std::string>& names, const Field& name) {
   if (!names.insert(name.line()).second) {
-    throw FormatError(name.place(), fmt::format("'{}' stands here twice", name.line()));
+    throw FormatError(name.place(), fmt::format("'{}' occurs twice; expected different names", name.line()));
   }
 }
 
@@ -279,7 +279,7 @@ void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto&
   if constexpr (A::reads) {
     const Field name = archive.record.at("family");
     if (name.text() != family) {
-      name.fail(fmt::format("\"{}\", a family of the run in its place", family));
+      name.fail(fmt::format("the family \"{}\" at this position", family));
     }
   } else {
     archive("family", family);
@@ -440,7 +440,7 @@ json shard_record(const Run& run) {
 properties::Shard shard_number_from(const Field& record) {
   const properties::Shard shard{record.at("number").count(), record.at("of").count()};
   if (shard.number < 1 || shard.number > shard.of) {
-    record.at("number").fail("a number from 1 to that of the shards");
+    record.at("number").fail("a number from 1 to the number of shards");
   }
   return shard;
 }
@@ -512,7 +512,7 @@ properties::FeatureCoverage coverage_of(const Features& features, const Field& r
   std::vector<properties::FeatureCoverage::Pair> missing;
   for (const auto& [x, y] : features.missing_pairs) {
     if (!by_name.contains(x) || !by_name.contains(y)) {
-      record.at("missing_pairs").fail("pairs of the names of features");
+      record.at("missing_pairs").fail("pairs of names of features");
     }
     missing.push_back({by_name.at(x), by_name.at(y)});
   }
@@ -525,7 +525,7 @@ void read_shard_of_subject(const Field& shard, std::size_t s, const properties::
   const auto of_subject = [&](const char* name) {
     const std::vector<Field> list = shard.at(name).elements();
     if (list.size() <= s) {
-      shard.at(name).fail("an element for each subject that was judged");
+      shard.at(name).fail("one element for each judged subject");
     }
     return list[s];
   };
@@ -559,7 +559,8 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
     record.at("interrupted").fail("a run that was not interrupted");
   }
   if (!record.find("shard")) {
-    throw FormatError("/shard", "is missing: the report is of no shard");
+    throw FormatError(
+        "/shard", "is missing: this report is not of a shard; merge needs reports of `carom gate --shard I/N --out`");
   }
   ReadShard shard{file, Json<Run>::read(record, Reading::whole), {}};
   properties::GateReport& report = shard.report;

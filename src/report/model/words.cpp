@@ -53,7 +53,7 @@ std::string cases_judged(const Run& run, const JudgedSubject& subject) {
   const auto& families = subject.result.families;
   const auto fewest = std::min_element(families.begin(), families.end(),
                                        [](const auto& x, const auto& y) { return x.cases < y.cases; });
-  return fmt::format("judged on {} cases in {}, the fewest of them {} of {}", subject.result.cases(),
+  return fmt::format("judged on {} cases in {}; the fewest cases are {} of {}", subject.result.cases(),
                      budget_in_words(run.settings.budget_seconds.value_or(0)), fewest->cases,
                      run.families[static_cast<std::size_t>(fewest - families.begin())].name);
 }
@@ -66,8 +66,8 @@ std::string adjusted_sentences(const Run& run) {
   }
   return fmt::format(
       "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies "
-      "on the body. They moved {} cases to the origin, so that parallel vectors are parallel. They reversed {} cases "
-      "that separated. They drew {} cases again that left the domain.",
+      "on the body. They moved {} cases to the origin, so that parallel vectors are exactly parallel. They reversed {} "
+      "separating cases. They replaced {} cases outside of the domain.",
       all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
       all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
 }
@@ -109,7 +109,7 @@ std::string summary_of(const Run& run) {
     text = counted == 1 ? "The one subject that counts is sound"
                         : fmt::format("All {} subjects that count are sound", counted);
   } else if (counted == 1) {
-    text = violated == 1 ? "The one subject that counts violates something"
+    text = violated == 1 ? "The one subject that counts violates an invariant"
                          : "The one subject that counts could not be judged to the end";
   } else {
     text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
@@ -122,7 +122,7 @@ std::string summary_of(const Run& run) {
                                   kept == 1 ? "it fails" : "they fail");
   text += run.absent.empty() ? "."
                              : fmt::format("; {} {} absent.", run.absent.size(), run.absent.size() == 1 ? "is" : "are");
-  return run.interrupted ? "Interrupted. Until then: " + text : text;
+  return run.interrupted ? "The run was interrupted. The results so far: " + text : text;
 }
 
 }  // namespace carom::report

@@ -48,7 +48,7 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
   }
   const bool known = run.baseline && is_known(*run.baseline, name, witness.invariant);
   return command(known ? "notice" : "error",
-                 fmt::format("{} violates {}{}", name, witness.invariant, known ? ", known from the baseline" : ""),
+                 fmt::format("{} violates {}{}", name, witness.invariant, known ? " (known from the baseline)" : ""),
                  message);
 }
 
@@ -62,7 +62,7 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
     }
     const std::string& name = subject.result.subject.name;
     if (subject.diagnosis) {
-      text += command("notice", "what is wrong with " + name,
+      text += command("notice", "diagnosis of " + name,
                       fmt::format("{}\n{}\nLook at: {}", subject.diagnosis->what, subject.diagnosis->where,
                                   subject.diagnosis->look_at));
     }

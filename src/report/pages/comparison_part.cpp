@@ -88,7 +88,7 @@ std::string changes_of(const ComparedSubject& subject) {
 }
 
 Table subjects_compared(const Comparison& comparison) {
-  Table table{"Subjects: what changed", {{"subject"}, {"status"}, {"counts"}, {"changed"}}, {}};
+  Table table{"Changes of the subjects", {{"subject"}, {"status"}, {"counts"}, {"changed"}}, {}};
   for (const ComparedSubject& subject : comparison.subjects) {
     table.rows.push_back({{name_cell(subject.name), Cell(status_in_words(subject), "word"),
                            Cell(subject.counts ? "yes" : "no", "word"), Cell(changes_of(subject), "text")}});
@@ -148,10 +148,10 @@ std::string comparison_markdown(const Comparison& comparison) { return in_markdo
 
 std::string comparison_html(const Comparison& comparison) {
   return html_page({"Carom: " + summary_of(comparison),
-                    "Carom: two reports compared",
+                    "Carom: comparison of two reports",
                     {},
                     with_sum_first(comparison),
-                    "How to read this page: docs/guide/reading-a-report.md."});
+                    "docs/guide/reading-a-report.md explains this page."});
 }
 
 }  // namespace carom::report

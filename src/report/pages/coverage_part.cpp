@@ -32,7 +32,7 @@ Cell number_cell(std::uint64_t number) { return Cell(std::to_string(number), num
 }  // namespace
 
 Table coverage_table(const Run& run) {
-  Table table{"Cases of each family, by what happens in them", {{"family"}}, {}};
+  Table table{"Cases of each family, by kind of contact", {{"family"}}, {}};
   for (const Counted& one : counted) {
     table.columns.push_back({one.name, true});
   }
@@ -56,7 +56,9 @@ std::string features_in_words(const Run& run, std::size_t most_named) {
 }
 
 Table features_table(const Run& run) {
-  Table table{"Colliding cases of all families by their features", {{"feature"}, {"what holds"}, {"cases", true}}, {}};
+  Table table{"Number of colliding cases with each feature, over all families",
+              {{"feature"}, {"definition"}, {"cases", true}},
+              {}};
   for (const properties::Feature& feature : properties::all_features()) {
     const auto cases = run.features.cases.find(std::string(feature.name));
     table.rows.push_back({{std::string(feature.name), Cell(std::string(feature.statement), "word"),

@@ -38,7 +38,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
       text += fmt::format(" ({:.2g})", result.families[f].worst_backward_error);
     }
   }
-  return shares.size() > most_named ? fmt::format("{}, and {} families more", text, shares.size() - most_named) : text;
+  return shares.size() > most_named ? fmt::format("{}, and {} more families", text, shares.size() - most_named) : text;
 }
 
 Facts facts_of(const Diagnosis& diagnosis) {
@@ -62,8 +62,8 @@ void add_diagnosis(Document& document, const Run& run, std::size_t s) {
   Facts facts = facts_of(diagnosis);
   Cell telling("witness of " + diagnosis.telling);
   telling.link = '#' + witness_anchor(s, diagnosis.telling);
-  facts.pairs.emplace_back("tells most", std::move(telling));
-  facts.pairs.emplace_back("which says", std::string(properties::invariant_named(diagnosis.telling)->statement));
+  facts.pairs.emplace_back("best witness", std::move(telling));
+  facts.pairs.emplace_back("its statement", std::string(properties::invariant_named(diagnosis.telling)->statement));
   std::vector<std::string> others;
   const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
   for (const Witness* witness : witnesses) {
@@ -103,7 +103,8 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   }
   content.emplace_back(std::move(table));
   const Witness& first = *witnesses.front();
-  content.emplace_back(Paragraph{fmt::format("It violates {}, of family {}:", first.invariant, first.family)});
+  content.emplace_back(
+      Paragraph{fmt::format("It violates {}, for example in the family {}:", first.invariant, first.family)});
   std::string words = fmt::format("{}\n{}", properties::invariant_named(first.invariant)->statement,
                                   properties::violation_in_words(first.shrunk.collision, first.answer, first.verdict));
   if (!out_directory.empty()) {
@@ -115,7 +116,7 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
     for (const Witness* witness : std::span(witnesses).subspan(1)) {
       lines += replay_line(run, subject, *witness, out_directory) + '\n';
     }
-    content.emplace_back(Paragraph{"To replay the others:"});
+    content.emplace_back(Paragraph{"To replay the other witnesses:"});
     content.emplace_back(Code{std::move(lines)});
   }
   return {result.subject.name, std::move(content), "", "section", "", true};
@@ -130,7 +131,7 @@ Document diagnoses_part(const Run& run) {
     }
   }
   if (!kept.empty()) {
-    document.emplace_back(Details{"What is wrong with the subjects that are kept because they fail", std::move(kept)});
+    document.emplace_back(Details{"Diagnoses of the subjects that are kept because they fail", std::move(kept)});
   }
   return document;
 }

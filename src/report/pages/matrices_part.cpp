@@ -108,7 +108,7 @@ void draw_shades(pugi::xml_node section, double limit) {
 
 Cell family_cell(const SubjectResult& result, const FamilyResult& family, double limit) {
   if (family.cases == family.skipped || !determines_outcome(result.subject.model)) {
-    return signed_cell("unclaimed", no_number, "nothing to compare");
+    return signed_cell("unclaimed", no_number, "no outcome to compare with");
   }
   const double error = family.worst_backward_error;
   return Cell(in_few_letters(error), shade_of(error, limit) + (error <= limit ? "" : " above"));
@@ -128,9 +128,10 @@ Document invariants_part(const Run& run) {
   for (const properties::Invariant& invariant : all) {
     names.emplace_back(invariant.name);
   }
-  return {Paragraph{"✓ holds in so many cases; ✗ violated in so many cases, and linked to a witness; · not claimed by "
-                    "the subject; ○ claimed, and no case in its domain."},
-          matrix(run, "Invariants: in how many cases each holds or is violated", "matrix", names,
+  return {Paragraph{
+              "✓ and the number of cases in which it holds; ✗ and the number of cases that violate it, with a link to "
+              "a witness; · the subject does not claim it; ○ the subject claims it, but no case is in its domain."},
+          matrix(run, "Invariants: the number of cases in which each holds or is violated", "matrix", names,
                  [&](std::size_t s, std::size_t i) { return invariant_cell(run, s, all[i]); })};
 }
 
@@ -140,19 +141,19 @@ Document families_part(const Run& run) {
   for (const RunFamily& family : run.families) {
     names.push_back(family.name);
   }
-  return {
-      Paragraph{fmt::format(
-          "The worst backward error in ulps of the subject's precision. In bold: above the limit of {} ulps.", limit)},
-      Picture{[limit](pugi::xml_node section) { draw_shades(section, limit); }},
-      matrix(run, "Families: the worst backward error in each [ulps]", "matrix shaded", names,
-             [&](std::size_t s, std::size_t f) {
-               const SubjectResult& result = run.subjects[s].result;
-               return family_cell(result, result.families[f], limit);
-             })};
+  return {Paragraph{fmt::format("The table shows the worst backward error in ulps of the subject's precision. Bold "
+                                "numbers are above the limit of {} ulps.",
+                                limit)},
+          Picture{[limit](pugi::xml_node section) { draw_shades(section, limit); }},
+          matrix(run, "Families: the worst backward error in each [ulps]", "matrix shaded", names,
+                 [&](std::size_t s, std::size_t f) {
+                   const SubjectResult& result = run.subjects[s].result;
+                   return family_cell(result, result.families[f], limit);
+                 })};
 }
 
 Document deviations_part(const Run& run) {
-  Table table{"What is not claimed", {{"subject"}, {"invariant"}, {"why"}}, {}};
+  Table table{"Invariants that are not claimed", {{"subject"}, {"invariant"}, {"why"}}, {}};
   const auto add_row = [&](const Subject& subject, const std::string& invariant, const char* why) {
     table.rows.push_back({{name_cell(subject.name), Cell(invariant, "word"), Cell(why, "word")}});
   };
@@ -161,7 +162,7 @@ Document deviations_part(const Run& run) {
     const Subject& subject = judged_subject.result.subject;
     for (const std::string& deviation : subject.deviates) {
       const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
-      add_row(subject, deviation, is_own ? "by its own word" : "by --deviates");
+      add_row(subject, deviation, is_own ? "the subject does not claim it" : "option --deviates");
     }
     for (const std::string& invariant : not_claimed_by(subject)) {
       add_row(subject, invariant, shows_no_matrix);
@@ -170,13 +171,12 @@ Document deviations_part(const Run& run) {
   if (table.rows.empty()) {
     return {};
   }
-  return {
-      Section{"Not claimed",
-              {Paragraph{"What a subject does not claim was not judged, and holds nowhere by that; behind @ the one "
-                         "family where it is not claimed."},
-               std::move(table)},
-              "",
-              "div"}};
+  return {Section{"Not claimed",
+                  {Paragraph{"The gate did not judge these invariants, so the report says nothing about them. "
+                             "NAME@FAMILY is not claimed in that family only."},
+                   std::move(table)},
+                  "",
+                  "div"}};
 }
 
 std::string boundary_in_words(const FamilyResult& family) {
@@ -184,12 +184,12 @@ std::string boundary_in_words(const FamilyResult& family) {
     return no_number;
   }
   return family.boundary
-             ? fmt::format("from {:.2g} on: {} of {}", family.boundary->quantity, family.violated, judged_of(family))
+             ? fmt::format("from {:.2g}: {} of {}", family.boundary->quantity, family.violated, judged_of(family))
              : fmt::format("nowhere, of {}", judged_of(family));
 }
 
 Document beyond_domain_part(const Run& run, Subjects which) {
-  Table table{"Where each subject stops beyond the claimed domain", {{"subject"}}, {}};
+  Table table{"Limits of each subject beyond the claimed domain", {{"subject"}}, {}};
   for (const FamilyBeyondDomain& family : run.beyond_domain) {
     table.columns.push_back({fmt::format("{} ({})", family.name, family.quantity)});
   }
@@ -209,13 +209,13 @@ Document beyond_domain_part(const Run& run, Subjects which) {
   if (!was_posed) {
     return {};
   }
-  return {
-      Section{"Beyond the claimed domain",
-              {Paragraph{"The least of a quantity at which something is violated, and in how many of the cases that "
-                         "were judged. No verdict and no exit status depends on it."},
-               std::move(table)},
-              "",
-              "div"}};
+  return {Section{
+      "Beyond the claimed domain",
+      {Paragraph{"The table shows the least value of the quantity at which the subject violates an invariant, and the "
+                 "number of violated cases of all judged cases. The verdicts and the exit status do not depend on it."},
+       std::move(table)},
+      "",
+      "div"}};
 }
 
 }  // namespace carom::report

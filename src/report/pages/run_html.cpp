@@ -13,11 +13,11 @@ namespace {
 std::string meaning_of(const Run& run) {
   switch (run.exit_status()) {
     case exit_all_hold:
-      return run.baseline ? "0: nothing is new" : "0: all hold";
+      return run.baseline ? "0: there are no new violations" : "0: all invariants hold";
     case exit_violated:
-      return run.baseline ? "1: something is new" : "1: something is violated";
+      return run.baseline ? "1: there are new violations" : "1: a subject violates an invariant";
     default:
-      return "2: not everything could be judged";
+      return "2: some subjects could not be judged";
   }
 }
 
@@ -27,23 +27,23 @@ Document summary_part(const Run& run) {
       with({Paragraph{summary_of(run), fmt::format("result exit-{}", run.exit_status())}}, diagnoses_part(run));
   document.emplace_back(
       Facts{{{"exit status", meaning_of(run)},
-             {"interrupted", run.interrupted ? "yes: what follows was judged until then" : "no"},
+             {"interrupted", run.interrupted ? "yes: this page shows the results so far" : "no"},
              {"baseline", run.baseline ? baseline_verdict(*run.baseline) : ""},
              {"seed", std::to_string(settings.seed)},
              {"cases", extent_of(run)},
              {"limit", limit_in_words(settings.yardstick)},
              {"relations", settings.relations_every > 0
-                               ? fmt::format("each judged on every {}th case", settings.relations_every)
-                               : "each judged on every case, of programs on every fourth"},
-             {"judge", settings.yardstick.filtered ? "exact arithmetic, and bounds where they decide"
-                                                   : "exact arithmetic alone (--exact)"}}});
+                               ? fmt::format("each is judged on every {}th case", settings.relations_every)
+                               : "each is judged on every case; for programs on every fourth case"},
+             {"judge", settings.yardstick.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
+                                                   : "only exact arithmetic (--exact)"}}});
   return document;
 }
 
 Document features_part(const Run& run) {
   constexpr std::size_t most_named = 20;
   return {Paragraph{features_in_words(run, most_named) + '.'},
-          Details{"In how many colliding cases each feature was", {features_table(run)}}};
+          Details{"Number of colliding cases with each feature", {features_table(run)}}};
 }
 
 Document environment_part(const Run& run) {
@@ -69,13 +69,12 @@ Document environment_part(const Run& run) {
 }  // namespace
 
 std::string run_html(const Run& run, const std::string& out_directory) {
-  Page page{
-      "Carom: " + summary_of(run),
-      "Carom: collision impulses against exact arithmetic",
-      {},
-      {},
-      "How to read this page: docs/guide/reading-a-report.md. The same as data: report.json and witnesses/ beside "
-      "it."};
+  Page page{"Carom: " + summary_of(run),
+            "Carom: collision impulses against exact arithmetic",
+            {},
+            {},
+            "docs/guide/reading-a-report.md explains this page. The files report.json and witnesses/ in the same "
+            "directory hold the same data."};
   const auto add_part = [&](const char* anchor, const char* heading, Document content) {
     page.contents.emplace_back(anchor, heading);
     page.main.emplace_back(Section{heading, std::move(content), anchor});
@@ -88,8 +87,8 @@ std::string run_html(const Run& run, const std::string& out_directory) {
   add_part("subjects", "Subjects", with({subjects_table(run, Subjects::all)}, errors_part(run)));
   add_part("invariants", "Invariants", with(invariants_part(run), deviations_part(run)));
   add_part("families", "Families", with(families_part(run), beyond_domain_part(run, Subjects::all)));
-  add_part("violations", "What is violated where", violations_part(run));
-  add_part("generated", "What was generated", {coverage_table(run), Paragraph{adjusted_sentences(run)}});
+  add_part("violations", "Violations by family and feature", violations_part(run));
+  add_part("generated", "Generated cases", {coverage_table(run), Paragraph{adjusted_sentences(run)}});
   add_part("features", "Features", features_part(run));
   add_part("witnesses", "Witnesses", witnesses_part(run, out_directory));
   add_part("environment", "Environment", environment_part(run));

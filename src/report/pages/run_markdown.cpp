@@ -21,7 +21,7 @@ std::string opening(const Run& run) {
     content.emplace_back(Paragraph{fmt::format("Against the baseline: {}.", baseline_verdict(*run.baseline))});
   }
   if (run.interrupted) {
-    content.emplace_back(Paragraph{"Interrupted: this is what was judged until then.", "", true});
+    content.emplace_back(Paragraph{"The run was interrupted. These are the results so far.", "", true});
   }
   content.emplace_back(subjects_table(run, Subjects::counting));
   content = with(std::move(content), beyond_domain_part(run, Subjects::counting));
@@ -53,7 +53,7 @@ std::string run_markdown(const Run& run, const std::string& out_directory) {
     left_out += fits ? 0 : 1;
   }
   if (left_out > 0) {
-    text += fmt::format("\nWhat {} subjects more violate is in the report.\n", left_out);
+    text += fmt::format("\nThe report holds the violations of {} more subjects.\n", left_out);
   }
   return text + '\n';
 }

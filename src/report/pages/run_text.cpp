@@ -10,12 +10,11 @@ namespace carom::report {
 
 std::string run_text(const Run& run, const std::string& out_directory) {
   constexpr std::size_t most_named = 5;
-  Document document{
-      Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run), run.settings.seed,
-                            limit_in_words(run.settings.yardstick),
-                            run.settings.yardstick.filtered ? "" : ", judged in exact arithmetic alone")}};
+  Document document{Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run),
+                                          run.settings.seed, limit_in_words(run.settings.yardstick),
+                                          run.settings.yardstick.filtered ? "" : ", judged only in exact arithmetic")}};
   if (run.interrupted) {
-    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: what follows is what was judged until then"}}});
+    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }
   document.emplace_back(Section{"", {coverage_table(run)}});
   document.emplace_back(

@@ -23,10 +23,10 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
     (is_own ? own : others).push_back(deviation);
   }
   if (!own.empty()) {
-    notes.push_back("not claimed, by its own word: " + listed(own));
+    notes.push_back("not claimed by the subject: " + listed(own));
   }
   if (!others.empty()) {
-    notes.push_back("not claimed, by --deviates: " + listed(others));
+    notes.push_back("not judged because of --deviates: " + listed(others));
   }
   if (const std::vector<std::string> of_matrix = not_claimed_by(subject); !of_matrix.empty()) {
     notes.push_back(fmt::format("not claimed, {}: {}", shows_no_matrix, listed(of_matrix)));

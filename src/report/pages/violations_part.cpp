@@ -49,7 +49,8 @@ Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string
 Table family_matrix(const Run& run, std::size_t s) {
   const SubjectResult& result = run.subjects[s].result;
   const std::vector<std::string> names = violated_in_order(run.subjects[s]);
-  Table table{result.subject.name + ": violated cases of those judged, and the worst one", {{"family"}}, {}, "matrix"};
+  Table table{
+      result.subject.name + ": number of violated and judged cases, and the worst case", {{"family"}}, {}, "matrix"};
   add_upright(table, names);
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     if (result.families[f].violated == 0) {
@@ -117,7 +118,7 @@ Details feature_matrix(const Run& run, std::size_t s) {
                    [](const FeatureRow& x, const FeatureRow& y) { return x.share() > y.share(); });
   constexpr std::size_t most_rows = 40;
   rows.resize(std::min(rows.size(), most_rows));
-  Table table{result.subject.name + ": violated cases among the sampled ones with a feature",
+  Table table{result.subject.name + ": sampled cases with each feature, and the violated ones among them",
               {{"feature"}, {"cases", true}, {"violated", true}},
               {},
               "matrix"};
@@ -133,7 +134,7 @@ Details feature_matrix(const Run& run, std::size_t s) {
     }
     table.rows.push_back(std::move(row));
   }
-  return {fmt::format("By feature: the {} that violated cases have most", rows.size()), {std::move(table)}};
+  return {fmt::format("The {} most frequent features of violated cases", rows.size()), {std::move(table)}};
 }
 
 }  // namespace
@@ -147,7 +148,7 @@ Document violations_part(const Run& run) {
     }
   }
   document.emplace_back(
-      Paragraph{document.empty() ? "No subject that counts violates anything."
+      Paragraph{document.empty() ? "No subject that counts violates an invariant."
                                  : "To replay a case by its number: carom replay --family FAMILY --case NUMBER --seed "
                                    "SEED --subject SUBJECT."});
   return document;

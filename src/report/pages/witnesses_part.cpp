@@ -102,7 +102,7 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
     document.emplace_back(Code{refused->why});
   }
   if (const auto* failed = std::get_if<Failed>(&witness.answer); failed != nullptr && !failed->said.empty()) {
-    document.emplace_back(Paragraph{"What it was asked, and what it wrote on standard error:"});
+    document.emplace_back(Paragraph{"The request, and the standard error output of the subject:"});
     document.emplace_back(Code{failed->said});
   }
   std::vector<Velocities> columns;
@@ -142,10 +142,10 @@ void add_sides(Document& document, const properties::Verdict& verdict) {
     document.emplace_back(Paragraph{verdict.detail, "sides"});
     return;
   }
-  Table table = numbers_table("What was compared: " + verdict.detail, {"", "value"});
+  Table table = numbers_table("The two sides: " + verdict.detail, {"", "value"});
   table.rows = {{{"left side", in_words(verdict.left)}},
                 {{"right side", in_words(verdict.right)}},
-                {{"apart by", fmt::format("{:.3g}", verdict.residual)}},
+                {{"difference", fmt::format("{:.3g}", verdict.residual)}},
                 {{"allowed", fmt::format("{:.3g}", verdict.allowed)}}};
   document.emplace_back(std::move(table));
 }
@@ -164,7 +164,7 @@ Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
 void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
                  Model claimed, const std::string& anchor, const std::string& title) {
   if (!judged_case.is_valid()) {
-    add(section, "p", {}, "The collision is invalid: there is nothing to draw.");
+    add(section, "p", {}, "The collision is invalid, so there is no drawing.");
     return;
   }
   const oracles::ExactCase& exact_case = judged_case.exact();
@@ -189,7 +189,7 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
 /// The case that the family drew, before it was shrunk to the witness.
 Details drawn_case(const Witness& witness, const std::string& replay) {
   Details details{
-      fmt::format("As drawn: case {} of the family {}, before it was shrunk", witness.index, witness.family), {}};
+      fmt::format("The original case before shrinking: case {} of the family {}", witness.index, witness.family), {}};
   add_collision(details.content, witness.original.collision);
   add_sides(details.content, witness.verdict_as_found);
   details.content.emplace_back(Code{replay + " --drawn"});
@@ -213,13 +213,13 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
     add_drawing(node, witness, *judged_case, model, anchor, title);
   }};
   Document content{
-      Paragraph{fmt::format("{} Violated in {} cases; this one comes from the family {}.", invariant.statement,
-                            violated_of_judged(result.count(witness.invariant)), witness.family)},
+      Paragraph{fmt::format("{} The subject violates this in {} cases. This witness comes from the family {}.",
+                            invariant.statement, violated_of_judged(result.count(witness.invariant)), witness.family)},
       Picture{[formula = invariant.formula](pugi::xml_node node) {
         add_formula(add(node, "div", {{"class", "formula"}, {"tabindex", "0"}}), formula);
       }},
       Box{"columns", {Box{"witness-numbers", std::move(numbers)}, Box{"pictures", {std::move(picture)}}}},
-      Paragraph{"To replay it:"},
+      Paragraph{"To replay this witness:"},
       Code{replay},
       drawn_case(witness, replay)};
   return {title, std::move(content), anchor, "article"};
@@ -247,7 +247,7 @@ Document witnesses_part(const Run& run, const std::string& out_directory) {
     }
   }
   if (document.empty()) {
-    document.emplace_back(Paragraph{"Nothing was violated: there is no witness."});
+    document.emplace_back(Paragraph{"There are no violations, and so no witnesses."});
   }
   return document;
 }

@@ -20,10 +20,10 @@ void MaterialsReader::read(Fields& root) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string place = "/materials/" + std::to_string(i);
     if (!names[i].is_string() || names[i].get_ref<const std::string&>().empty()) {
-      throw FormatError(place, "expected a name" + found(names[i]));
+      throw FormatError(place, "expected a nonempty name" + found(names[i]));
     }
     if (!indices_.emplace(names[i].get<std::string>(), i).second) {
-      throw FormatError(place, "expected names that differ, found " + names[i].dump() + " twice");
+      throw FormatError(place, "expected different names, found " + names[i].dump() + " twice");
     }
     scene_.materials.push_back(names[i]);
   }
@@ -49,7 +49,7 @@ void MaterialsReader::read_contact(const json& value, const std::string& place) 
   const std::size_t b = material_named(names[1], fields.at("materials") + "/1");
   const auto [known, is_new] = places_.emplace(std::minmax(a, b), place);
   if (!is_new) {
-    throw FormatError(place, "expected each pair of materials once, found that of " + known->second + " again");
+    throw FormatError(place, "expected each pair of materials once, but this repeats the pair of " + known->second);
   }
   MaterialPair pair;
   read_optional(fields, "restitution", pair.restitution);
@@ -79,7 +79,7 @@ std::size_t MaterialsReader::material_of(Fields& body) const {
   }
   if (scene_.materials.size() > 1) {
     throw FormatError(body.at("material"),
-                      "is missing, and there are " + std::to_string(scene_.materials.size()) + " materials");
+                      "is missing; name one of the " + std::to_string(scene_.materials.size()) + " materials");
   }
   return 0;
 }

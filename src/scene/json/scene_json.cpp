@@ -93,7 +93,7 @@ class SceneReader {
       if (!(least[axis] < greatest[axis])) {
         const std::string place = "/" + std::to_string(axis);
         throw FormatError("/room/greatest" + place,
-                          "expected a number greater than that of /room/least" + place +
+                          "expected a number greater than /room/least" + place +
                               found(root_.required("room").at("greatest").at(static_cast<std::size_t>(axis))));
       }
       Vector3<double> inward{0, 0, 0};
@@ -171,8 +171,8 @@ class SceneReader {
       throw FormatError(fields.at("vertices"), "expected an array" + found(list));
     }
     if (list.size() < 4 || list.size() > most_vertices) {
-      throw FormatError(fields.at("vertices"), "expected from 4 to " + std::to_string(most_vertices) +
-                                                   " points, found " + std::to_string(list.size()));
+      throw FormatError(fields.at("vertices"), "expected 4 to " + std::to_string(most_vertices) + " points, found " +
+                                                   std::to_string(list.size()));
     }
     for (std::size_t k = 0; k < list.size(); ++k) {
       polyhedron.vertices.push_back(finite_vector<3>(list[k], fields.at("vertices") + '/' + std::to_string(k)));

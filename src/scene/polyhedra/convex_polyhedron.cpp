@@ -116,8 +116,8 @@ Triangle across(const Points& points, std::size_t a, std::size_t b, std::size_t 
 std::optional<ShapeDefect> defect_of_list(const Points& points, const Polygon& order) {
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (points[order[i - 1]] == points[order[i]]) {
-      return ShapeDefect{"vertex " + std::to_string(order[i]) + " is vertex " + std::to_string(order[i - 1]) +
-                         " again"};
+      return ShapeDefect{"vertex " + std::to_string(order[i]) + " equals vertex " + std::to_string(order[i - 1]) +
+                         "; remove one of them"};
     }
   }
   return std::nullopt;
@@ -132,7 +132,7 @@ std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector
     }
   }
   if (vertices.size() < 4) {
-    return ShapeDefect{"a polyhedron has at least 4 vertices, not " + std::to_string(vertices.size())};
+    return ShapeDefect{"a polyhedron needs at least 4 vertices, not " + std::to_string(vertices.size())};
   }
   const Polygon order = in_order(vertices);
   if (const std::optional<ShapeDefect> defect = defect_of_list(vertices, order)) {
@@ -140,7 +140,7 @@ std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector
   }
   const std::optional<Triangle> first = first_triangle(vertices, order.front());
   if (!first) {
-    return ShapeDefect{"all vertices lie in one plane"};
+    return ShapeDefect{"all vertices lie in one plane; a polyhedron needs a volume"};
   }
 
   ConvexPolyhedron hull;
@@ -167,8 +167,9 @@ std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (!is_corner[i]) {
-      return ShapeDefect{"vertex " + std::to_string(i) +
-                         " is no corner: it lies inside the hull of the others, or on a " + "face or an edge of it"};
+      return ShapeDefect{
+          "vertex " + std::to_string(i) +
+          " is not a corner: it lies inside the convex hull of the others, or on its boundary; remove this vertex"};
     }
   }
   for (const auto& [a, b] : sides) {

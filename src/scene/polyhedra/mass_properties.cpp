@@ -128,7 +128,7 @@ std::optional<ShapeDefect> defect_of(const MassProperties& properties) {
       std::all_of(properties.principal_inertia.begin(), properties.principal_inertia.end(), is_in_range)) {
     return std::nullopt;
   }
-  return ShapeDefect{"its volume, mass or moments of inertia are too great or too small for binary64"};
+  return ShapeDefect{"its volume, mass or moments of inertia overflow or underflow binary64"};
 }
 
 std::optional<ShapeDefect> defect_of_density(double density) {
@@ -165,7 +165,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
   }
   const double size = nearest(trace);
   if (!is_in_range(size)) {
-    return ShapeDefect{"its moments of inertia are too great or too small for binary64"};
+    return ShapeDefect{"its moments of inertia overflow or underflow binary64"};
   }
   // Scaling by a power of two makes the search for the axes independent of the size of the body.
   int exponent = 0;

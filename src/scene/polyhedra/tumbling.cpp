@@ -140,9 +140,9 @@ Tumbling::Outlook Tumbling::outlook_from(double begin, double known_until, const
     case Approach::misses:
       return {horizon < scene_.duration ? horizon : never, false};
     case Approach::overlaps:
-      throw SceneError(text_of("at t = ", begin, " ", description_of(where), " are not certain to be apart: ",
-                               found.separation.gap, " m is what lies between them, and rounding leaves ",
-                               found.separation.gap - found.separation.certified, " m open"));
+      throw SceneError(text_of("at t = ", begin, " ", description_of(where), " may overlap: ", found.separation.gap,
+                               " m is the computed gap, with a rounding error of up to ",
+                               found.separation.gap - found.separation.certified, " m"));
     case Approach::undecided:
       break;
   }
@@ -155,8 +155,8 @@ Tumbling::Outlook Tumbling::outlook_from(double begin, double known_until, const
   if (gap > tolerance_of(where)) {
     const std::string who = text_of("at t = ", begin, " ", description_of(where), " are ", gap, " m apart, ");
     throw SceneError(unknown > tolerance_of(where) / 2
-                         ? text_of(who, "and up to ", unknown, " m of that are not known")
-                         : text_of(who, "and come nearer by more than that before the next instant that a double is"));
+                         ? text_of(who, "with a rounding error of up to ", unknown, " m, which is too large")
+                         : text_of(who, "and they approach by more than this within one ulp of the time"));
   }
   // The gap is within the tolerance and too small to be resolved, so it counts as a contact.
   return {found.time, true};
@@ -270,7 +270,7 @@ const Event* Tumbling::advance() {
     counts_.at_one_instant = std::max(counts_.at_one_instant, at_this_instant_);
     if (at_this_instant_ > most_at_one_instant) {
       throw SceneError(text_of("more than ", most_at_one_instant, " impacts at the instant t = ", now_,
-                               ", the last of ", description_of(where)));
+                               "; the last is of ", description_of(where)));
     }
     strike(where);
     return &event_;

@@ -46,10 +46,10 @@ Found number_defect(const Scene& scene, std::size_t i) {
   // Times are doubles. Within this limit, a corner turns by less than a contact's tolerance in one ulp of the time.
   if (!(polyhedron.angular_velocity.stableNorm() * scene.duration <= most_turn)) {
     return defect("angular_velocity",
-                  text_of("expected a body that turns by at most ", most_turn, " rad within the duration"));
+                  text_of("expected a body that rotates by at most ", most_turn, " rad within the duration"));
   }
   if (!polyhedron.orientation.allFinite() || polyhedron.orientation.isZero(0)) {
-    return defect("orientation", "expected four finite numbers, w, x, y and z, not all 0");
+    return defect("orientation", "expected four finite numbers w, x, y, z that are not all 0");
   }
   return std::nullopt;
 }
@@ -73,8 +73,8 @@ Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bod
   }
   if (!(made.position.stableNorm() <= farthest * made.radius())) {
     return SceneDefect{Of::polyhedron, i, 0, "",
-                       text_of("expected its centre of mass, at distance ", made.position.norm(),
-                               ", to be within 4096 of its radii of 0, which are ", made.radius())};
+                       text_of("expected a centre of mass within 4096 radii of the origin, found the distance ",
+                               made.position.norm(), " and the radius ", made.radius())};
   }
   return std::nullopt;
 }
@@ -86,8 +86,9 @@ Placement placement_of(const RigidBody& body) {
 Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
   const auto defect = [&](const std::string& other, const Separation& separation) {
     std::ostringstream text;
-    text << description_of(scene, i) << " is not certain to be apart from " << other << ": " << separation.gap
-         << " m lie between them, and rounding leaves " << separation.gap - separation.certified << " m open";
+    text << description_of(scene, i) << " may overlap " << other << ": " << separation.gap
+         << " m is the computed gap, with a rounding error of up to " << separation.gap - separation.certified
+         << " m; move one of them";
     const bool is_ball = is_sphere(scene, i);
     return SceneDefect{is_ball ? Of::sphere : Of::polyhedron, is_ball ? i : i - scene.spheres.size(), 0, "",
                        text.str()};

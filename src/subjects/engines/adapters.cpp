@@ -70,17 +70,17 @@ Adapters find_adapters() {
 
 std::string why_absent(const Adapters& adapters, const std::string& adapter, const std::string& package) {
   if (adapters.directory.empty()) {
-    return std::string("no folder share/carom/npm above this program has the adapters; ") + adapters_variable +
-           " may name one";
+    return std::string("no folder above this program contains share/carom/npm with the adapters; set ") +
+           adapters_variable + " to such a folder";
   }
   if (!is_there(adapters.directory / adapter)) {
-    return (adapters.directory / adapter).string() + " is not there" +
-           (adapters.is_chosen ? std::string(", in the folder that ") + adapters_variable + " names" : "");
+    return (adapters.directory / adapter).string() + " does not exist" +
+           (adapters.is_chosen ? std::string("; check ") + adapters_variable : "");
   }
   if (!is_there(adapters.directory / "node_modules" / package)) {
     return package + " is not installed: " + how_to_install(adapters.directory);
   }
-  return is_on_path("node") ? "" : "node, which runs it, is not on the PATH: install nodejs";
+  return is_on_path("node") ? "" : "node is not on PATH: install nodejs";
 }
 
 }  // namespace carom::subjects

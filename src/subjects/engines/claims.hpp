@@ -59,7 +59,7 @@ struct EngineSummary {
 
 [[nodiscard]] inline std::vector<Subject> ode_claims() {
   return engine_claims({"ode-double", "ODE's dWorldStep", "CFM 0, no gyroscopic torque, step 1/60 s",
-                        "friction in a box of a width that the frictionless impulse says"},
+                        "friction in a box; the frictionless impulse determines its width"},
                        Precision::binary64);
 }
 

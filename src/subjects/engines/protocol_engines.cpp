@@ -55,14 +55,13 @@ std::vector<Subject> bullet_float() {
   std::error_code none;
   return started_by(
       engine_claims({"bullet-float", "Bullet's float build",
-                     "restitution threshold 0, no gyroscopic torque; drops contacts of bodies of more than about "
-                     "1.5e7 kg",
+                     "restitution threshold 0, no gyroscopic torque; ignores contacts of bodies above about 1.5e7 kg",
                      "friction along the slip before the impulse"},
                     Precision::binary32),
       {program.string()},
       std::filesystem::exists(program, none)
           ? ""
-          : program.string() + " is not there: libbullet-dev was not found when this program was built");
+          : program.string() + " does not exist: libbullet-dev was not found when this program was built");
 }
 
 }  // namespace
@@ -78,17 +77,17 @@ std::vector<Subject> protocol_engines() {
             "restitution threshold 0, no damping, speed limits out of reach; rounds the normal of resting contacts",
             "friction is weighted along two axes of the world"},
         NodeEngine{"cannon", "cannon-es", Precision::binary64,
-                   "no contact softness, no damping, no force limit; its restitution leaves out the spins",
-                   "friction is in a square that does not know the pressure"},
+                   "no contact softness, no damping, no force limit; its restitution ignores the spins",
+                   "friction is limited to a square that does not depend on the pressure"},
         NodeEngine{"physx", "physx-js-webidl", Precision::binary32,
                    "bounce threshold 0, no damping, speed limits out of reach",
-                   "friction is in a square along the motion of the centres"},
+                   "friction is limited to a square along the motion of the centres"},
         NodeEngine{"oimo", "oimophysics", Precision::binary64,
-                   "bounce threshold 0, speed limits out of reach; bodies of small moments do not turn",
+                   "bounce threshold 0, speed limits out of reach; bodies with small moments do not rotate",
                    "friction is weighted by the contact's mobility"},
         NodeEngine{"mujoco", "@mujoco/mujoco", Precision::binary64,
-                   "step 2^-100 s, the hardest contact that it has; soft beyond 1e11 kg",
-                   "what slips bounces faster"}}) {
+                   "step 2^-100 s, the hardest available contact; soft above 1e11 kg",
+                   "bodies that slip bounce faster"}}) {
     const std::vector<Subject> claims = node_engine(engine);
     engines.insert(engines.end(), claims.begin(), claims.end());
   }

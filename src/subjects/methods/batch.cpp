@@ -47,7 +47,7 @@ Method batch_method(Model model) {
   method.scalar = scalar_type<S>;
   const std::string source(impulse::description_of(model).source);
   subject.summary =
-      description_in_words(model) + (source.empty() ? "" : ", " + source) + ", in packs, one contact a lane";
+      description_in_words(model) + (source.empty() ? "" : ", " + source) + ", in packs with one contact per lane";
   subject.model = model;
   subject.precision = precision_of<S>;
   subject.open = [model] {

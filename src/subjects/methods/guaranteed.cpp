@@ -18,8 +18,8 @@ Method guaranteed_method(Model model) {
   Method method;
   impulse::with_law(model, [&](const auto& law) {
     method = method_of<double>(
-        {std::string(name_of(model)) + "-guaranteed", description_in_words(model) + ", the exact N·V⁺ never negative",
-         model, model != Model::frictionless},
+        {std::string(name_of(model)) + "-guaranteed",
+         description_in_words(model) + "; the exact N·V⁺ is never negative", model, model != Model::frictionless},
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
@@ -44,11 +44,12 @@ std::vector<Method> guaranteed_methods() {
   std::vector<Method> methods;
   for (const Model model : models_with_truth) {
     Method method = guaranteed_method(model);
-    methods.push_back(model == Model::sticking
-                          ? expected_to_fail(std::move(method),
-                                             "the last ulp of approach is taken at the cost of small momenta, in about "
-                                             "one of 10⁴ cases of `structured`")
-                          : std::move(method));
+    methods.push_back(
+        model == Model::sticking
+            ? expected_to_fail(
+                  std::move(method),
+                  "removing the last ulp of approach loses small momenta, in about one of 10⁴ cases of `structured`")
+            : std::move(method));
   }
   return methods;
 }

@@ -12,16 +12,17 @@ std::vector<Method> refined_methods() {
   const auto reflection = [](const impulse::Contact<double>& contact, const auto& see) {
     return impulse::reflection_refined<float, impulse::Ldlt>(contact, see);
   };
-  std::vector<Method> methods{solver_method<double>({"frictionless-float-refined",
-                                                     "the frictionless law solved in float, one step of refinement in "
-                                                     "double; 13 digits, but not binary64's 32 ulps",
-                                                     Model::frictionless, false},
-                                                    frictionless),
-                              solver_method<double>({"reflection-float-refined",
-                                                     "basis-free reflection, LDLᵀ in float, one step of refinement in "
-                                                     "double; 13 digits, but not binary64's 32 ulps",
-                                                     Model::reflection},
-                                                    reflection)};
+  std::vector<Method> methods{
+      solver_method<double>({"frictionless-float-refined",
+                             "frictionless law in float with one step of refinement in double; 13 digits, but more "
+                             "than 32 ulps of binary64",
+                             Model::frictionless, false},
+                            frictionless),
+      solver_method<double>({"reflection-float-refined",
+                             "basis-free reflection with LDLᵀ in float and one step of refinement in double; 13 "
+                             "digits, but more than 32 ulps of binary64",
+                             Model::reflection},
+                            reflection)};
   for (Method& method : methods) {
     method.form = MethodForm::refined;
     method.subject.name.resize(method.subject.name.rfind('-'));

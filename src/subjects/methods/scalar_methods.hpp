@@ -81,12 +81,12 @@ template <class S, class Solve>
 template <class S>
 [[nodiscard]] Method reflection_in_basis_method() {
   return expected_to_fail(
-      with_form(solver_method<S>({"reflection-in-basis", "reflection in the basis {N, T0, T1} as note §2 prints it",
-                                  Model::reflection},
-                                 [](const impulse::Contact<S>& contact, const auto& see) {
-                                   return impulse::reflection_in_basis(contact, see);
-                                 }),
-                MethodForm::in_basis),
+      with_form(
+          solver_method<S>({"reflection-in-basis", "reflection in the basis {N, T0, T1} of note §2", Model::reflection},
+                           [](const impulse::Contact<S>& contact, const auto& see) {
+                             return impulse::reflection_in_basis(contact, see);
+                           }),
+          MethodForm::in_basis),
       "fails near head-on");
 }
 
@@ -103,14 +103,14 @@ template <class S>
 template <class S>
 [[nodiscard]] Method coulomb_method() {
   return solver_method<S>(
-      {"coulomb", "Coulomb friction opposed to the slip after the impulse, by bisection", Model::coulomb},
+      {"coulomb", "Coulomb friction that opposes the slip after the impulse, by bisection", Model::coulomb},
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
 /// The reason why a solve that is stable only by norms fails in binary32. Far from the origin, rounding of the
 /// positions may move the contact off a thin body. There, κ(K) u is 1 or more, and the solve loses the margin λ of K.
 /// The impulse then pulls the bodies together, or leaves their velocities unchanged.
-inline constexpr const char* stable_by_norms_alone = "stable by norms alone: loses the margin λ of K where κ(K) u ≥ 1";
+inline constexpr const char* stable_by_norms_alone = "stable only in norm: loses the margin λ of K if κ(K) u ≥ 1";
 
 /// The methods that every scalar type has.
 template <class S>
@@ -119,7 +119,8 @@ template <class S>
   Method adjugate = reflection_method<S, impulse::Adjugate>("reflection-adjugate", "the adjugate");
   if constexpr (precision_of<S> == Precision::binary32) {
     llt = expected_to_fail(std::move(llt), stable_by_norms_alone);
-    adjugate = expected_to_fail(std::move(adjugate), "the determinant under- and overflows from about 1e±12 kg on");
+    adjugate = expected_to_fail(std::move(adjugate),
+                                "the determinant overflows above about 1e12 kg and underflows below about 1e-12 kg");
   }
   std::vector<Method> methods = law_methods<S>();
   methods.push_back(std::move(llt));

@@ -88,7 +88,7 @@ std::string program_path(const std::string& name) {
       return candidate;
     }
   }
-  throw ChildError("'" + name + "' was not found on PATH");
+  throw ChildError("'" + name + "' was not found on PATH; check the name, or give a path");
 }
 
 /// The end of a child's output shows that the child has ended. Writing to it must not end this process.
@@ -128,7 +128,8 @@ class ChildProcess::State {
                             process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_, group_,
                             AsProgramsExpect(), failure);
     if (failure) {
-      throw ChildError("'" + words[0] + "' cannot be run: " + failure.message());
+      throw ChildError("'" + words[0] + "' cannot be run: " + failure.message() +
+                       "; check the path and its permissions");
     }
     read_errors();
   }
@@ -154,7 +155,7 @@ class ChildProcess::State {
         throw ChildError(how_it_ended());
       } else {
         read_output();
-        wait("wrote no line within ");
+        wait("wrote no line within ", "; it must write one line for each request and flush it");
       }
     }
     while (is_writing_) {  // all replies came before the whole text was read
@@ -171,19 +172,19 @@ class ChildProcess::State {
     input_->close();
     while (!output_ended_) {
       if (!unread_.empty()) {
-        throw ChildError("wrote more lines than it was asked for: " + beginning(unread_));
+        throw ChildError("wrote more lines than there were requests: " + beginning(unread_));
       }
       read_output();
-      wait("did not end within ", " of being told to stop");
+      wait("did not end within ", " after the request to stop");
     }
     if (!unread_.empty()) {
-      throw ChildError("wrote more lines than it was asked for: " + beginning(unread_));
+      throw ChildError("wrote more lines than there were requests: " + beginning(unread_));
     }
     while (is_running()) {
-      wait("did not end within ", " of being told to stop");
+      wait("did not end within ", " after the request to stop");
     }
     if (child_.native_exit_code() != 0) {
-      throw ChildError(end_of(child_.native_exit_code()) + " on being told to stop");
+      throw ChildError(end_of(child_.native_exit_code()) + " after the request to stop");
     }
   }
 
@@ -274,7 +275,7 @@ class ChildProcess::State {
     }
     if (Clock::now() >= deadline_) {
       if (!is_running()) {
-        throw ChildError(end_of(child_.native_exit_code()) + ", and another process holds its output open");
+        throw ChildError(end_of(child_.native_exit_code()) + ", but another process keeps its output open");
       }
       const std::chrono::duration<double> seconds = limits_.timeout;
       std::string text = std::to_string(seconds.count());

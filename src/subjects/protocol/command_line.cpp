@@ -51,7 +51,7 @@ class Splitter {
   /// character.
   void escaped() {
     if (at_ == text_.size()) {
-      throw std::invalid_argument("a \\ stands at the end");
+      throw std::invalid_argument("the command ends with \\; remove it, or double it");
     }
     const char letter = text_[at_++];
     if (letter != '\n') {
@@ -83,7 +83,7 @@ class Splitter {
 
   void close(char quote) {
     if (at_ == text_.size()) {
-      throw std::invalid_argument(std::string("a quotation is not closed: ") + quote);
+      throw std::invalid_argument(std::string("a quote is not closed; add ") + quote);
     }
     ++at_;
   }

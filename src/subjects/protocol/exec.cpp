@@ -45,7 +45,7 @@ class Conversation {
     } catch (const ChildError& error) {
       fail(collisions, answers, error, error.what());
     } catch (const std::exception& error) {
-      fail(collisions, answers, error, std::string("wrote what is no reply: ") + error.what());
+      fail(collisions, answers, error, std::string("wrote an invalid reply: ") + error.what());
     }
     next_id_ += collisions.size();
     ++call_;
@@ -63,7 +63,7 @@ class Conversation {
     const auto* outcome = std::get_if<ReportedOutcome>(&answer);
     if (outcome != nullptr && introduction_.matrix && !outcome->collision_matrix &&
         owes_matrix(collision, *outcome, introduction_.precision)) {
-      throw FormatError("/C", "is missing, and the contact collides");
+      throw FormatError("/C", "is missing, but the contact collides and the start reply says \"matrix\": true");
     }
     return answer;
   }
@@ -135,7 +135,9 @@ Session open_session(const std::vector<std::string>& words, const ExecOptions& o
     conversation = std::make_shared<Conversation>(words, options);
   }
   if (conversation->introduction() != introduction) {
-    throw std::runtime_error("start: it introduces itself in another way than the first time it was asked");
+    throw std::runtime_error(
+        "start: the second start reply differs from the first one; a program must always introduce itself in the same "
+        "way");
   }
   return {[conversation](std::span<const Collision> collisions) { return conversation->solve(collisions); },
           [conversation] { conversation->stop(); }};
@@ -151,7 +153,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
   try {
     const std::vector<std::string> words = split_words(std::string_view(specification).substr(exec_prefix.size()));
     if (words.empty()) {
-      throw std::invalid_argument("no program is named");
+      throw std::invalid_argument("no program is given after exec:");
     }
     auto conversation = std::make_shared<Conversation>(words, options);
     const Introduction introduction = conversation->introduction();

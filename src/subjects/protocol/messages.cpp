@@ -30,7 +30,7 @@ const Json& required(const Json& object, const char* name) {
   }
   const auto found = object.find(name);
   if (found == object.end()) {
-    throw FormatError(std::string("/") + name, "is missing");
+    throw FormatError(std::string("/") + name, "is missing; add this field");
   }
   return *found;
 }
@@ -125,7 +125,7 @@ Introduction introduction_from(std::string_view line) {
   Introduction introduction;
   introduction.name = required_text(reply, "name", longest_name);
   if (introduction.name.empty()) {
-    throw FormatError("/name", "is empty");
+    throw FormatError("/name", "is empty; expected a name");
   }
   if (reply.contains("version")) {
     introduction.version = required_text(reply, "version", longest_name);
@@ -161,7 +161,7 @@ Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
   const bool is_skipped = reply.contains("skipped");
   const bool is_refused = reply.contains("error");
   if ((is_outcome ? 1 : 0) + (is_skipped ? 1 : 0) + (is_refused ? 1 : 0) != 1) {
-    throw FormatError("expected either the outcome a and b, or skipped, or error");
+    throw FormatError("expected exactly one of: the outcome a and b, skipped, error");
   }
   if (is_skipped) {
     return Skipped{required_text(reply, "skipped", longest_text)};

@@ -18,9 +18,8 @@ void add_badge(CLI::App& app, Chosen& chosen) {
     std::string out;  // empty for standard output
   };
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("badge", "Write the verdict of a report.json as JSON for a badge of shields.io");
-  command->add_option("FILE", arguments->file, "report.json of `carom gate --out`")->required();
+  CLI::App* command = app.add_subcommand("badge", "Write the verdict of a report as JSON for a shields.io badge");
+  command->add_option("FILE", arguments->file, "A report.json that `carom gate --out` wrote")->required();
   command->add_option("--out", arguments->out, "File to write (default: standard output)")->type_name("FILE");
   command->callback([&chosen, arguments] {
     chosen = [arguments] {

@@ -55,8 +55,8 @@ std::vector<Method> methods_of(const std::vector<std::string>& names) {
       for (const Method& method : all) {
         known.push_back(method.subject.name);
       }
-      throw UsageError(fmt::format("there is no method '{}'; there are {}{}", name, fmt::join(known, ", "),
-                                   properties::did_you_mean(name, known)));
+      throw UsageError(fmt::format("METHOD: there is no method '{}'; expected one of {}{}", name,
+                                   fmt::join(known, ", "), properties::did_you_mean(name, known)));
     }
     chosen.push_back(*found);
   }
@@ -196,18 +196,19 @@ int chart_methods(const ChartArguments& arguments) {
 
 void add_chart(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<ChartArguments>();
-  CLI::App* command =
-      app.add_subcommand("chart", "Measure speed and accuracy of the built-in methods and draw one against the other");
-  command->add_option("METHOD", arguments->methods, "Methods to measure (default: every built-in one)");
-  command->add_option("--out", arguments->out, "Directory for the pictures and the data")->required();
-  add_seed(*command, arguments->seed, "The same seed gives the same cases");
-  command->add_option("--cases", arguments->cases, "Colliding cases of each family and at each point of a sweep")
+  CLI::App* command = app.add_subcommand(
+      "chart", "Measure the speed and the accuracy of the built-in methods, and draw charts of them");
+  command->add_option("METHOD", arguments->methods, "Methods to measure (default: all built-in methods)");
+  command->add_option("--out", arguments->out, "Directory for the charts and the data")->required();
+  add_seed(*command, arguments->seed, "Seed of the cases; the same seed gives the same cases");
+  command
+      ->add_option("--cases", arguments->cases, "Number of colliding cases of each family and of each point of a sweep")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--repetitions", arguments->repetitions, "Repetitions of each timing")
+  command->add_option("--repetitions", arguments->repetitions, "Number of repetitions of each timing")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  add_jobs(*command, arguments->jobs, "Threads that judge");
+  add_jobs(*command, arguments->jobs, "Number of threads that judge");
   command->callback([&chosen, arguments] { chosen = [arguments] { return chart_methods(*arguments); }; });
 }
 

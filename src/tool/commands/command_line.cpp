@@ -48,7 +48,7 @@ std::string meant_words(const CLI::App& app) {
 }
 
 int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
-  CLI::App app("Carom judges rigid-body collision impulses against exact arithmetic.", "carom");
+  CLI::App app("Carom checks rigid-body collision impulses against exact arithmetic.", "carom");
   app.set_version_flag("--version", report::version);
   app.require_subcommand(0, 1);
   Chosen chosen;
@@ -65,7 +65,8 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
     return app.exit(error) == 0 ? 0 : exit_usage;
   }
   if (!chosen) {
-    std::fputs(fmt::format("carom: a command is needed\n{}", app.help()).c_str(), stderr);
+    std::fputs(fmt::format("carom: no command is given; expected one of the subcommands below\n{}", app.help()).c_str(),
+               stderr);
     return exit_usage;
   }
   const int status = chosen();
@@ -74,7 +75,7 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
     return exit_usage;
   }
   if (std::fflush(stdout) != 0) {
-    throw UsageError("standard output cannot be written");
+    throw UsageError("standard output cannot be written; check the disk space and the reader of the pipe");
   }
   return status;
 }
@@ -105,7 +106,7 @@ int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   } catch (const std::exception& error) {
     complain(error.what());
   } catch (...) {
-    complain("ended by what is no exception");
+    complain("an unknown error ended the program");
   }
   return exit_usage;
 }

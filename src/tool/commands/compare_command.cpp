@@ -41,10 +41,11 @@ int compare_files(const CompareArguments& arguments) {
 void add_compare(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Compare two reports: exit status 0 nothing is new in the second, 1 something is, 2 bad input");
-  command->add_option("OLD", arguments->before, "report.json of `carom gate --out`, or the directory that holds it")
+      "compare",
+      "Compare two reports; exit status 0 there are no new violations, 1 there are new violations, 2 bad input");
+  command->add_option("OLD", arguments->before, "The earlier report.json of `carom gate --out`, or its directory")
       ->required();
-  command->add_option("NEW", arguments->now, "The later one")->required();
+  command->add_option("NEW", arguments->now, "The later report.json, or its directory")->required();
   add_format(*command, arguments->format, {"text", "markdown", "html", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return compare_files(*arguments); }; });
 }

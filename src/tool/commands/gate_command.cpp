@@ -176,8 +176,9 @@ properties::GateOptions options_of(const GateArguments& arguments, const std::st
   options.relations_every = arguments.relations_every;
   if (arguments.shard) {
     if (arguments.cases < arguments.shard->of) {
-      throw UsageError(fmt::format("--shard: {} cases of each family are too few for {} shards", arguments.cases,
-                                   arguments.shard->of));
+      throw UsageError(fmt::format(
+          "--shard: {} cases of each family are too few for {} shards; use fewer shards, or a larger --cases",
+          arguments.cases, arguments.shard->of));
     }
     options.shard = *arguments.shard;
   }
@@ -189,7 +190,7 @@ int gate(const GateArguments& arguments) {
   const std::optional<ReadRun> baseline =
       arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
   if (!arguments.annotations.empty() && arguments.format != "text") {
-    throw UsageError("--annotations: stand in the text alone, not with --format " + arguments.format);
+    throw UsageError("--annotations: this option needs --format text, found --format " + arguments.format);
   }
   if (!arguments.summary.empty()) {
     append_to_file("--summary", arguments.summary, "");
@@ -237,7 +238,7 @@ std::optional<properties::Shard> shard_from(std::string_view text) {
 }
 
 std::string is_shard(const std::string& text) {
-  return shard_from(text) ? std::string() : std::string("expected I/N, I from 1 to N, N at most 1000000");
+  return shard_from(text) ? std::string() : std::string("expected I/N with I from 1 to N and N at most 1000000");
 }
 
 }  // namespace
@@ -245,49 +246,52 @@ std::string is_shard(const std::string& text) {
 void add_gate(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<GateArguments>();
   CLI::App* command = app.add_subcommand(
-      "gate", "Judge subjects: exit status 0 all hold, 1 something violated, 2 usage or environment");
+      "gate",
+      "Judge subjects; exit status 0 all invariants hold, 1 an invariant is violated, 2 usage or environment error");
   command->add_option("SUBJECT", arguments->subjects,
-                      "Subjects to judge, built-in names or 'exec:PROGRAM ARG…' for a program that speaks the "
-                      "protocol (default: all built-ins; those expected to fail do not count)");
-  command->add_flag("--engines", arguments->engines, "Judge every engine that is installed");
-  add_seed(*command, arguments->seed, "The same seed gives the same cases");
-  CLI::Option* cases = command->add_option("--cases", arguments->cases, "Cases of each family, times its weight")
+                      "Subjects to judge: built-in names, or 'exec:PROGRAM ARG…' for a program that implements the "
+                      "protocol (default: all built-in subjects; subjects that are expected to fail do not count)");
+  command->add_flag("--engines", arguments->engines, "Judge all installed engines");
+  add_seed(*command, arguments->seed, "Seed of the cases; the same seed gives the same cases");
+  CLI::Option* cases = command
+                           ->add_option("--cases", arguments->cases,
+                                        "Number of cases of each family; the weight of a family multiplies it")
                            ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
                            ->capture_default_str();
   command
       ->add_option_function<std::string>(
           "--budget", [arguments](const std::string& text) { arguments->budget = report::duration_from(text); },
-          "Time to judge for, in place of --cases: 500ms, 10s, 2m or 1h. Families are drawn from in turn, those first "
-          "that find most soonest; what was judged is reported. Shrinking what was found comes on top")
+          "Time limit in place of --cases, for example 500ms, 10s, 2m or 1h. The gate draws cases from all families in "
+          "turn and starts with the families that find most violations. The report holds all judged cases. Shrinking "
+          "takes additional time")
       ->check(is_duration)
       ->type_name("DURATION")
       ->excludes(cases);
-  command->add_flag("--fail-fast", arguments->fail_fast,
-                    "Ask a subject nothing more once it has violated an invariant. The run ends where this holds "
-                    "of every subject, or there are no more cases; of each subject the first violation is "
-                    "reported, shrunk and written, the same with any --jobs");
+  command->add_flag(
+      "--fail-fast", arguments->fail_fast,
+      "Stop judging a subject after its first violation. The run ends after a violation of every subject, or after the "
+      "last case. The report holds the first violation of each subject, shrunk. It does not depend on --jobs");
   command
       ->add_option("--relations-every", arguments->relations_every,
-                   "Judge each invariant that relates collisions on every Nth case, the next one on other cases "
-                   "(default: 1; 4 for programs)")
+                   "Judge each invariant that relates two collisions on every Nth case only; different invariants use "
+                   "different cases (default: 1; for programs 4)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-  command->add_option("--families", arguments->families, "Families to draw from, separated by commas (default: all)")
+  command->add_option("--families", arguments->families, "Families of cases, separated by commas (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option(
       "--out", arguments->out,
-      "Directory for the reports and witnesses/; those that an earlier report there lists are replaced");
+      "Directory for the reports and for witnesses/; the files of an earlier report there are replaced");
   command
-      ->add_option(
-          "--baseline", arguments->baseline,
-          "An earlier report.json, or the directory that holds it: what it has violated is known, and the exit "
-          "status is 0 where nothing is new")
+      ->add_option("--baseline", arguments->baseline,
+                   "An earlier report.json, or its directory. Its violations count as known. The exit status is 0 if "
+                   "there are no new violations")
       ->excludes("--fail-fast");  // the first violation may be a known one, and would hide a new one
   command
       ->add_option_function<std::string>(
           "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
-          "I/N: judge every Nth case of each family from the Ith on, a part of the run that carom merge makes one "
-          "report of")
+          "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` combines all N "
+          "parts into one report")
       ->check(is_shard)
       ->type_name("I/N")
       ->excludes("--budget")
@@ -295,17 +299,17 @@ void add_gate(CLI::App& app, Chosen& chosen) {
       ->excludes("--baseline");
   command
       ->add_option("--deviates", arguments->deviates,
-                   "What no subject of this run claims, separated by commas: INVARIANT, or INVARIANT@FAMILY for one "
-                   "family. It is not judged, and shown as not claimed")
+                   "Invariants that the gate does not judge in this run, separated by commas: INVARIANT, or "
+                   "INVARIANT@FAMILY for one family. The report lists them as not claimed")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--annotations", arguments->annotations,
-                   "Print what is violated as annotations too, in the form that this service shows beside a commit")
+                   "Print the violations also as annotations in the format of this service")
       ->check(CLI::IsMember({"github"}));
-  command->add_option("--summary", arguments->summary, "File to whose end a summary in Markdown is added")
+  command->add_option("--summary", arguments->summary, "File to which a summary in Markdown is appended")
       ->type_name("FILE");
-  add_jobs(*command, arguments->jobs, "Threads");
+  add_jobs(*command, arguments->jobs, "Number of threads");
   add_yardstick(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});

@@ -75,23 +75,21 @@ void print_json(const json& value) { fmt::print("{}\n", value.dump(2)); }
 
 void print_markdown() {
   fmt::print(
-      "# The invariants\n\n"
-      "Printed by `carom invariants --format markdown`; a test fails where this page differs.\n\n"
-      "Notation: bodies A and B, masses m, world inertia J, lever arms r = P − X, velocities v, angular velocities w "
-      "before "
-      "(−) and after (+) the impulse; V = V_A − V_B the relative velocity of the material points at the contact, N the "
-      "normal on B pointing to A, F the impulse on A, ε the restitution, u the unit roundoff. *The note* is D. Eberly, "
-      "\"Computing Impulse Forces for Colliding Contact\".\n\n"
-      "An equation g = 0 passes if it holds exactly for some inputs and outputs within the limit of those at hand: "
-      "|g| ≤ limit · u · (Σ ‖∂g/∂q‖ ‖q‖ + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)). The sums run over the quantities q of the input "
-      "and the vectors y⁺ of the outcome; g is evaluated exactly. An output is the sum of the velocity before and a "
-      "change, so it is known to u times the larger of both. An inequality is judged likewise, one-sided. A relation "
-      "between two collisions allows each outcome its own rounding. [yardstick.md](yardstick.md) defines the "
-      "quantities.\n\n"
-      "Every invariant is tested, of solvers that round. *Proved* is one of the exact laws that determine one outcome, "
-      "by theorems that Coq checks; of `coulomb`, and of `any` law, what holds of every impulse. "
-      "[proofs.md](../internals/proofs.md) says on what they rest.\n\n"
-      "| invariant | statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
+      "# The invariants\n\nPrinted by `carom invariants --format markdown`; a test fails if this page "
+      "differs.\n\nNotation: bodies A and B, masses m, world inertia J, lever arms r = P − X, velocities v, angular "
+      "velocities w, before (−) and after (+) the impulse. V = V_A − V_B is the relative velocity of the material "
+      "points at the contact. N is the normal, which points from B to A. F is the impulse on A, ε the restitution, and "
+      "u the unit roundoff. *The note* is D. Eberly, \"Computing Impulse Forces for Colliding Contact\".\n\nAn "
+      "equation g = 0 holds if it is exactly true for some inputs and outputs that differ from the given ones by at "
+      "most the limit: |g| ≤ limit · u · (Σ ‖∂g/∂q‖ ‖q‖ + Σ ‖∂g/∂y⁺‖ (‖y⁺‖ + ‖y⁻‖)). The sums run over the quantities "
+      "q of the input and the vectors y⁺ of the outcome; g is evaluated exactly. An output is the sum of the velocity "
+      "before and a change, so its rounding error is u times the larger of both. An inequality has the same allowance "
+      "on one side. A relation between two collisions has a rounding allowance for each outcome. "
+      "[yardstick.md](yardstick.md) defines the quantities.\n\nTests check every invariant on solvers that round. "
+      "*Proved* means that theorems prove it for exact laws, and that Coq checks these theorems. For a law that "
+      "determines one outcome, they prove it for this outcome. For `coulomb` and for `any`, they prove it for every "
+      "possible impulse. [proofs.md](../internals/proofs.md) lists the assumptions of the theorems.\n\n| invariant | "
+      "statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
                joined(invariant.models), invariant.domain,
@@ -192,15 +190,12 @@ int list_features(const std::string& format) {
   }
   if (format == "markdown") {
     fmt::print(
-        "# The features\n\n"
-        "Printed by `carom features --format markdown`; a test fails where this page differs.\n\n"
-        "What scenes are made of and random numbers are not: special values, relations between fields, sizes. Each is "
-        "a "
-        "predicate of a valid collision, decided in binary64 as a solver's guard would decide it. A feature that "
-        "begins "
-        "with `a.` or `b.` is of that body. The family `structured` is made of them, and a gate's report counts them "
-        "and "
-        "their pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- | --- | --- |\n");
+        "# The features\n\nPrinted by `carom features --format markdown`; a test fails if this page "
+        "differs.\n\nFeatures are properties that collisions in scenes often have and random collisions do not: "
+        "special values, relations between fields, and magnitudes. Each feature is a predicate of a valid collision. "
+        "Carom evaluates it in binary64, like a condition in a solver. A feature with the prefix `a.` or `b.` is about "
+        "that body. The family `structured` combines features. The report of a gate counts the features and their "
+        "pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- | --- | --- |\n");
   }
   for (const properties::Feature& feature : all) {
     if (format == "markdown") {
@@ -227,7 +222,7 @@ void add_families(CLI::App& app, Chosen& chosen) {
     std::uint64_t seed = 1;
   };
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("families", "List the families, with an example of each");
+  CLI::App* command = app.add_subcommand("families", "List the families of cases, each with an example");
   add_seed(*command, arguments->seed, "Seed of the examples");
   add_format(*command, arguments->format, {"text", "json"});
   command->callback(
@@ -238,11 +233,10 @@ void add_families(CLI::App& app, Chosen& chosen) {
 
 void add_lists(CLI::App& app, Chosen& chosen) {
   add_list(app, chosen, "subjects", "List the built-in subjects and engines", {"text", "json"}, list_subjects);
-  add_list(app, chosen, "invariants", "Print the catalogue of invariants", {"text", "markdown", "json"},
+  add_list(app, chosen, "invariants", "List the invariants with their statements", {"text", "markdown", "json"},
            list_invariants);
   add_families(app, chosen);
-  add_list(app, chosen, "features", "List the features that cases are composed of", {"text", "markdown", "json"},
-           list_features);
+  add_list(app, chosen, "features", "List the features of cases", {"text", "markdown", "json"}, list_features);
 }
 
 }  // namespace carom::tool

@@ -35,7 +35,8 @@ void require_apart(const std::string& out, const std::vector<std::string>& direc
   for (const std::string& directory : directories) {
     std::error_code ignored;
     if (fs::equivalent(out, directory, ignored)) {
-      throw UsageError(fmt::format("--out: {} is that of a shard", report::shown(out)));
+      throw UsageError(
+          fmt::format("--out: {} is the directory of a shard; choose another directory", report::shown(out)));
     }
   }
 }
@@ -58,13 +59,15 @@ int merge_shards(const MergeArguments& arguments) {
 
 void add_merge(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<MergeArguments>();
-  CLI::App* command = app.add_subcommand(
-      "merge",
-      "Make one report of those of all shards of a run: exit status as of the whole run, 2 where they do not "
-      "belong together");
-  command->add_option("DIRECTORY", arguments->directories, "What `carom gate --shard I/N --out` wrote")->required();
-  command->add_option("--out", arguments->out, "Directory for the reports and witnesses/")->required();
-  command->add_option("--baseline", arguments->baseline, "An earlier report of the whole, as of carom gate");
+  CLI::App* command = app.add_subcommand("merge",
+                                         "Combine the reports of all shards of a run into one; exit status as for the "
+                                         "whole run, 2 if the shards do not belong to one run");
+  command
+      ->add_option("DIRECTORY", arguments->directories,
+                   "Directories that `carom gate --shard I/N --out` wrote, one for each shard")
+      ->required();
+  command->add_option("--out", arguments->out, "Directory for the reports and for witnesses/")->required();
+  command->add_option("--baseline", arguments->baseline, "An earlier report of a whole run, as for carom gate");
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return merge_shards(*arguments); }; });
 }

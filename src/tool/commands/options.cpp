@@ -50,16 +50,14 @@ void add_accuracy(CLI::App& command, double& limit, std::optional<int>& digits, 
 }
 
 void add_yardstick(CLI::App& command, YardstickArguments& arguments) {
-  add_accuracy(command, arguments.limit_ulps, arguments.digits, "Largest backward error that passes, in ulps",
-               "Pass what is right to so many digits, in place of ulps");
-  command.add_flag(
-      "--exact", arguments.exact,
-      "Judge in exact arithmetic alone, without the filter that decides most verdicts sooner: the verdicts "
-      "are the same");
+  add_accuracy(command, arguments.limit_ulps, arguments.digits, "Largest permitted backward error, in ulps",
+               "Required number of correct digits, in place of --limit-ulps");
+  command.add_flag("--exact", arguments.exact,
+                   "Judge only in exact arithmetic, without the faster filters. The verdicts are the same");
 }
 
 void add_timeout(CLI::App& command, double& timeout) {
-  command.add_option("--timeout", timeout, "Seconds that an exec: subject may take for each reply")
+  command.add_option("--timeout", timeout, "Time limit for each reply of an exec: subject, in seconds")
       ->check([](const std::string& text) {
         const double seconds = std::strtod(text.c_str(), nullptr);
         return seconds >= shortest_timeout && seconds <= longest_timeout
@@ -70,7 +68,7 @@ void add_timeout(CLI::App& command, double& timeout) {
 }
 
 void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats) {
-  command.add_option("--format", format, "Form of the output")
+  command.add_option("--format", format, "Format of the output")
       ->check(CLI::IsMember(std::move(formats)))
       ->capture_default_str();
 }
@@ -81,7 +79,7 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what) {
 
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what) {
   constexpr int most = 1024;
-  command.add_option("--jobs", jobs, what + " (default: one for each core)")->check(CLI::Range(1, most));
+  command.add_option("--jobs", jobs, what + " (default: the number of cores)")->check(CLI::Range(1, most));
 }
 
 }  // namespace carom::tool

@@ -67,27 +67,30 @@ void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts
       laws.emplace_back(name_of(model));
     }
   }
-  CLI::App* command = app.add_subcommand(
-      "plan",
-      "The least law, precision, solve, frame and batch that serve the contacts of a file, certified on them: exit "
-      "status 0 something serves, 1 nothing does, 2 usage or bad input");
+  CLI::App* command =
+      app.add_subcommand("plan",
+                         "Find the least law, precision, solve, frame and batch form that serve the contacts of a "
+                         "file; exit status 0 something serves, 1 nothing does, 2 usage error or bad input");
   command
       ->add_option("FILE", arguments->file,
-                   "A scene; or JSON Lines of collisions, or one, or an array; \"class\" names that of a contact")
+                   "A scene, or collisions: JSON Lines, one object or an array. The field \"class\" names the class of "
+                   "a contact")
       ->required();
-  command->add_option("--law", arguments->law, "The law that is wanted (default: the scene's; of collisions, rough)")
+  command
+      ->add_option("--law", arguments->law, "The required law (default: the law of the scene, or rough for collisions)")
       ->check(CLI::IsMember(laws));
   add_accuracy(*command, arguments->limit_ulps, arguments->digits,
-               "Largest backward error that serves, in ulps of binary64",
-               "So many correct digits of the change of the velocities serve, in place of ulps");
+               "Largest permitted backward error, in ulps of binary64",
+               "Required number of correct digits of the velocity change, in place of --limit-ulps");
   command->add_flag("--exact-law", arguments->exact_law,
-                    "A lesser law only where it is, exactly and on every contact, the one that is wanted");
+                    "Allow a lesser law only if it equals the required law exactly on every contact");
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "Repetitions of each timing; 0 times nothing, and law, precision and solve decide what is least")
+                   "Number of repetitions of each timing. With 0, nothing is timed, and the order of laws, precisions "
+                   "and solves determines the least method")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  add_jobs(*command, arguments->jobs, "Threads that judge");
+  add_jobs(*command, arguments->jobs, "Number of threads that judge");
   add_format(*command, arguments->format, {"text", "markdown", "json"});
   command->callback([&chosen, arguments, contacts_of_scene = std::move(contacts_of_scene)] {
     chosen = [arguments, contacts_of_scene] { return plan_contacts(*arguments, contacts_of_scene); };

@@ -52,7 +52,7 @@ const char* name_of(Approach approach) {
     case Approach::inert:
       break;
   }
-  return "both bodies immovable";
+  return "both bodies are immovable";
 }
 
 std::string joined(const std::vector<const properties::Feature*>& features) {
@@ -126,7 +126,7 @@ std::string answers_steps(const oracles::ExactCase& exact_case, const std::vecto
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const oracles::CoulombAnswer& answer = answers[i];
     text += fmt::format("coulomb, answer {} of {}, {}{}\n{}", i + 1, answers.size(), name_of(answer.kind),
-                        answer.is_exact() ? ", exactly" : ", to 36 digits of its resistance to slip",
+                        answer.is_exact() ? ", exactly" : ", with 36 digits of its resistance to slip",
                         truth_steps(exact_case.exact(), answer.truth, exact_case.approach()));
   }
   return text;
@@ -158,7 +158,7 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
     text += judgement.accuracy->is_decided
                 ? fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
                               judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits())
-                : "  backward error not decided: the scale leaves the range of numbers\n";
+                : "  backward error not decided: the scale overflows or underflows\n";
   }
   for (const properties::NamedVerdict& named : judgement.verdicts) {
     const properties::Verdict& verdict = named.verdict;
@@ -238,7 +238,7 @@ void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown
                               replayed.violated_spellings, replayed.spellings, replayed.spelt);
   }
   shown.text +=
-      fmt::format("{}, judged{}\n{}", subject.name, claim.yardstick.filtered ? "" : " in exact arithmetic alone",
+      fmt::format("{}, judged{}\n{}", subject.name, claim.yardstick.filtered ? "" : " only in exact arithmetic",
                   judgement_text(judgement, replayed.answer, claim.yardstick.unit_roundoff));
 }
 
@@ -251,7 +251,7 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Ope
   if (judged_case.is_valid()) {
     answers = show_truth(read.one.collision, judged_case, shown);
   } else {
-    shown.text += "  an invalid collision: it has no truth, and is to be refused\n";
+    shown.text += "  an invalid collision: it has no exact outcome, and a subject must refuse it\n";
   }
   bool violated = false;
   if (OpenSubject* const open = subjects.subject_for(read)) {
@@ -300,24 +300,25 @@ int replay(const ReplayArguments& arguments) {
 void add_replay(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command =
-      app.add_subcommand("replay", "Show the exact truth of collisions, each step; judge a subject on them");
+      app.add_subcommand("replay", "Show each step of the exact outcome of collisions, and judge a subject on them");
   CLI::Option* replayed_file =
       command->add_option("FILE", arguments->file, "A witness, a vector file, or JSON Lines of collisions");
-  command->add_flag("--drawn", arguments->drawn, "Of a witness the collision that was drawn, before it was shrunk")
+  command->add_flag("--drawn", arguments->drawn, "Use the collision of a witness as it was drawn, before shrinking")
       ->needs(replayed_file);
   CLI::Option* replayed_family =
-      command->add_option("--family", arguments->family, "In place of FILE: the family whose case is meant")
+      command->add_option("--family", arguments->family, "The family of a case, in place of FILE")
           ->excludes(replayed_file);
   CLI::Option* replayed_case =
-      command->add_option("--case", arguments->case_number, "The number of that case, from 0")->check(is_count);
+      command->add_option("--case", arguments->case_number, "The number of the case, from 0; needs --family")
+          ->check(is_count);
   replayed_case->needs(replayed_family);
   replayed_family->needs(replayed_case);
-  command->add_option("--seed", arguments->seed, "The seed that it is drawn with")
+  command->add_option("--seed", arguments->seed, "The seed of the case; needs --family")
       ->check(is_count)
       ->capture_default_str()
       ->needs(replayed_family);
   command->add_option("--subject", arguments->subject,
-                      "Subject to judge (default: the one that a witness names, where that is no program)");
+                      "Subject to judge (default: the subject of the witness, unless it is a program)");
   add_yardstick(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});

@@ -86,7 +86,7 @@ std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& 
   for (const std::string& name : arguments.laws) {
     const std::optional<Model> law = model_named(name);
     if (!law || *law == Model::any) {
-      throw UsageError(fmt::format("--laws: there is no law '{}'; there are {}{}", name, fmt::join(known, ", "),
+      throw UsageError(fmt::format("--laws: there is no law '{}'; expected one of {}{}", name, fmt::join(known, ", "),
                                    properties::did_you_mean(name, known)));
     }
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) {
@@ -250,9 +250,9 @@ int run_scene_file(const SceneArguments& arguments) {
   if (!arguments.out.empty()) {
     out = staged.emplace(arguments.out).stage();
     if (!has_replay()) {
-      fmt::print(
-          stderr,
-          "carom: no replay.html: this program was built without three.js (`bash src/bootstrap.sh build` with npm)\n");
+      fmt::print(stderr,
+                 "carom: replay.html is not written, because this program was built without three.js; to get it, "
+                 "install npm and run `bash src/bootstrap.sh build`\n");
     }
   }
   std::vector<std::unique_ptr<LawRun>> runs;
@@ -285,7 +285,9 @@ int run_scene_file(const SceneArguments& arguments) {
     return std::any_of(all.begin(), all.end(), [&](const Written& written) { return written.*fact; });
   };
   if (any(&Written::has_failed)) {
-    fmt::print(stderr, "carom: {}: {}\n", arguments.file, "the scene could not be run to its end");
+    fmt::print(
+        stderr, "carom: {}: {}\n", arguments.file,
+        "the simulation stopped before the end of the scene; the line `ended early` of the report gives the reason");
     return exit_usage;
   }
   return std::all_of(all.begin(), all.end(), [](const Written& written) { return written.holds; }) ? exit_all_hold
@@ -297,19 +299,21 @@ int run_scene_file(const SceneArguments& arguments) {
 void add_scene(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<SceneArguments>();
   CLI::App* command = app.add_subcommand(
-      "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
-  command->add_option("FILE", arguments->file, "A scene (docs/reference/schemas/scene.schema.json)")->required();
-  command->add_option("--laws", arguments->laws, "Laws to run it under, separated by commas (default: the scene's)")
+      "scene", "Simulate a scene: certify the order of its events, judge its impulses, and account for its energy");
+  command->add_option("FILE", arguments->file, "The scene file (docs/reference/schemas/scene.schema.json)")->required();
+  command
+      ->add_option("--laws", arguments->laws,
+                   "Laws of the simulation, separated by commas (default: the law of the scene)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->out, "Directory for events, series, pictures, report and replay");
-  command->add_option("--judge-every", arguments->judge_every, "Judge every Nth impulse; 0: none")
+  command->add_option("--out", arguments->out, "Directory for events, time series, pictures, report and replay");
+  command->add_option("--judge-every", arguments->judge_every, "Judge every Nth impulse; 0 judges none")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
-  command->add_flag("!--no-check", arguments->check, "Do not check that nothing overlaps");
-  command->add_option("--events", arguments->events, "End the run after so many events")
+  command->add_flag("!--no-check", arguments->check, "Skip the check for overlaps");
+  command->add_option("--events", arguments->events, "Largest number of events; the simulation ends after it")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  add_jobs(*command, arguments->jobs, "Laws that run at once");
+  add_jobs(*command, arguments->jobs, "Number of laws that run at the same time");
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_scene_file(*arguments); }; });
 }

@@ -21,11 +21,12 @@ void become_scene_program(int argc, char** argv) noexcept {
 
 void add_missing_scene(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand(
-      "scene", "Run a scene: every event in certified order, every impulse judged, every joule booked");
+      "scene", "Simulate a scene: certify the order of its events, judge its impulses, and account for its energy");
   command->allow_extras();
   command->callback([&chosen] {
     chosen = []() -> int {
-      throw UsageError("scene: the program carom-scene does not stand beside this one; install Carom's scenes");
+      throw UsageError(
+          "scene: the program carom-scene is not in the directory of this program; install Carom's scenes");
     };
   });
 }

@@ -13,8 +13,8 @@ namespace carom::tool {
 
 void add_table(CLI::App& app, Chosen& chosen) {
   const auto file = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("table", "Print the subjects of a report.json as a Markdown table");
-  command->add_option("FILE", *file, "report.json of `carom gate --out`")->required();
+  CLI::App* command = app.add_subcommand("table", "Print the subjects of a report as a Markdown table");
+  command->add_option("FILE", *file, "A report.json that `carom gate --out` wrote")->required();
   command->callback([&chosen, file] {
     chosen = [file] {
       fmt::print("{}", report::subjects_markdown(read_report(*file).run));

@@ -21,7 +21,7 @@ constexpr std::size_t buffer_size = std::size_t{1} << 16;
 constexpr int glance = 50;  // interval between checks for a request to stop [ms]
 
 [[noreturn]] void fail_to_read(const std::string& file, int error) {
-  throw UsageError(fmt::format("{}: cannot be read: {}", file, std::generic_category().message(error)));
+  throw UsageError(fmt::format("{}: the file cannot be read: {}", file, std::generic_category().message(error)));
 }
 
 }  // namespace
@@ -31,14 +31,14 @@ BoundedInput::BoundedInput(std::string file, std::stop_token stop) : file_(std::
   descriptor_ = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor_ < 0) {
     if (errno == ENOENT) {
-      throw UsageError(fmt::format("{}: there is no such file", file_));
+      throw UsageError(fmt::format("{}: this file does not exist; check the path", file_));
     }
     fail_to_read(file_, errno);
   }
   struct stat facts {};
   if (fstat(descriptor_, &facts) == 0 && S_ISDIR(facts.st_mode)) {
     close(descriptor_);
-    throw UsageError(fmt::format("{}: is a directory, expected a file", file_));
+    throw UsageError(fmt::format("{}: expected a file, found a directory", file_));
   }
 }
 
@@ -53,7 +53,7 @@ bool BoundedInput::fill() {
   for (;;) {
     if (stop_.stop_requested()) {
       buffer_.clear();
-      throw UsageError(fmt::format("{}: stopped by the user before its end", file_));
+      throw UsageError(fmt::format("{}: the user stopped the program before the end of the file", file_));
     }
     pollfd waited{descriptor_, POLLIN, 0};
     if (poll(&waited, 1, glance) == 0) {

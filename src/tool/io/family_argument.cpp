@@ -21,8 +21,8 @@ const properties::Family& family_from_argument(const std::string& option, const 
       names.emplace_back(known.name);
     }
   }
-  throw UsageError(fmt::format("{}: there is no family '{}'; there are {}{}", option, name, fmt::join(names, ", "),
-                               properties::did_you_mean(name, names)));
+  throw UsageError(fmt::format("{}: there is no family '{}'; expected one of {}{}", option, name,
+                               fmt::join(names, ", "), properties::did_you_mean(name, names)));
 }
 
 }  // namespace carom::tool

@@ -34,8 +34,10 @@ void draw(std::span<const report::Plot> pictures, const std::filesystem::path& d
         throw UsageError(fmt::format("gnuplot {}: {}", error.what(), gnuplot.standard_error()));
       }
     } catch (const subjects::protocol::ChildError& error) {
-      throw UsageError(fmt::format("{}: the data and the scripts are written, but {}.svg was not drawn", error.what(),
-                                   picture.name()));
+      throw UsageError(
+          fmt::format("{}: the data and the scripts are written, but {}.svg was not drawn; install gnuplot, or run the "
+                      "scripts in gnuplot/",
+                      error.what(), picture.name()));
     }
   }
 }

@@ -81,7 +81,7 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
   const bool is_wrapped = record.is_object() && record.contains("collision");
   const std::string field = of_witness == OfWitness::drawn ? "drawn" : "collision";
   if (of_witness == OfWitness::drawn && !(is_wrapped && record.contains(field))) {
-    fail(place, "/drawn: is missing; only a witness of carom gate has it");
+    fail(place, "/drawn: is missing; only a witness of carom gate has this field, so use --drawn with a witness");
   }
   if (record.is_object() && record.contains("class")) {
     read.contact_class = text_field(record.at("class"), "/class", place);
@@ -127,7 +127,7 @@ void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::func
     return;
   }
   if (file.whole().find_first_not_of(" \t\r\n") == std::string::npos) {
-    fail(file.file(), "is empty; expected a collision");
+    fail(file.file(), "the file is empty; expected a collision");
   }
   const json whole = parsed(file.whole(), file.file());
   if (!whole.is_array()) {
@@ -135,7 +135,7 @@ void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::func
     return;
   }
   if (whole.empty()) {
-    fail(file.file(), "holds no collision");
+    fail(file.file(), "the array is empty; expected at least one collision");
   }
   for (std::size_t i = 0; i < whole.size(); ++i) {
     visit(read_record(whole[i], fmt::format("{}: element {}", file.file(), i), out_of_range, of_witness));

@@ -22,7 +22,7 @@ bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") 
 void add_rest(BoundedInput& input, std::string& text, const std::string& file) {
   if (input.add_all(text, largest_whole) == End::limit) {
     throw UsageError(
-        fmt::format("{}: is larger than the {} MiB that are read as a whole", file, largest_whole / mebibyte));
+        fmt::format("{}: the file is larger than {} MiB; write it as JSON Lines", file, largest_whole / mebibyte));
   }
 }
 
@@ -56,8 +56,8 @@ std::optional<JsonFile::Line> JsonFile::next_line_of_input() {
     Line line{++number_, {}};
     const End end = input_.add_line(line.text, longest_line);
     if (end == End::limit) {
-      throw UsageError(
-          fmt::format("{}:{}: the line is longer than {} MiB", file_, line.number, longest_line / mebibyte));
+      throw UsageError(fmt::format("{}:{}: the line is longer than {} MiB; write one collision per line", file_,
+                                   line.number, longest_line / mebibyte));
     }
     has_ended_ = end == End::file;
     if (!is_blank(line.text)) {

@@ -117,7 +117,7 @@ std::string OpenSubjects::why_none(const ReadCollision& read) const {
   if (!subject_.empty() || !names_subject(read) || runs_in_this_process(read.witness->subject)) {
     return {};
   }
-  return fmt::format("judged on no subject: the witness names a program; to run it, give --subject {}",
+  return fmt::format("not judged: the subject of the witness is a program; to run it, use --subject {}",
                      carom::printable_line(carom::quoted(read.witness->subject), 4000));
 }
 

@@ -31,7 +31,8 @@ void append_to_file(const std::string& option, const std::filesystem::path& path
   file << text;
   file.close();
   if (!file) {
-    throw UsageError(fmt::format("{}: {} cannot be written", option, path.string()));
+    throw UsageError(
+        fmt::format("{}: the file {} cannot be written; check the path and its permissions", option, path.string()));
   }
 }
 
@@ -42,9 +43,12 @@ void make_directories(const std::filesystem::path& directory) {
     std::error_code gone;
     (void)std::filesystem::current_path(gone);
     if (gone && directory.is_relative()) {
-      throw UsageError(fmt::format("--out: {} cannot be made: the working directory is gone", directory.string()));
+      throw UsageError(
+          fmt::format("--out: the directory {} cannot be created: the working directory does not exist any more",
+                      directory.string()));
     }
-    throw UsageError(fmt::format("--out: {} cannot be made: {}", directory.string(), error.message()));
+    throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
+                                 directory.string(), error.message()));
   }
 }
 

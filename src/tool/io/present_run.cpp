@@ -46,7 +46,7 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
 
 void flush_output() {
   if (std::fflush(stdout) != 0) {
-    throw UsageError("standard output cannot be written");
+    throw UsageError("standard output cannot be written; check the disk space and the reader of the pipe");
   }
 }
 

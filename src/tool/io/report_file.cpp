@@ -40,7 +40,7 @@ ReadRun read_report(const std::string& file_or_directory) {
   const std::string file = fs::is_directory(file_or_directory, ignored)
                                ? (fs::path(file_or_directory) / "report.json").string()
                                : file_or_directory;
-  return {file, read_from(file, "is not a report.json of carom gate: ", report::run_from)};
+  return {file, read_from(file, "this is not a report.json of `carom gate --out`: ", report::run_from)};
 }
 
 report::ReadShard read_shard(const std::string& directory) {

@@ -128,8 +128,8 @@ StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)
   for (int tries = 0; tries < most_tries; ++tries) {
     stage_ = directory_ / new_stage_name();
     if (mkdir(stage_.c_str(), S_IRWXU) != 0) {
-      throw UsageError(
-          fmt::format("--out: {} cannot be made: {}", stage_.string(), std::generic_category().message(errno)));
+      throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
+                                   stage_.string(), std::generic_category().message(errno)));
     }
     lock_ = opened_directory(stage_);
     if (lock_ < 0) {
@@ -141,7 +141,7 @@ StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)
     }
     close(lock_);
   }
-  throw UsageError(fmt::format("--out: {} cannot be made", stage_.string()));
+  throw UsageError(fmt::format("--out: the directory {} cannot be created; choose another directory", stage_.string()));
 }
 
 StagedOutput::~StagedOutput() {

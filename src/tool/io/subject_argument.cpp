@@ -27,7 +27,7 @@ bool is_named_in(const std::vector<Subject>& subjects, const std::string& name) 
     known.push_back(subject.name);
   }
   throw UsageError(
-      fmt::format("there is no subject '{}'; `carom subjects` lists them, and exec:PROGRAM names a program{}",
+      fmt::format("there is no subject '{}'; `carom subjects` lists the subjects, and exec:PROGRAM selects a program{}",
                   carom::printable_line(argument, 4000), properties::did_you_mean(argument, known)));
 }
 

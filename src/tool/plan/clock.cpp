@@ -17,7 +17,7 @@ const subjects::Method& method_named(const std::vector<subjects::Method>& method
   const auto found =
       std::ranges::find_if(methods, [&](const subjects::Method& method) { return method.subject.name == name; });
   if (found == methods.end()) {
-    throw std::logic_error(name + " is no built-in method");
+    throw std::logic_error(name + " is not a built-in method");
   }
   return *found;
 }

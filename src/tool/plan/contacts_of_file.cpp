@@ -28,7 +28,7 @@ RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene
   JsonFile read_file(file, stop);
   if (!read_file.is_lines() && is_scene(read_file.whole())) {
     if (!contacts_of_scene) {
-      throw UsageError(fmt::format("{}: this is a scene; carom-scene, which plans scenes, is not installed", file));
+      throw UsageError(fmt::format("{}: this file is a scene; to plan it, install carom-scene", file));
     }
     return contacts_of_scene(read_file.whole(), file, stop);
   }

@@ -63,7 +63,7 @@ RecordedContacts contacts_of_scene(const std::string& text, const std::string& f
     scene::SceneLoop simulation(scene);
     while (const scene::Event* event = simulation.advance()) {
       if (stop.stop_requested()) {
-        throw UsageError(fmt::format("{}: stopped by the user at t = {} s", file, event->time));
+        throw UsageError(fmt::format("{}: the user stopped the simulation at t = {} s", file, event->time));
       }
       if (event->has_impulse) {
         contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});
@@ -74,7 +74,7 @@ RecordedContacts contacts_of_scene(const std::string& text, const std::string& f
   }
   RecordedContacts recorded{contacts.take(), scene.law};
   if (recorded.contacts.empty()) {
-    throw UsageError(fmt::format("{}: nothing collides in this scene", file));
+    throw UsageError(fmt::format("{}: this scene has no collisions; a plan needs at least one", file));
   }
   return recorded;
 }

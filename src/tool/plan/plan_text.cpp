@@ -137,7 +137,7 @@ Table calls(const Plan& plan) {
 /// candidate.
 Table failures(const Plan& plan) {
   Table table{
-      "", {{"does not serve"}, {"contacts failed"}, {"worst at"}, {"since"}, {"ulps there"}, {"digits there"}}, {}};
+      "", {{"does not serve"}, {"contacts failed"}, {"worst at"}, {"because"}, {"ulps there"}, {"digits there"}}, {}};
   const auto add = [&](const std::string& name, const JudgedCandidate& one) {
     if (!one.certificate.worst) {
       table.rows.push_back({{name, "0", "–", "it is another law", "–", "–"}});
@@ -197,7 +197,8 @@ std::string saving_in_words(const Plan& plan) {
   const auto one = plan.saving_by_class(false);
   const auto batch = plan.saving_by_class(true);
   return fmt::format(
-      "Each class by its own choice, all contacts together: {} times as quick one at a time, {} in batches.",
+      "If each class uses its own choice, all contacts together take {} times less time one at a time, and {} times "
+      "less in batches.",
       number_or_dash(one, "{:.2g}"), number_or_dash(batch, "{:.2g}"));
 }
 
@@ -207,8 +208,8 @@ Document page(const PlanRun& run) {
                                                   plan.whole.contacts.size(), plan.whole.colliding,
                                                   name_of(run.demand.law), accuracy_in_words(run.demand))}};
   if (plan.left_out > 0) {
-    document.emplace_back(
-        report::Paragraph{fmt::format("left out, since no law is defined for their coefficients: {}", plan.left_out)});
+    document.emplace_back(report::Paragraph{
+        fmt::format("ignored contacts, because no law is defined for their coefficients: {}", plan.left_out)});
   }
   const auto add = [&](const char* title, Table table) {
     if (!table.rows.empty()) {
@@ -219,15 +220,15 @@ Document page(const PlanRun& run) {
   if (run.repetitions > 0 && !plan.classes.empty()) {
     document.emplace_back(report::Section{
         "",
-        {report::Paragraph{fmt::format(
-            "Beside {}-double, timed in the same run on at most {} contacts of each class, {} repetitions in random "
-            "order, the median. {}",
-            name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions, saving_in_words(plan))}}});
+        {report::Paragraph{fmt::format("The speedups are relative to {}-double. The times are medians of the same run, "
+                                       "over at most {} contacts of each class and {} repetitions in random order. {}",
+                                       name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions,
+                                       saving_in_words(plan))}}});
   }
-  add("How to call it", calls(plan));
+  add("How to call the methods", calls(plan));
   add("Lesser laws", laws(plan, run.demand.law));
-  add("What does not serve the whole", failures(plan));
-  add("What the lint found", findings(plan));
+  add("Methods that do not serve the whole", failures(plan));
+  add("Findings of the lint", findings(plan));
   return document;
 }
 

@@ -68,7 +68,7 @@ void spell(const Method& method, SpelledCandidate& one) {
                                   has_solve(law) ? ", carom::impulse::Ldlt" : "", contact(method));
       break;
     case MethodForm::guaranteed:
-      candidate.solve += ", the exact N·V⁺ never negative";
+      candidate.solve += ", exact N·V⁺ never negative";
       candidate.solve_rank = subjects::solve_count + 2;
       spelling.headers.push_back(header("guaranteed"));
       spelling.call = fmt::format(

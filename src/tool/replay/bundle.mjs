@@ -29,7 +29,7 @@ function digest(text) {
 function filled(page, mark, text) {
   const parts = page.split(mark);
   if (parts.length !== 2) {
-    throw new Error(`${mark} stands ${parts.length - 1} times in the page`);
+    throw new Error(`${mark} occurs ${parts.length - 1} times in the page, expected once`);
   }
   return parts.join(text);
 }
@@ -61,7 +61,7 @@ std::string_view replay_page() { return {reinterpret_cast<const char*>(bytes), s
 const script = await built("replay.mjs");
 const style = await built("replay.css");
 if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) {
-  throw new Error("what is bundled would end its element");
+  throw new Error("the bundled code contains the end tag of its element");
 }
 let page = await readFile(new URL("page.html", import.meta.url), "utf8");
 // Only the bundled script runs, and nothing is loaded.

@@ -3,7 +3,7 @@ import { path_of, ticks, value_at } from "./chart_parts.mjs";
 import { svg } from "./elements.mjs";
 import { prefix_of, quantity } from "./units.mjs";
 
-const names = { kinetic: "kinetic", spin: "of which rotation", potential: "potential", lost: "lost", total: "total" };
+const names = { kinetic: "kinetic", spin: "rotational part", potential: "potential", lost: "lost", total: "total" };
 const margin = { left: 40, right: 10, top: 16, bottom: 20 };
 
 /** Energy over time, with a cursor at the present time, and the values at that time. */

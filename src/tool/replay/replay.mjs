@@ -27,7 +27,7 @@ function view_of(replay, changed) {
     return view;
   } catch (error) {
     console.warn(error);
-    report("This browser has no WebGL here, so the bodies cannot be drawn. The chart, the times and the tables work.");
+    report("This browser has no WebGL, so the page cannot draw the bodies. The chart, the times and the tables work.");
     return null;
   }
 }

@@ -46,7 +46,7 @@ bool has_replay() { return !replay_page().empty(); }
 std::string replay_html(std::string_view title, const nlohmann::json& replay) {
   if (!has_replay()) {
     throw std::logic_error(
-        "this program was built without replays: they need npm (`npm ci` in src/tool/replay), and then a build");
+        "this program was built without replays; to get them, run `npm ci` in src/tool/replay and build again");
   }
   constexpr std::string_view title_mark = "{{title}}";
   constexpr std::string_view replay_mark = "{{replay}}";

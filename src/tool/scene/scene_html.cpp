@@ -37,15 +37,14 @@ Document ledger_part(const SceneRun& run) {
   }
   table.rows.push_back(number_row("at last", joules(ledger.present().total())));
   table.rows.push_back(
-      number_row("rounding beside the scale of the energy",
+      number_row("rounding relative to the scale of the energy",
                  fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit())));
   table.rows.push_back(number_row(
-      "single roundings, without signs",
+      "sum of the magnitudes of all roundings",
       fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L)))));
-  return {
-      Paragraph{"Where each joule went. A cause is booked by its closed form; what the stored states differ by beyond "
-                "that is rounding."},
-      std::move(table)};
+  return {Paragraph{"The table shows the causes of all changes of energy. The amount of each cause comes from its "
+                    "closed form. The remaining difference of the stored states is rounding."},
+          std::move(table)};
 }
 
 Document impulses_part(const SceneRun& run) {
@@ -57,7 +56,7 @@ Document impulses_part(const SceneRun& run) {
   }
   Document document{Paragraph{text}};
   if (!judge.held().empty()) {
-    Table table{"Impulses that each invariant holds for", {{""}, {"", true}}, {}, "impulses"};
+    Table table{"Number of impulses for which each invariant holds", {{""}, {"", true}}, {}, "impulses"};
     for (const auto& [name, count] : judge.held()) {
       table.rows.push_back(number_row(name, std::to_string(count)));
     }
@@ -74,20 +73,19 @@ Document order_part(const SceneRun& run) {
                {"captures by level planes", std::to_string(counts.captures)},
                {"changes of phase", std::to_string(counts.phases)},
                {"slow contacts", std::to_string(counts.slow)},
-               {"most at one instant", std::to_string(counts.at_one_instant)},
+               {"largest number of events at one instant", std::to_string(counts.at_one_instant)},
                {"orders decided exactly", std::to_string(counts.exact.orders)},
                {"ties", std::to_string(counts.exact.ties)},
                {"contacts decided exactly", std::to_string(counts.exact.predictions)},
                {"gaps decided exactly", std::to_string(counts.exact.gaps)},
-               {"gaps asked for by conservative advancement", std::to_string(counts.advances)},
-               {"places moved clear", std::to_string(counts.moved_clear)}}};
+               {"gaps computed by conservative advancement", std::to_string(counts.advances)},
+               {"positions moved to remove an overlap", std::to_string(counts.moved_clear)}}};
   if (const auto& validity = run.validity()) {
     facts.pairs.emplace_back("invalid states", std::to_string(validity->count));
     facts.pairs.emplace_back("pairs of paths checked",
                              fmt::format("{}, {} of them exactly", validity->pairs, validity->exact_pairs));
-    facts.pairs.emplace_back("largest jump of a stored place", fmt::format("{:.2g} m", validity->largest_jump));
-    facts.pairs.emplace_back("deepest overlap that would not have been seen",
-                             fmt::format("{:.2g} m", validity->unseen));
+    facts.pairs.emplace_back("largest jump of a stored position", fmt::format("{:.2g} m", validity->largest_jump));
+    facts.pairs.emplace_back("deepest overlap that the check may miss", fmt::format("{:.2g} m", validity->unseen));
   } else {
     facts.pairs.emplace_back("invalid states", "not checked");
   }

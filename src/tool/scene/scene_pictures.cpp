@@ -74,7 +74,7 @@ Plot energy_picture(std::span<const SampledLaw> laws) {
   if (laws.size() == 1) {
     const std::vector<Sample>& samples = laws.front().samples;
     const double first = samples.empty() ? 0 : samples.front().total();
-    return lines_over_time("energy", "Energy, and what is lost", "J",
+    return lines_over_time("energy", "Energy and losses", "J",
                            {{"translation", &samples, [](const Sample& s) { return s.translation; }},
                             {"rotation", &samples, [](const Sample& s) { return s.rotation; }},
                             {"potential", &samples, [](const Sample& s) { return s.potential; }},

@@ -257,7 +257,7 @@ json scene_record(const SceneRun& run) {
 std::string scene_verdict(const SceneRun& run) {
   std::string text = run.holds() ? "holds" : "VIOLATED";
   if (run.has_failed()) {
-    text = "NOT RUN TO ITS END; until then " + text;
+    text = "NOT RUN TO ITS END; so far " + text;
   }
   std::string what;
   const auto add = [&](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
@@ -299,13 +299,11 @@ std::string scene_text(const SceneRun& run) {
   text += fmt::format("          {} slow contacts; at most {} at one instant; {:.3g} s of wall time\n", counts.slow,
                       counts.at_one_instant, run.seconds());
   if (!run.scene().polyhedra.empty()) {
-    text += fmt::format(
-        "order     by times of contact; until then bodies are certain to be apart; {} gaps were asked for\n",
-        counts.advances);
+    text += fmt::format("order     by certified times of contact; {} gaps computed\n", counts.advances);
   } else {
     text += fmt::format(
-        "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} places moved "
-        "clear\n",
+        "order     certified; {} decided exactly, {} ties; {} contacts and {} gaps decided exactly, {} positions "
+        "moved\n",
         counts.exact.orders, counts.exact.ties, counts.exact.predictions, counts.exact.gaps, counts.moved_clear);
   }
   if (const auto& validity = run.validity()) {
@@ -314,9 +312,9 @@ std::string scene_text(const SceneRun& run) {
           fmt::format("validity  {} overlaps or gaps in paths; {} pairs of paths near each other, {} of them exactly\n",
                       validity->count, validity->pairs, validity->exact_pairs);
     } else {
-      text += fmt::format("validity  {} overlaps, gaps in paths or impacts of what does not touch; {} looks at pairs\n",
+      text += fmt::format("validity  {} overlaps, gaps in paths or impacts without contact; {} checks of pairs\n",
                           validity->count, validity->pairs);
-      text += fmt::format("          an overlap of {:.2g} m would not have been seen\n", validity->unseen);
+      text += fmt::format("          the check may miss an overlap of {:.2g} m\n", validity->unseen);
     }
     for (const properties::Invalidity& one : validity->invalid) {
       text += fmt::format("          {} and {}, from {} s to {} s: {}\n", kind_and_number(run.scene(), one.body),

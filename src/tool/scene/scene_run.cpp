@@ -102,7 +102,7 @@ void SceneRun::run() {
         break;
       }
       if (options_.most_events && simulation_.counts().events >= *options_.most_events) {
-        ended_early_ = "as many events as were asked for";
+        ended_early_ = "the limit of --events was reached";
         break;
       }
     }

@@ -48,7 +48,7 @@ void expect_in(const std::string& text, std::initializer_list<const char*> parts
 TEST(Finding, IsASkipWhereNoCaseIsInTheDomain) {
   const Finding finding = find(frictionless(), "restitution", "resting");
   EXPECT_EQ(finding.status, Status::skipped);
-  expect_in(finding.text, {"no case of resting is in the domain of restitution (colliding contacts); of the first, the "
+  expect_in(finding.text, {"no case of resting is in the domain of restitution (colliding contacts); first case: the "
                            "contact is not colliding"});
 }
 
@@ -100,7 +100,7 @@ TEST(Finding, SaysWhereASubjectRemembers) {
   });
   const Finding finding = find(tiring, "separating_untouched", "separating");
   EXPECT_EQ(finding.status, Status::violated);
-  expect_in(finding.text, {"it remembers earlier collisions"});
+  expect_in(finding.text, {"it keeps state from earlier collisions"});
 }
 
 /// No suite of a sound solver is skipped as a whole: each invariant is tested in some family.

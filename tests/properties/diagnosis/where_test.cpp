@@ -53,9 +53,9 @@ TEST(Where, NothingIsSaidWhereNothingIsViolated) {
 }
 
 TEST(Where, AllThatApproachAreSaidInOneWord) {
-  expect_in("In nearly all contacts that approach (N·V⁻ < 0): 100 %.",
+  expect_in("Nearly all colliding contacts (N·V⁻ < 0) fail: 100 %.",
             Sampled([](const Collision&, auto approach) { return approach == colliding; }).words());
-  expect_in("contacts that part",
+  expect_in("separating contacts",
             Sampled([](const Collision&, auto approach) { return approach == oracles::Approach::separating; }).words());
 }
 
@@ -72,8 +72,8 @@ TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable &&
                                      (c.a.mass > 100 * c.b.mass || c.b.mass > 100 * c.a.mass);
                             }).words();
-  expect_in("where the greater mass over the lesser is at least 1", words);
-  expect_in("100 % of these are violated", words);
+  expect_in("If the larger mass over the smaller is at least 1", words);
+  expect_in("100 % of the colliding contacts (N·V⁻ < 0) fail", words);
 }
 
 TEST(Where, AnAbsenceIsFound) {
@@ -88,7 +88,7 @@ TEST(Where, NothingIsFoundWhereThereIsNothing) {
   int count = 0;
   const std::string words =
       Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 7 == 0; }).words();
-  expect_in("no feature tells them from the others", words);
+  expect_in("no feature distinguishes them from the others", words);
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ TEST(Features, AreNotInEveryCollision) {
 /// choice, and decades of one quantity.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
-                                             "the contact would lie outside of the body, where K has no bound",
-                                             "a quantity is in one decade"};
+                                             "the contact would lie outside of the body, and K would have no bound",
+                                             "a quantity lies in one decade only"};
   const std::span<const Feature> all = all_features();
   std::set<std::string_view> reasons;
   for (std::size_t x = 0; x < all.size(); ++x) {

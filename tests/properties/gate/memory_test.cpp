@@ -200,7 +200,8 @@ TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
       claims_little.deviates.emplace_back(invariant.name);
     }
   }
-  EXPECT_EQ(result_of(claims_little).not_judged, "no law of the outcome of a colliding contact was exercised");
+  EXPECT_EQ(result_of(claims_little).not_judged,
+            "no case exercised an invariant of the outcome of a colliding contact");
 
   Subject unknown = right;
   unknown.deviates = {"no_such_invariant"};

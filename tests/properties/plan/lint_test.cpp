@@ -123,7 +123,7 @@ TEST(Lint, IsSilentOfACentreOfMassInThePlaneOfTheContact) {
   c.normal.normalize();
   c.b.position = {0, -0.5, 0};
   c.a.position = {0.1, std::nextafter(-0.3, -1.0), 0};
-  EXPECT_EQ(found(c), Found{"note centre_of_mass a.position"}) << "by rounding";
+  EXPECT_EQ(found(c), Found{"note centre_of_mass a.position"}) << "by a rounding error";
 }
 
 TEST(Lint, AsksNoImmovableBodyForACentreOfMass) {

@@ -161,7 +161,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {"/spheres/0/colour: unknown field; expected one of name, radius, density, material, position, velocity, "
        "angular_velocity",
        [](json& s) { s["spheres"][0]["colour"] = "red"; }},
-      {"/spheres/0/material: is missing, and there are 2 materials",
+      {"/spheres/0/material: is missing; name one of the 2 materials",
        [](json& s) { s["spheres"][0].erase("material"); }},
       {"/spheres/0/material: expected one of the materials \"steel\", \"wood\", found \"stone\"",
        [](json& s) { s["spheres"][0]["material"] = "stone"; }},
@@ -169,13 +169,11 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        [](json& s) { s["law"] = "any"; }},
       {"/precision: expected binary32, binary64 or extended, found \"double\"",
        [](json& s) { s["precision"] = "double"; }},
-      {"/gravity: expected gravity along one axis of the world, two of three numbers 0: the planes that spheres rest "
-       "on "
-       "are level, found [1,0,-9.81]",
+      {"/gravity: expected gravity along one world axis, so that two of its three numbers are 0, found [1,0,-9.81]",
        [](json& s) { s["gravity"][0] = 1; }},
       {"/capture_height: expected a finite number greater than 0, found 0", [](json& s) { s["capture_height"] = 0; }},
-      {"/materials/1: expected names that differ, found \"steel\" twice", [](json& s) { s["materials"][1] = "steel"; }},
-      {"/contacts/1: expected each pair of materials once, found that of /contacts/0 again",
+      {"/materials/1: expected different names, found \"steel\" twice", [](json& s) { s["materials"][1] = "steel"; }},
+      {"/contacts/1: expected each pair of materials once, but this repeats the pair of /contacts/0",
        [](json& s) {
          s["contacts"][1]["materials"] = {"wood", "steel"};
        }},
@@ -193,11 +191,11 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        "(row "
        "0)",
        [](json& s) { s["contacts"].erase(1); }},
-      {"/planes/0/normal: expected a vector whose length neither is 0 nor leaves the range of binary64, found [0,0,0]",
+      {"/planes/0/normal: expected a vector with a length that is not 0 and does not overflow binary64, found [0,0,0]",
        [](json& s) {
          s["planes"][0]["normal"] = {0, 0, 0};
        }},
-      {"/room/greatest/2: expected a number greater than that of /room/least/2, found 0",
+      {"/room/greatest/2: expected a number greater than /room/least/2, found 0",
        [](json& s) { s["room"]["greatest"][2] = 0; }},
       {"/lattices/0/count: expected three integers of at least 1, found [3,0,1]",
        [](json& s) { s["lattices"][0]["count"][1] = 0; }},
@@ -215,7 +213,8 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        [](json& s) { s["spheres"][0]["position"][2] = 0.25; }},
       {"/spheres/0: expected radius and density that give a moment of inertia from 2.22507e-308 to 1.79769e+308, not 0",
        [](json& s) { s["spheres"][0]["radius"] = 1e-90; }},
-      {"/spheres/0/position: expected to be within 2^28 diameters of the largest sphere of 0, found [0.0,0.0,1e+200]",
+      {"/spheres/0/position: expected a position within 2^28 diameters of the largest sphere from the origin, found "
+       "[0.0,0.0,1e+200]",
        [](json& s) {
          s["spheres"][0]["position"] = {0.0, 0.0, 1e200};
        }},
@@ -244,9 +243,9 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
       {"/polyhedra/0: expected an object, found 1", [](json& p) { p = 1; }},
       {"/polyhedra/0/vertices: is missing", [](json& p) { p.erase("vertices"); }},
       {"/polyhedra/0/vertices: expected an array, found 7", [](json& p) { p["vertices"] = 7; }},
-      {"/polyhedra/0/vertices: expected from 4 to 100 points, found 3",
+      {"/polyhedra/0/vertices: expected 4 to 100 points, found 3",
        [](json& p) { p["vertices"].erase(p["vertices"].begin() + 3, p["vertices"].end()); }},
-      {"/polyhedra/0/vertices: expected from 4 to 100 points, found 1001",
+      {"/polyhedra/0/vertices: expected 4 to 100 points, found 1001",
        [](json& p) {
          p["vertices"] = std::vector<json>(1001, {0, 0, 0});
        }},
@@ -268,7 +267,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
        [](json& p) {
          p["orientation"] = {1, 0, 0};
        }},
-      {"/polyhedra/0/orientation: expected four finite numbers, w, x, y and z, not all 0, found [0,0,0,0]",
+      {"/polyhedra/0/orientation: expected four finite numbers w, x, y, z that are not all 0, found [0,0,0,0]",
        [](json& p) {
          p["orientation"] = {0, 0, 0, 0};
        }},
@@ -300,16 +299,16 @@ TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
        [](json& s) {
          s["polyhedra"][0]["vertices"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
        }},
-      {"/polyhedra/0/vertices: vertex 8 is no corner: it lies inside the hull of the others, or on a face or an edge "
-       "of it",
+      {"/polyhedra/0/vertices: vertex 8 is not a corner: it lies inside the convex hull of the others, or on its "
+       "boundary",
        [](json& s) {
          s["polyhedra"][0]["vertices"].push_back({0.5, 0.5, 0.5});
        }},
-      {"/polyhedra/0/vertices: vertex 8 is vertex 1 again",
+      {"/polyhedra/0/vertices: vertex 8 equals vertex 1",
        [](json& s) {
          s["polyhedra"][0]["vertices"].push_back({1, 0, 0});
        }},
-      {"/polyhedra/1: expected its centre of mass, at distance 60000, to be within 4096 of its radii of 0",
+      {"/polyhedra/1: expected a centre of mass within 4096 radii of the origin, found the distance 60000",
        [](json& s) {
          s["room"]["greatest"][2] = 1e6;
          s["polyhedra"][1]["position"][2] = 60000;
@@ -320,16 +319,16 @@ TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
          s["precision"] = "binary32";
          s["polyhedra"][0]["density"] = 1e39;
        }},
-      {"/polyhedra/0: polyhedron 0 (box) is not certain to be apart from plane 4 (room -z): ",
+      {"/polyhedra/0: polyhedron 0 (box) may overlap plane 4 (room -z): ",
        [](json& s) {
          s["polyhedra"][0]["orientation"] = {1, 0, 0, 0};
          s["polyhedra"][0]["position"][2] = 0;
        }},
-      {"/polyhedra/1: polyhedron 1 (polyhedron 1) is not certain to be apart from polyhedron 0 (box): -",
+      {"/polyhedra/1: polyhedron 1 (polyhedron 1) may overlap polyhedron 0 (box): -",
        [](json& s) { s["polyhedra"][1]["position"] = s["polyhedra"][0]["position"]; }},
-      {"/polyhedra/1: polyhedron 1 (polyhedron 1) is not certain to be apart from sphere 0 (sphere 0): -",
+      {"/polyhedra/1: polyhedron 1 (polyhedron 1) may overlap sphere 0 (sphere 0): -",
        [](json& s) { s["polyhedra"][1]["position"] = s["spheres"][0]["position"]; }},
-      {"/lattices/0: sphere 2 (row 1) is not certain to be apart from sphere 1 (row 0): 0 m lie between them",
+      {"/lattices/0: sphere 2 (row 1) may overlap sphere 1 (row 0): 0 m is the computed gap",
        [](json& s) { s["lattices"][0]["spacing"][0] = 1; }},
       {"/polyhedra: expected at most 2000 bodies in a scene with polyhedra, found 2001",
        [](json& s) { s["polyhedra"] = std::vector<json>(1997, s["polyhedra"][0]); }},

@@ -32,7 +32,8 @@ TEST(ValidScene, DecidesOverlapExactly) {
 TEST(ValidScene, DecidesPlanesExactly) {
   Scene scene = scene_of_two(1);
   scene.planes = {{.name = "slope", .normal = {3, 0, 4}, .point = {0, 0, -0.1249}}};
-  EXPECT_EQ(defect_of(scene), "spheres[0]: sphere 0 (left) overlaps plane 0 (slope), or is behind it");
+  EXPECT_EQ(defect_of(scene),
+            "spheres[0]: sphere 0 (left) overlaps plane 0 (slope), or is behind it; move one of them");
   scene.spheres[0].radius = 0.0999;
   EXPECT_EQ(defect_of(scene), "");
   // A touch is not an overlap.
@@ -40,7 +41,8 @@ TEST(ValidScene, DecidesPlanesExactly) {
   scene.planes[0].point = {0, 0, -0.2};
   EXPECT_EQ(defect_of(scene), "");
   scene.planes[0].point[2] = std::nextafter(-0.2, 0);
-  EXPECT_EQ(defect_of(scene), "spheres[1]: sphere 1 (right) overlaps plane 0 (slope), or is behind it");
+  EXPECT_EQ(defect_of(scene),
+            "spheres[1]: sphere 1 (right) overlaps plane 0 (slope), or is behind it; move one of them");
 }
 
 TEST(ValidScene, AsksForMassesThatThePrecisionHolds) {
@@ -64,7 +66,7 @@ TEST(ValidScene, LooksAtWhatAFileCannotSay) {
   EXPECT_EQ(defect_of(scene), "spheres[1].velocity: expected finite numbers");
   scene = scene_of_two(1);
   scene.pairs = MaterialPairs(2);
-  EXPECT_EQ(defect_of(scene), "pairs: expected the pairs of as many materials as there are");
+  EXPECT_EQ(defect_of(scene), "pairs: expected pairs of as many materials as the scene has");
 }
 
 }  // namespace

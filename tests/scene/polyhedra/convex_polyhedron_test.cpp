@@ -91,7 +91,7 @@ TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
   points.emplace_back(0.3, 0.7, std::nextafter(1.0, 2.0));
   EXPECT_EQ(unit::hull_of(points).faces.size(), 9U);
   points.back().z() = 1;
-  EXPECT_NE(unit::defect_of(points).find("vertex 8 is no corner"), std::string::npos);
+  EXPECT_NE(unit::defect_of(points).find("vertex 8 is not a corner"), std::string::npos);
 }
 
 TEST(ConvexPolyhedron, SaysWhatIsWrong) {
@@ -101,17 +101,19 @@ TEST(ConvexPolyhedron, SaysWhatIsWrong) {
     points.push_back(point);
     return unit::defect_of(points);
   };
-  EXPECT_NE(with({0.5, 0.5, 0.5}).find("vertex 8 is no corner"), std::string::npos);
-  EXPECT_NE(with({0.5, 0, 0}).find("vertex 8 is no corner"), std::string::npos);
-  EXPECT_NE(with({0.5, 0.25, 0}).find("vertex 8 is no corner"), std::string::npos);
-  EXPECT_EQ(with({1, 0, 0}), "vertex 8 is vertex 1 again");
-  EXPECT_EQ(with({1, -0.0, 0}), "vertex 8 is vertex 1 again");
+  EXPECT_NE(with({0.5, 0.5, 0.5}).find("vertex 8 is not a corner"), std::string::npos);
+  EXPECT_NE(with({0.5, 0, 0}).find("vertex 8 is not a corner"), std::string::npos);
+  EXPECT_NE(with({0.5, 0.25, 0}).find("vertex 8 is not a corner"), std::string::npos);
+  EXPECT_EQ(with({1, 0, 0}), "vertex 8 equals vertex 1; remove one of them");
+  EXPECT_EQ(with({1, -0.0, 0}), "vertex 8 equals vertex 1; remove one of them");
   EXPECT_EQ(with({1, std::numeric_limits<double>::quiet_NaN(), 0}),
             "vertex 8 has a coordinate that is not a finite number");
-  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "a polyhedron has at least 4 vertices, not 3");
-  EXPECT_EQ(unit::defect_of({}), "a polyhedron has at least 4 vertices, not 0");
-  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), "all vertices lie in one plane");
-  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 5, 5}}), "all vertices lie in one plane");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "a polyhedron needs at least 4 vertices, not 3");
+  EXPECT_EQ(unit::defect_of({}), "a polyhedron needs at least 4 vertices, not 0");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+            "all vertices lie in one plane; a polyhedron needs a volume");
+  EXPECT_EQ(unit::defect_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {5, 5, 5}}),
+            "all vertices lie in one plane; a polyhedron needs a volume");
 }
 
 TEST(ConvexPolyhedron, TakesTheSmallestAndTheGreatestNumbers) {

@@ -50,19 +50,20 @@ TEST(ValidPolyhedra, NamesTheFieldAndTheBody) {
       {"polyhedra[1].velocity: expected finite numbers", [](Scene& s) { s.polyhedra[1].velocity.z() = -never; }},
       {"polyhedra[0].angular_velocity: expected finite numbers",
        [nan](Scene& s) { s.polyhedra[0].angular_velocity.x() = nan; }},
-      {"polyhedra[0].orientation: expected four finite numbers, w, x, y and z, not all 0",
+      {"polyhedra[0].orientation: expected four finite numbers w, x, y, z that are not all 0",
        [](Scene& s) {
          s.polyhedra[0].orientation = {0, 0, 0, 0};
        }},
-      {"polyhedra[0].orientation: expected four finite numbers, w, x, y and z, not all 0",
+      {"polyhedra[0].orientation: expected four finite numbers w, x, y, z that are not all 0",
        [nan](Scene& s) { s.polyhedra[0].orientation[3] = nan; }},
-      {"polyhedra[1].vertices: a polyhedron has at least 4 vertices, not 3",
+      {"polyhedra[1].vertices: a polyhedron needs at least 4 vertices, not 3",
        [](Scene& s) { s.polyhedra[1].vertices.resize(3); }},
-      {"polyhedra[1].vertices: all vertices lie in one plane", [](Scene& s) { s.polyhedra[1].vertices.resize(4); }},
-      {"polyhedra[0].vertices: vertex 8 is vertex 0 again",
+      {"polyhedra[1].vertices: all vertices lie in one plane; a polyhedron needs a volume",
+       [](Scene& s) { s.polyhedra[1].vertices.resize(4); }},
+      {"polyhedra[0].vertices: vertex 8 equals vertex 0; remove one of them",
        [](Scene& s) { s.polyhedra[0].vertices.push_back(s.polyhedra[0].vertices[0]); }},
-      {"polyhedra[0].vertices: vertex 8 is no corner: it lies inside the hull of the others, or on a face or an edge "
-       "of it",
+      {"polyhedra[0].vertices: vertex 8 is not a corner: it lies inside the convex hull of the others, or on its "
+       "boundary; remove this vertex",
        [](Scene& s) { s.polyhedra[0].vertices.emplace_back(0, 0, 0); }},
       {"polyhedra[0].vertices: vertex 2 has a coordinate that is not a finite number",
        [nan](Scene& s) { s.polyhedra[0].vertices[2].x() = nan; }},
@@ -92,7 +93,7 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   Scene scene = three();
   scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 + 1e-12);
   EXPECT_EQ(defect_of(scene),
-            "polyhedra[0].angular_velocity: expected a body that turns by at most 1e+06 rad within the duration");
+            "polyhedra[0].angular_velocity: expected a body that rotates by at most 1e+06 rad within the duration");
   scene.polyhedra[0].angular_velocity = {1e160, 1e300, 0};
   EXPECT_NE(defect_of(scene), "");
   scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 - 1e-12);
@@ -116,8 +117,8 @@ TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   scene.polyhedra[0].position.x() = -4096 * radius * (1 + 1e-12);
   EXPECT_EQ(
       defect_of(scene),
-      "polyhedra[0]: expected its centre of mass, at distance 3547.24, to be within 4096 of its radii of 0, which "
-      "are 0.866025");
+      "polyhedra[0]: expected a centre of mass within 4096 radii of the origin, found the distance 3547.24 and the "
+      "radius 0.866025");
   scene.polyhedra[0].position.x() = -4096 * radius * (1 - 1e-12);
   EXPECT_EQ(defect_of(scene), "");
 }
@@ -129,22 +130,22 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
     std::function<void(Scene&)> part;  // by a billionth of a radius, after `touch`
   };
   const std::vector<Case> cases{
-      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from plane 0 (plane 0): 0 m lie between them, "
-       "and rounding leaves ",
+      {"polyhedra[0]: polyhedron 0 (body 0) may overlap plane 0 (plane 0): 0 m is the computed gap, with a rounding "
+       "error of up to ",
        [](Scene& s) { s.planes[0].point.z() = -0.5; }, [](Scene& s) { s.planes[0].point.z() -= 1e-9; }},
-      {"polyhedra[1]: polyhedron 1 (body 1) is not certain to be apart from polyhedron 0 (body 0): 0 m lie ",
+      {"polyhedra[1]: polyhedron 1 (body 1) may overlap polyhedron 0 (body 0): 0 m is ",
        [](Scene& s) { s.polyhedra[1].position.x() = 1; }, [](Scene& s) { s.polyhedra[1].position.x() += 1e-9; }},
-      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from sphere 0 (ball 0): 0 m lie ",
+      {"polyhedra[0]: polyhedron 0 (body 0) may overlap sphere 0 (ball 0): 0 m is ",
        [](Scene& s) { s.spheres[0].position.y() = 0.75; }, [](Scene& s) { s.spheres[0].position.y() += 1e-9; }},
       // Completely behind the plane.
-      {"polyhedra[0]: polyhedron 0 (body 0) is not certain to be apart from plane 0 (plane 0): -7.5 m lie ",
+      {"polyhedra[0]: polyhedron 0 (body 0) may overlap plane 0 (plane 0): -7.5 m is ",
        [](Scene& s) {
          s.planes[0].point.z() = 7;
          s.spheres.clear();
        },
        [](Scene& s) { s.planes[0].point.z() = -0.5 - 1e-9; }},
       // One within the other.
-      {"polyhedra[1]: polyhedron 1 (body 1) is not certain to be apart from polyhedron 0 (body 0): -1 m lie ",
+      {"polyhedra[1]: polyhedron 1 (body 1) may overlap polyhedron 0 (body 0): -1 m is ",
        [](Scene& s) { s.polyhedra[1].position = s.polyhedra[0].position; },
        [](Scene& s) { s.polyhedra[1].position.z() = 1 + 1e-9; }},
   };
@@ -165,12 +166,11 @@ TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
   add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});
   EXPECT_FALSE(first_defect(scene)) << "to touch is not to overlap";
   EXPECT_TRUE(defect_of(scene).starts_with(
-      "spheres[1]: sphere 1 (ball 1) is not certain to be apart from sphere 0 (ball 0): 0 m lie between them"))
+      "spheres[1]: sphere 1 (ball 1) may overlap sphere 0 (ball 0): 0 m is the computed gap"))
       << defect_of(scene);
   scene.spheres[1].position = {0, 4, -0.75};
   EXPECT_FALSE(first_defect(scene));
-  EXPECT_TRUE(
-      defect_of(scene).starts_with("spheres[1]: sphere 1 (ball 1) is not certain to be apart from plane 0 (plane 0): "))
+  EXPECT_TRUE(defect_of(scene).starts_with("spheres[1]: sphere 1 (ball 1) may overlap plane 0 (plane 0): "))
       << defect_of(scene);
   scene.spheres[1].position.z() = 0;
   EXPECT_EQ(defect_of(scene), "");

@@ -77,23 +77,23 @@ const std::vector<Fault>& all_faults() {
       Fault{"half-a-line", {"solve 3", no_line}, true},
       Fault{"not-json", {"solve 3", "not JSON"}},
       Fault{"wrong-shape", {"solve 3", "/a: expected an object"}},
-      Fault{"no-outcome", {"solve 3", "expected either"}},
+      Fault{"no-outcome", {"solve 3", "expected exactly one of"}},
       Fault{"missing-component", {"solve 3", "/a/velocity: expected an array of 3 numbers"}},
       Fault{"not-a-number", {"solve 3", "/b/velocity/1: expected a number, found \"fast\""}},
-      Fault{"matrix-missing", {"solve ", "/C: is missing, and the contact collides"}},
+      Fault{"matrix-missing", {"solve ", "/C: is missing, but the contact collides"}},
       Fault{"matrix-of-two-rows", {"solve ", "/C: expected an array of 3 rows, found"}},
       Fault{"matrix-not-a-number", {"solve ", "/C/1/2: expected a number, found \"much\""}},
       Fault{"leave-group", {"solve 3", no_line}, true},
       Fault{"wide", {"solve 3", "/skipped: expected a string"}},
       Fault{"bare-nan", {"solve 3", "not JSON"}},
-      Fault{"deep", {"solve 3", "levels deep"}},
+      Fault{"deep", {"solve 3", "nested levels"}},
       Fault{"gigabyte", {"solve 3", "a line of more than 1048576 bytes"}},
       Fault{"close-output", {"solve 3", "closed its standard output"}, true},
       Fault{"grandchild", {"solve 3", no_line}, true},
       Fault{"unknown-model", {"start", "/model: expected frictionless"}},
       Fault{"protocol-2", {"start", "/protocol: expected 1, found 2"}},
-      Fault{"hang-after-stop", {"stop", "did not end within 0.7 s of being told to stop"}},
-      Fault{"line-after-stop", {"stop", "more lines than it was asked for: goodbye"}},
+      Fault{"hang-after-stop", {"stop", "did not end within 0.7 s after the request to stop"}},
+      Fault{"line-after-stop", {"stop", "more lines than there were requests: goodbye"}},
       Fault{"status-3", {"stop", "ended with status 3"}}};
   return faults;
 }
@@ -285,8 +285,8 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
            {"exec:no-such-program-on-path", "was not found on PATH"},
            {"exec:" + file, "cannot be run: Permission denied"},
            {"exec:" + directory.path().string(), "cannot be run: Permission denied"},
-           {"exec:'unclosed", "a quotation is not closed"},
-           {"exec:", "no program is named"}}) {
+           {"exec:'unclosed", "a quote is not closed"},
+           {"exec:", "no program is given after exec:"}}) {
     const Gate gate({words, "frictionless-double"});
     EXPECT_EQ(gate.run.exit_status, 2);
     EXPECT_EQ(gate.subject(0).at("status"), "error");
@@ -402,7 +402,7 @@ TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   const std::string witness = (directory.path() / "witnesses" / "faulty.finite.json").string();
   const RunResult unasked = run_carom({"replay", witness});
   EXPECT_EQ(unasked.exit_status, 0) << unasked.errors;
-  EXPECT_NE(unasked.output.find("the witness names a program"), std::string::npos) << unasked.output;
+  EXPECT_NE(unasked.output.find("the subject of the witness is a program"), std::string::npos) << unasked.output;
   const RunResult asked = run_carom({"replay", witness, "--subject", misbehaving("none")});
   EXPECT_EQ(asked.exit_status, 0) << asked.errors;
   const RunResult failing = run_carom({"replay", witness, "--subject", misbehaving("exit-at-once")});

@@ -155,16 +155,16 @@ TEST(Reply, IsRefusedWithThePlaceWhereItIsWrong) {
            {"[1,2.5,-3e-5]", "[1,2.5]", "/a/velocity: expected an array of 3 numbers, found [1,2.5]"},
            {"2.5", "\"fast\"", "/a/velocity/1: expected a number, found \"fast\""},
            {"2.5", "NaN", "not JSON"},
-           {"\"id\":5", "\"id\":5,\"error\":\"both\"", "expected either"},
+           {"\"id\":5", "\"id\":5,\"error\":\"both\"", "expected exactly one of"},
            {"\"a\":{\"velocity\":[1,2.5,-3e-5],\"angular_velocity\":[0,0,0]},", "", "/a: is missing"}}) {
     const std::string text = with(reply, part, replacement);
     expect_format_error([&] { return answer_from(text, 5, Precision::binary64); }, says);
   }
-  expect_format_error([] { return answer_from(R"({"id":5})", 5, Precision::binary64); }, "expected either");
+  expect_format_error([] { return answer_from(R"({"id":5})", 5, Precision::binary64); }, "expected exactly one of");
   expect_format_error([] { return answer_from(reply + std::string(1, '\0') + "more", 5, Precision::binary64); },
                       "zero byte");
   expect_format_error([] { return answer_from("[]", 5, Precision::binary64); }, "expected an object");
-  expect_format_error([] { return answer_from(std::string(1000, '['), 5, Precision::binary64); }, "levels deep");
+  expect_format_error([] { return answer_from(std::string(1000, '['), 5, Precision::binary64); }, "nested levels");
 }
 
 const std::string matrix_reply = with(reply, R"({"id":5)", R"({"id":5,"C":[[1,2,3],[4,"nan",6],[7,8,"-inf"]])");

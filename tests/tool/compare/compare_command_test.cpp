@@ -137,7 +137,7 @@ TEST_F(CompareCommand, NamesFileAndPlaceOfWhatIsWrong) {
       {"/seed: expected a count", [](json& r) { r["seed"] = -1; }},
       {"/subjects: expected an array", [](json& r) { r["subjects"] = 3; }},
       {"/subjects/0/name: expected a string", [](json& r) { r["subjects"][0]["name"] = 3; }},
-      {"/subjects/1/name: 'frictionless-double' stands here twice",
+      {"/subjects/1/name: 'frictionless-double' occurs twice",
        [](json& r) { r["subjects"][1]["name"] = "frictionless-double"; }},
       {"/subjects/0/families/1/family: expected \"generic\"",
        [](json& r) { r["subjects"][0]["families"][1]["family"] = "head_on"; }},

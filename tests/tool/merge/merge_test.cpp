@@ -169,7 +169,7 @@ TEST_F(Merge, WantsEachShardOnce) {
   EXPECT_NE(twice.errors.find("shard 1 of 3 is there twice"), std::string::npos) << twice.errors;
   const RunResult whole = merge({path("whole")});
   EXPECT_EQ(whole.exit_status, 2);
-  EXPECT_NE(whole.errors.find("the report is of no shard"), std::string::npos) << whole.errors;
+  EXPECT_NE(whole.errors.find("this report is not of a shard"), std::string::npos) << whole.errors;
   EXPECT_EQ(merge({}).exit_status, 2);
 }
 
@@ -194,7 +194,7 @@ TEST_F(Merge, SaysInWhichFieldShardsDoNotBelongTogether) {
   for (const auto& [field, change] : changes) {
     const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
     EXPECT_EQ(result.exit_status, 2) << field;
-    EXPECT_NE(result.errors.find("do not belong together: " + field), std::string::npos) << field << result.errors;
+    EXPECT_NE(result.errors.find("do not belong to one run: " + field), std::string::npos) << field << result.errors;
   }
 }
 
@@ -205,7 +205,7 @@ TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
       {"/shard/number: expected", [](json& r) { r["shard"]["number"] = 4; }},
       {"/shard/digits: expected", [](json& r) { r["shard"]["digits"].erase(3); }},
       {"/shard/findings: expected", [](json& r) { r["shard"]["findings"].erase(3); }},
-      {"/shard/findings/1/structured/worst/restitution/case: expected the number of a case, below ",
+      {"/shard/findings/1/structured/worst/restitution/case: expected the number of a case, less than ",
        [](json& r) { r["shard"]["findings"][1]["structured"]["worst"]["restitution"]["case"] = 1'000'000; }},
       {"/shard/findings/1/structured/worst/restitution: is missing",
        [](json& r) { r["shard"]["findings"][1]["structured"]["worst"].erase("restitution"); }},
@@ -231,7 +231,7 @@ TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
   fs::remove_all(fs::path(without_witnesses) / "witnesses");
   const RunResult result = merge({path("shard1"), without_witnesses, path("shard3")});
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_NE(result.errors.find("there is no such file"), std::string::npos) << result.errors;
+  EXPECT_NE(result.errors.find("this file does not exist"), std::string::npos) << result.errors;
 }
 
 TEST_F(Merge, ReplacesNoShard) {

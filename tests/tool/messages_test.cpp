@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+/// Each message about an error of the user says what is wrong, where, and what to do. The exit status is 2.
+namespace carom::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct UserError {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::vector<std::string> parts;  // of the message, in any order
+};
+
+void expect_messages(const std::vector<UserError>& table) {
+  for (const UserError& error : table) {
+    const RunResult result = run_carom(error.arguments);
+    EXPECT_EQ(result.exit_status, 2) << error.name << ": " << result.output << result.errors;
+    const std::string text = result.output + result.errors;
+    for (const std::string& part : error.parts) {
+      EXPECT_NE(text.find(part), std::string::npos) << error.name << ": expected '" << part << "' in: " << text;
+    }
+  }
+}
+
+/// A valid collision with this change.
+template <class Change>
+std::string collision_with(const Change& change) {
+  json collision = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/head_on.json"));
+  change(collision);
+  return collision.dump();
+}
+
+TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
+  const std::string scene = std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json";
+  expect_messages({
+      {"no command", {}, {"no command is given", "expected one of the subcommands", "gate"}},
+      {"unknown command", {"gat"}, {"not expected: gat", "Did you mean 'gate'?", "--help"}},
+      {"unknown option", {"gate", "--famlies=generic"}, {"--famlies", "Did you mean '--families'?"}},
+      {"unknown subject", {"gate", "frictionles-double"}, {"'frictionles-double'", "carom subjects", "did you mean"}},
+      {"unknown family", {"gate", "--families", "head_no"}, {"--families", "'head_no'", "expected one of structured"}},
+      {"unknown invariant",
+       {"gate", "frictionless-double", "--deviates", "restitutoin"},
+       {"--deviates", "\"restitutoin\"", "`carom invariants` lists them", "did you mean 'restitution'?"}},
+      {"unknown law of a plan", {"plan", "x", "--law", "smooth"}, {"--law", "smooth not in", "frictionless"}},
+      {"unknown law of a scene",
+       {"scene", scene, "--laws", "any"},
+       {"--laws", "'any'", "expected one of frictionless"}},
+      {"unknown method", {"chart", "--out", "/dev/null/x", "frictionless"}, {"METHOD", "'frictionless'", "expected"}},
+      {"bad seed", {"gate", "--seed", "-1"}, {"--seed", "expected an integer from 0 to 2^64 - 1"}},
+      {"bad number of cases", {"gate", "--cases", "x"}, {"--cases", "x not in range 1 to 1000000000"}},
+      {"bad digits", {"gate", "--digits", "19"}, {"--digits", "19 not in range 1 to 18"}},
+      {"bad limit", {"gate", "--limit-ulps", "nan"}, {"--limit-ulps", "expected a number from 0.001"}},
+      {"bad shard", {"gate", "--shard", "3/2"}, {"--shard", "expected I/N with I from 1 to N"}},
+      {"too many shards", {"gate", "--cases", "2", "--shard", "1/5"}, {"--shard", "2 cases", "use fewer shards"}},
+      {"bad budget", {"gate", "--budget", "10"}, {"--budget", "expected a number and a unit, for example 500ms"}},
+      {"bad timeout", {"gate", "--timeout", "0"}, {"--timeout", "expected a number from 0.001"}},
+      {"annotations in JSON",
+       {"gate", "frictionless-double", "--annotations", "github", "--format", "json"},
+       {"--annotations", "needs --format text", "found --format json"}},
+      {"nothing to replay", {"replay"}, {"FILE, or --family and --case", "required"}},
+      {"a family without a number", {"replay", "--family", "head_on"}, {"--family requires --case"}},
+      {"unwritable --out",
+       {"gate", "frictionless-double", "--cases", "1", "--out", "/dev/null/out"},
+       {"--out", "/dev/null/out", "cannot be created", "choose another directory"}},
+      {"unwritable summary",
+       {"gate", "frictionless-double", "--summary", "/dev/null/x"},
+       {"--summary", "/dev/null/x cannot be written", "check the path"}},
+  });
+}
+
+TEST(Messages, OfAFileNameTheFileThePlaceAndTheExpectedValue) {
+  const TemporaryDirectory directory;
+  const std::string cut = directory.write("cut.json", R"({"a": )");
+  const std::string empty = directory.write("empty.json", "");
+  const std::string none = directory.write("none.json", "[]");
+  const std::string lines = directory.write("lines.jsonl", "{\"a\": 1}\n{\"b\": 2}\n");
+  const std::string no_mass = directory.write("no_mass.json", collision_with([](json& c) { c["a"].erase("mass"); }));
+  const std::string text = directory.write("text.json", collision_with([](json& c) { c["a"]["mass"] = "heavy"; }));
+  const std::string short_vector = directory.write("short.json", collision_with([](json& c) { c["point"] = {1, 2}; }));
+  const std::string nan = directory.write("nan.json", collision_with([](json& c) { c["a"]["mass"] = "nan"; }));
+  const std::string restitution =
+      directory.write("restitution.json", collision_with([](json& c) { c["restitution"] = 1.5; }));
+  const std::string unknown = directory.write("unknown.json", collision_with([](json& c) { c["speed"] = 1; }));
+  const std::string huge = directory.write("huge.json", R"({"a": 1e999})");
+  const std::string twice = directory.write("twice.json", R"({"a": 1, "a": 2})");
+  const std::string folder = directory.path().string();
+  expect_messages({
+      {"malformed JSON", {"replay", cut}, {"cut.json", "not JSON", "line 1", "expected"}},
+      {"empty file", {"replay", empty}, {"empty.json", "the file is empty", "expected a collision"}},
+      {"plan of an empty file", {"plan", empty}, {"empty.json", "the file is empty", "expected a collision"}},
+      {"empty array", {"replay", none}, {"none.json", "the array is empty", "expected at least one collision"}},
+      {"a wrong line", {"replay", lines}, {"lines.jsonl:1", "/a", "expected an object, found 1"}},
+      {"missing field", {"replay", no_mass}, {"no_mass.json", "/a/mass", "is missing", "add this field"}},
+      {"wrong type", {"replay", text}, {"text.json", "/a/mass", "expected a number, found \"heavy\""}},
+      {"wrong length", {"replay", short_vector}, {"short.json", "/point", "expected an array of 3 numbers"}},
+      {"NaN", {"replay", nan}, {"nan.json", "a.mass", "expected a finite number"}},
+      {"out of range", {"replay", restitution}, {"restitution.json", "restitution", "expected a number from 0 to 1"}},
+      {"unknown field", {"replay", unknown}, {"unknown.json", "/speed", "unknown field", "expected one of a, b"}},
+      {"a number that overflows", {"replay", huge}, {"huge.json", "'1e999'", "overflows binary64"}},
+      {"a repeated field", {"replay", twice}, {"twice.json", "\"a\" occurs twice", "keep one of them"}},
+      {"missing file", {"replay", folder + "/no.json"}, {"/no.json", "does not exist", "check the path"}},
+      {"a directory", {"replay", folder}, {folder, "expected a file, found a directory"}},
+      {"unreadable file", {"replay", "/proc/self/mem"}, {"/proc/self/mem", "the file cannot be read", "error"}},
+      {"no witness",
+       {"replay", nan, "--drawn"},
+       {"nan.json", "/drawn", "only a witness", "use --drawn with a witness"}},
+  });
+}
+
+TEST(Messages, OfASceneNameTheFileThePlaceAndTheExpectedValue) {
+  const TemporaryDirectory directory;
+  const json valid = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json"));
+  json scene = valid;
+  scene.erase("duration");
+  const std::string no_duration = directory.write("no_duration.json", scene.dump());
+  scene = valid;
+  scene["law"] = "smooth";
+  const std::string law = directory.write("law.json", scene.dump());
+  scene = valid;
+  scene["spheres"] = json::array();
+  const std::string alone = directory.write("alone.json", scene.dump());
+  expect_messages({
+      {"missing field", {"scene", no_duration}, {"no_duration.json", "/duration", "is missing", "add this field"}},
+      {"unknown law", {"scene", law}, {"law.json", "/law", "expected frictionless, reflection", "found \"smooth\""}},
+      {"no scene", {"scene", directory.path().string() + "/no.json"}, {"/no.json", "does not exist"}},
+      {"no collision", {"plan", alone}, {"alone.json", "has no collisions", "needs at least one"}},
+  });
+}
+
+TEST(Messages, OfAProgramSayWhatItDid) {
+  const auto judged = [](const std::string& program) {
+    return std::vector<std::string>{"gate", "exec:" + program, "--families", "head_on", "--cases",
+                                    "1",    "--timeout",       "1"};
+  };
+  expect_messages({
+      {"does not exist", judged("/no/such/program"), {"'/no/such/program' cannot be run: No such file", "check the"}},
+      {"is not on PATH", judged("no-such-program-on-path"), {"'no-such-program-on-path'", "not found on PATH"}},
+      {"ends", judged("false"), {"start: ended with status 1", R"(request: {"cmd":"start")"}},
+      {"prints garbage", judged("echo hello"), {"start: not JSON", "last read: 'h'", R"(request: {"cmd":"start")"}},
+      {"hangs", judged("sleep 60"), {"start: wrote no line within 1 s", "flush it", R"(request: {"cmd":"start")"}},
+      {"is not named", judged(""), {"no program is given after exec:"}},
+      {"has an open quote", judged("'my solver"), {"a quote is not closed; add '"}},
+      {"of a replay",
+       {"replay", "--family", "head_on", "--case", "0", "--subject", "exec:/no/such/program"},
+       {"exec:/no/such/program", "cannot be run: No such file", "check the path"}},
+  });
+}
+
+TEST(Messages, OfAReportNameTheFileAndTheReason) {
+  const TemporaryDirectory directory;
+  const auto path = [&](const std::string& name) { return (directory.path() / name).string(); };
+  const auto gate = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "gate", "frictionless-double", "--families", "head_on", "--cases", "4", "--out", path(name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_carom(arguments).exit_status, 0);
+  };
+  gate("whole", {});
+  gate("first", {"--shard", "1/2"});
+  gate("other", {"--shard", "2/2", "--seed", "2"});
+  const std::string collision = directory.write("collision.json", collision_with([](json&) {}));
+  const std::vector<std::string> no_report{"this is not a report.json of `carom gate --out`", "/carom", "is missing"};
+  expect_messages({
+      {"compare", {"compare", collision, collision}, no_report},
+      {"badge", {"badge", collision}, no_report},
+      {"table of nothing", {"table", path("no.json")}, {"no.json", "does not exist", "check the path"}},
+      {"baseline of nothing",
+       {"gate", "frictionless-double", "--baseline", path("no.json")},
+       {"no.json", "does not exist", "check the path"}},
+      {"shards of two runs",
+       {"merge", path("first"), path("other"), "--out", path("merged")},
+       {"do not belong to one run", "seed: 1 in ", "but 2 in ", "merge only shards of the same run"}},
+      {"a missing shard",
+       {"merge", path("first"), "--out", path("merged")},
+       {"shard 2 of 2 is missing", "give the directories of all shards"}},
+      {"a shard twice",
+       {"merge", path("first"), path("first"), "--out", path("merged")},
+       {"shard 1 of 2 occurs twice", "give each shard once"}},
+      {"no shard",
+       {"merge", path("whole"), "--out", path("merged")},
+       {"report.json", "/shard", "this report is not of a shard", "carom gate --shard I/N --out"}},
+      {"--out is a shard",
+       {"merge", path("first"), path("other"), "--out", path("first")},
+       {"--out", "is the directory of a shard", "choose another directory"}},
+  });
+}
+
+}  // namespace
+}  // namespace carom::tests
