@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// node witness.mjs REPORT REPLAY PNG: draws the picture of the top README. REPORT is the report.html of a gate, REPLAY
-// the replay.html of a scene. README.md in this folder has the commands.
+// node witness.mjs REPORT REPLAY PNG: draws the picture of README.md with Chromium. REPORT is the report.html of a gate
+// in which a subject violates `restitution`, and REPLAY the replay.html of a scene:
+//
+//   carom gate bullet-double-as-shipped --families slow --cases 100 --out build/slow
+//   carom scene docs/examples/scenes/tumbling_polyhedra.json --out build/tumbling
+//   cd docs/pictures && node witness.mjs ../../build/slow/report.html ../../build/tumbling/replay.html witness-and-replay.png
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -9,7 +13,7 @@ import { pathToFileURL } from "node:url";
 import { Browser } from "../../tests/tool/scene/browser.mjs";
 
 const [report, replay, png] = process.argv.slice(2);
-const [width, height, scale] = [900, 456, 1.6]; // CSS pixels, and pixels of the PNG per CSS pixel
+const [width, height, scale] = [900, 466, 1.6]; // CSS pixels, and pixels of the PNG per CSS pixel
 const time = 2.6; // s of the replay
 
 const resize = (browser, wide, high) =>

@@ -7,23 +7,23 @@ include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
 
-# README.md shows ten lines of C++ and their output.
-file(READ ${CONSUMER}/../../README.md readme)
-if(NOT readme MATCHES "    (#include <carom/impulse/reflection.hpp>\n.*\n    }\n)\nprints\n\n    ([^\n]*\n)")
-  message(FATAL_ERROR "README.md shows no C++ and what it prints")
+# docs/guide/use-from-cpp.md shows ten lines of C++ and their output.
+file(READ ${CONSUMER}/../../docs/guide/use-from-cpp.md page)
+if(NOT page MATCHES "    (#include <carom/impulse/reflection.hpp>\n.*\n    }\n)\nIt prints\n\n    ([^\n]*\n)")
+  message(FATAL_ERROR "docs/guide/use-from-cpp.md shows no C++ and what it prints")
 endif()
 set(printed "${CMAKE_MATCH_2}")
 string(REPLACE "\n    " "\n" example "${CMAKE_MATCH_1}")
-file(WRITE ${WORK}/readme.cpp "${example}")
+file(WRITE ${WORK}/page_example.cpp "${example}")
 
 # The solvers and the gate need neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
-    -DCMAKE_BUILD_TYPE=Debug -DREADME_EXAMPLE=${WORK}/readme.cpp -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
+    -DCMAKE_BUILD_TYPE=Debug -DPAGE_EXAMPLE=${WORK}/page_example.cpp -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/solve)
-run(${WORK}/build/readme)
+run(${WORK}/build/page_example)
 if(NOT output STREQUAL printed)
-  message(FATAL_ERROR "README.md says that its example prints\n${printed}it prints\n${output}")
+  message(FATAL_ERROR "docs/guide/use-from-cpp.md says that its example prints\n${printed}it prints\n${output}")
 endif()
 run(${WORK}/build/batch)
 run(${WORK}/build/judge)
@@ -57,8 +57,9 @@ run_expecting(1 ${CMAKE_COMMAND} -S ${CONSUMER}/components -B ${WORK}/unknown -G
 expect_output("its component juggling is not installed here" "scene_polyhedra" "kit")
 
 # README.md has a property, and RapidCheck's output for the solver in my_solver.hpp.
-if(NOT readme MATCHES "    (#include <carom/properties/three_properties.hpp>\n.*\n    }\n)\nsays,[^\n]*\n\n(    [^#]*\n)\nIt is")
-  message(FATAL_ERROR "README.md shows no property and what RapidCheck says")
+file(READ ${CONSUMER}/../../README.md readme)
+if(NOT readme MATCHES "    (#include <carom/properties/three_properties.hpp>\n.*\n    }\n)\nRapidCheck prints[^\n]*\n\n(    [^#]*\n)\nThis is")
+  message(FATAL_ERROR "README.md shows no property and what RapidCheck prints")
 endif()
 set(property "${CMAKE_MATCH_1}")
 string(REPLACE "\n" ";" said "${CMAKE_MATCH_2}")

@@ -9,8 +9,8 @@ namespace carom::fuzz {
 /// Whether Carom's solvers of the law in double claim to be sound on this collision, which no family drew. Its
 /// numbers must be moderate (carom/oracles/filters/moderate.hpp), and no body may be more slender than those of the
 /// family `physical`. Laws that invert K also require K ⪯ 16 λI. This holds for bodies of uniform density that are
-/// star-shaped from the contact point, which includes convex bodies. The README and docs/reference/accuracy.md
-/// describe the behaviour beyond the domain. Precondition: the collision is valid.
+/// star-shaped from the contact point, which includes convex bodies. The pages accuracy.md of
+/// docs/findings and docs/reference describe the behaviour beyond the domain. Precondition: the collision is valid.
 [[nodiscard]] bool is_in_claimed_domain(const Collision& collision, Model model);
 
 }  // namespace carom::fuzz
