@@ -56,13 +56,13 @@ class BoundedCase {
 
   /// The law's answer to a contact that collides, to about 100 bits, with its bound; not certified, since no equation
   /// holds exactly for it. Preconditions: as of colliding_truth.
-  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model, Branch branch) const;
+  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
   /// A lower bound of the sensitivity of that answer, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's answer
   /// is homogeneous of degree one in the velocities, so the sum over these alone is at least ‖y_k‖ (Euler); the half
   /// covers the rounding of the sum, of which ten digits are kept, and its own. Preconditions: is_moderate(), and as of
   /// colliding_truth.
-  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model, Branch branch) const;
+  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
   /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp), where
   /// bounds decide it. Precondition: a body is movable.
@@ -82,7 +82,7 @@ class BoundedCase {
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
   /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of ‖K‖_F where binary64 cannot have lost it, and of λ
-  /// (case_bounds.hpp). Precondition: is_moderate().
+  /// (bounded_case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// The inertia tensor of a body in world coordinates, rounded; zero where the body is immovable.
@@ -90,8 +90,8 @@ class BoundedCase {
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
 
  private:
-  /// What is known of one model.
-  struct OfModel {
+  /// What is known of one law.
+  struct OfLaw {
     Lazy<Truth<Enclosure>> truth;
     Lazy<Sensitivity> sensitivity_below;
   };
@@ -112,7 +112,7 @@ class BoundedCase {
   Lazy<double> normal_velocity_sensitivity_above_;
   Lazy<Sensitivity> norms_before_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
-  PerModel<OfModel> of_model_;
+  PerLaw<OfLaw> of_law_;
   Lazy<bool> has_clear_divisor_;
   Lazy<double> collision_matrix_sensitivity_below_;
   Lazy<Enclosure> enclosed_inverse_mass_;

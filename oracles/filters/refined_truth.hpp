@@ -32,8 +32,8 @@ struct ApproximateResponse {
 /// for; F is F̂ and the impulse for that, exactly, so that F̂ needs no bound, and the second impulse, smaller by the
 /// precision of binary64, no more than that of approximations. Preconditions: as of impulse_for.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
-                                             const BasicCollision<Approximation>& approximate, Model model,
-                                             Branch branch, const ApproximateResponse& approximate_response);
+                                             const BasicCollision<Approximation>& approximate, Law law, Branch branch,
+                                             const ApproximateResponse& approximate_response);
 
 /// Whether every number has a bound.
 [[nodiscard]] bool is_bounded(const Truth<Enclosure>& truth);

@@ -39,11 +39,11 @@ struct Accuracy {
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// Where the case has two answers by this model, that of the answer by which the outcome passes; of the truth where
-/// there is none. Precondition: the model is one of `models_with_truth`. Where the backward error is surely at most
+/// Where the case has two answers by this law, that of the answer by which the outcome passes; of the truth where
+/// there is none. Precondition: the law is one of `laws_with_truth`. Where the backward error is surely at most
 /// `known`, by a filtered yardstick, the sensitivity may be a lower bound in place of the number itself, at a small
 /// part of the cost: the backward error then comes out too large, but at most `known`.
-[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome,
+[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 
 }  // namespace carom::oracles

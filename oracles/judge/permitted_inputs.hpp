@@ -32,8 +32,8 @@ class PermittedInputs {
 
   /// How far the answers to permitted inputs are from the law's answer to a contact that collides. `impulse` is the
   /// impulse of that answer. If `from_rest`, the distance is from no impulse at all. Infinite beyond the range of
-  /// numbers. Preconditions: a body is movable; the model is one of `models_with_truth`.
-  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
+  /// numbers. Preconditions: a body is movable; the law is one of `laws_with_truth`.
+  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
   /// Whether permitted inputs are answered on both sides of the cone's surface by the law `rough`. Precondition: a body
@@ -82,7 +82,7 @@ class PermittedInputs {
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;
   [[nodiscard]] RoughParts rough_parts() const;
   [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;
-  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Model model, Branch branch) const;
+  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Law law, Branch branch) const;
 
   double allowance_;
   OfBody a_;

@@ -76,7 +76,7 @@ struct Frictionless {
 
   // What its closeness rests on.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, beside those of every law, that its answer satisfies to every contact that they speak of.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,
                                     AffineEquation::frictionless_direction_read_off_b};

@@ -50,7 +50,7 @@ struct Reflection {
 
   // What its closeness rests on.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, beside those of every law, that its answer satisfies to every contact that they speak of.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::reflection_plane};
   /// Whether its answer never has more energy than before, beside the work of a driven wall.

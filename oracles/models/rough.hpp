@@ -74,7 +74,7 @@ struct Rough {
 
   // What its closeness rests on.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, beside those of every law, that its answer satisfies to every contact that they speak of.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
   /// Whether its answer never has more energy than before, beside the work of a driven wall: P_I and D are
   /// K-orthogonal, so ΔE = −½ (1 − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/numbers/dual.hpp>
@@ -37,18 +37,18 @@ inline constexpr double ten_digits = 0x1p-34;
 
 /// Of the law's answer to a contact that collides, by implicit differentiation (implicit_differentiation.hpp), in
 /// binary64. It loses about κ(K) u of the reflection law. None if a sum is extreme. Preconditions: the collision is
-/// moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`; for all but the frictionless
+/// moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`; for all but the frictionless
 /// law κ(K) is well below 1/u; on the cone the divisor of κ keeps some of its terms.
-[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
+[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The same in double-double arithmetic, of any valid collision with a movable body. It is known if its radii are at
 /// most a thousandth of it. If the collision is moderate, it is also known where roundings grow little enough, as κ(K)
 /// says. Otherwise none.
-[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
+[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
 /// The same with the whole law differentiated, exactly.
-[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
+[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// How far the law `rough` with κ = 1 + e_t answers from the cone's surface, and how far inputs move that, to first
 /// order, rounded as the sensitivities are; no number where it is not known.

@@ -51,7 +51,7 @@ struct Sticking {
 
   // What its closeness rests on.
 
-  /// The equations, beside those of every model, that its answer satisfies to every contact that they speak of.
+  /// The equations, beside those of every law, that its answer satisfies to every contact that they speak of.
   static constexpr std::array keeps{AffineEquation::sticks};
   /// Whether its answer never has more energy than before, beside the work of a driven wall. It does for ε > 0, where
   /// what the tangential impulse does along the normal speeds the bodies up.

@@ -230,7 +230,7 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
       continue;
     }
     outcomes.push_back(one);
-    if (const std::optional<KnownCase> known = known_case(one, result.subject.model)) {
+    if (const std::optional<KnownCase> known = known_case(one, result.subject.law)) {
       if (is_visibly_off(*known, roundoff)) {
         off.push_back(*known);
       }
@@ -256,10 +256,10 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
          "request is spelt.",
          "caches, warm starts, what is not reset; the reader of numbers and of fields that are left out"});
   } else if (5 * outcomes.size() > examples.size()) {
-    faults.push_back(fault_of(outcomes, result.subject.model));
+    faults.push_back(fault_of(outcomes, result.subject.law));
   }
   if (faults.empty() && !outcomes.empty()) {
-    faults.push_back(fault_of(outcomes, result.subject.model));
+    faults.push_back(fault_of(outcomes, result.subject.law));
   }
   Fault joined;
   for (const Fault& fault : faults) {

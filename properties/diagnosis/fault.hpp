@@ -17,6 +17,6 @@ struct Fault {
 /// At which step most of the outcomes leave mechanics: what happens without a cause, the reaction, the spins, the
 /// impulse itself. Each outcome is told apart by the first step that it fails.
 /// Precondition: there is a case; the answers are outcomes of finite numbers to valid collisions.
-[[nodiscard]] Fault fault_of(std::span<const ViolatedCase> cases, Model model);
+[[nodiscard]] Fault fault_of(std::span<const ViolatedCase> cases, Law law);
 
 }  // namespace carom::properties::diagnosis

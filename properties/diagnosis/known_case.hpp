@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties::diagnosis {
 
@@ -13,15 +13,14 @@ struct LawAnswer {
   Vector3<double> impulse;  // on A
 };
 
-/// To a collision as it approaches, or as if it approached otherwise. Preconditions: it is valid, and the model
+/// To a collision as it approaches, or as if it approached otherwise. Preconditions: it is valid, and the law
 /// determines an outcome.
-[[nodiscard]] LawAnswer law_answer(const Collision& collision, Model model,
-                                   std::optional<oracles::Approach> approach = {});
+[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
 /// A case that was answered by an outcome, and what the law answers.
 struct KnownCase {
   Collision collision;
-  Model model = Model::any;
+  Law law = Law::any;
   oracles::Approach approach = oracles::Approach::inert;
   Outcome<double> before;
   Outcome<double> answered;
@@ -29,8 +28,8 @@ struct KnownCase {
   Vector3<double> impulse;  // of the law, on A
 };
 
-/// None where the collision is invalid, the answer is no outcome of finite numbers, or the model determines none.
-[[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Model model);
+/// None where the collision is invalid, the answer is no outcome of finite numbers, or the law determines none.
+[[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law);
 
 /// The square root of Σ m ‖δv‖² + δwᵀ J δw over the movable bodies, of the difference of two outcomes: twice its
 /// kinetic energy, so that velocities and spins can be compared. [√J]

@@ -61,10 +61,10 @@ struct Related {
 struct Evidence {
   const oracles::ExactCase& exact_case;
   bool convex_uniform;  // of the case: C ⪯ 16 λI is claimed
-  Model model;
+  Law law;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
-  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for models without a truth
+  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for laws without a truth
   const oracles::Closeness& closeness;  // of the outcome to the truth
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
@@ -73,7 +73,7 @@ struct Evidence {
 /// An invariant that speaks of the answer itself, to a valid collision or to an invalid one.
 struct AboutAnswer {
   bool to_valid;
-  Verdict (*check)(const Collision&, const ExactAnswer&, Model);
+  Verdict (*check)(const Collision&, const ExactAnswer&, Law);
 };
 
 /// One that speaks of the outcome of a valid collision.
@@ -124,8 +124,8 @@ struct Invariant {
   std::string_view statement;  // one sentence
   std::string_view formula;    // LaTeX
   std::string_view source;
-  std::string_view domain;    // the collisions that it speaks of
-  std::vector<Model> models;  // that it is claimed for
+  std::string_view domain;  // the collisions that it speaks of
+  std::vector<Law> laws;    // that it is claimed for
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
   /// If several are violated, the one of the least rank explains the others.
@@ -148,10 +148,10 @@ struct Invariant {
   /// Whether it speaks of invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;
 
-  [[nodiscard]] bool claimed_for(Model model) const;
+  [[nodiscard]] bool claimed_for(Law law) const;
 
-  /// The models, of those that it is claimed for, of which it is proved; empty where it is tested alone.
-  [[nodiscard]] std::vector<Model> proved_models() const;
+  /// The laws, of those that it is claimed for, of which it is proved; empty where it is tested alone.
+  [[nodiscard]] std::vector<Law> proved_laws() const;
 };
 
 /// The catalogue, in the order of the design.

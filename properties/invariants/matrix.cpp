@@ -6,7 +6,7 @@
 
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -186,7 +186,7 @@ std::vector<Invariant> matrix_invariants() {
   return {Invariant{"definite", "The collision matrix is positive definite, with the margin λ.",
                     R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
                     "note eq. 27, with QᵀJ⁻¹Q positive semidefinite", "a movable body, and a subject that shows its C",
-                    every_model(), AboutMatrix{of_shown_matrix<check_definite>},
+                    every_law(), AboutMatrix{of_shown_matrix<check_definite>},
                     Proof{ProvedOf::every_impulse, {{"definite", "collision_matrix.v"}}}, 8},
           Invariant{
               "well_conditioned",
@@ -197,7 +197,7 @@ std::vector<Invariant> matrix_invariants() {
               "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
               "Geom. 13 (1995), Thm 4.1, with n = 3",
               "bodies known to be uniform and star-shaped from the contact point, and a subject that shows its C",
-              every_model(), AboutMatrix{check_well_conditioned_if_convex, true},
+              every_law(), AboutMatrix{check_well_conditioned_if_convex, true},
               Proof{ProvedOf::every_impulse,
                     {{"well_conditioned", "well_conditioned.v"},
                      {"star_shaped_well_conditioned", "star_shaped.v"},
@@ -207,7 +207,7 @@ std::vector<Invariant> matrix_invariants() {
                     "The collision matrix that is shown is symmetric, and takes the impulse to the change of the "
                     "relative velocity.",
                     R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
-                    "a movable body, and a subject that shows its C", every_model(),
+                    "a movable body, and a subject that shows its C", every_law(),
                     AboutMatrix{of_shown_matrix<check_matrix_used>},
                     Proof{ProvedOf::every_impulse,
                           {{"velocity_change", "collision_matrix.v"},

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 
 namespace carom::properties {
 namespace {
@@ -72,7 +72,7 @@ std::vector<Invariant> memory_invariants() {
                     "order, after an invalid one, in a session of its own. Of a program the numbers are the same, of "
                     "all others the bits.",
                     R"(y_2(x) = y_1(x))", "caches, warm starts, and what a refused request leaves behind",
-                    "collisions that are asked again", every_model(), AboutSession{check_memoryless}, Proof{}, 3}};
+                    "collisions that are asked again", every_law(), AboutSession{check_memoryless}, Proof{}, 3}};
 }
 
 }  // namespace carom::properties

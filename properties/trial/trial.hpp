@@ -22,16 +22,16 @@ namespace carom::properties {
 
 /// What is judged about a subject.
 struct Claim {
-  Model model = Model::any;
+  Law law = Law::any;
   oracles::Yardstick yardstick;
-  /// Claimed for the model, without those that the subject deviates from, and those of a matrix that it does not show.
+  /// Claimed for the law, without those that the subject deviates from, and those of a matrix that it does not show.
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // from these in single families; a trial does not know of which its case is
 
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
 
-/// What is said of the collision matrix for the subject's model, where it shows none: so it cannot be judged.
+/// What is said of the collision matrix for the subject's law, where it shows none: so it cannot be judged.
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
 /// What the subject is said to deviate from and is no invariant, or in no family, is passed over.
@@ -88,7 +88,7 @@ struct NamedVerdict {
 /// What came of a trial.
 struct Judgement {
   std::vector<NamedVerdict> verdicts;
-  std::optional<oracles::Accuracy> accuracy;  // of an outcome, for models with a truth
+  std::optional<oracles::Accuracy> accuracy;  // of an outcome, for laws with a truth
   std::optional<Skipped> skipped;             // the subject could not be posed the case
   std::optional<Unjudged> unjudged;           // why the case is not judged; then there are no verdicts
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/impulse/refined.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
@@ -15,12 +15,12 @@ std::vector<Method> refined_methods() {
   std::vector<Method> methods{solver_method<double>({"frictionless-float-refined",
                                                      "the frictionless law solved in float, one step of refinement in "
                                                      "double; 13 digits, but not binary64's 32 ulps",
-                                                     Model::frictionless, false},
+                                                     Law::frictionless, false},
                                                     frictionless),
                               solver_method<double>({"reflection-float-refined",
                                                      "basis-free reflection, LDLᵀ in float, one step of refinement in "
                                                      "double; 13 digits, but not binary64's 32 ulps",
-                                                     Model::reflection},
+                                                     Law::reflection},
                                                     reflection)};
   for (Method& method : methods) {
     method.form = MethodForm::refined;
