@@ -20,7 +20,7 @@ int main() {
   }
 
   carom::impulse::OutcomeBatch<double> outcomes(balls);
-  carom::impulse::solve(contacts, carom::Model::frictionless, outcomes);
+  carom::impulse::solve(contacts, carom::Law::frictionless, outcomes);
 
   for (std::size_t i = 0; i < balls; ++i) {
     if (outcomes.at(i).a.velocity[1] != 0.5 * static_cast<double>(i + 1)) {

@@ -41,7 +41,7 @@ int main() {
   std::ios::sync_with_stdio(false);
   carom::Subject subject;
   subject.name = "example-cpp";
-  subject.model = carom::Model::frictionless;
+  subject.law = carom::Law::frictionless;
   subject.open = [] {
     return carom::subjects::session_of([](const carom::Collision& collision) -> carom::Answer {
       return carom::map_outcome<long double>(respond(carom::impulse::make_contact<double>(collision)),

@@ -116,26 +116,26 @@ std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
 
 /// Writes the law's equation along a tangent t.
 void write_tangential_law(System& system, std::size_t row, const BasicCollision<Rational>& c,
-                          const Vector3<Rational>& t, Model model) {
-  switch (model) {
-    case Model::frictionless:  // t·F = 0
+                          const Vector3<Rational>& t, Law law) {
+  switch (law) {
+    case Law::frictionless:  // t·F = 0
       for (std::size_t i = 0; i < 3; ++i) {
         system[row][first_of_f + i] = t[static_cast<int>(i)];
       }
       return;
-    case Model::reflection:  // t·V⁺ = t·V⁻
+    case Law::reflection:  // t·V⁺ = t·V⁻
       write_relative_velocity(system, row, c, t, velocity_before_along(c, t));
       return;
-    case Model::sticking:  // t·V⁺ = 0
+    case Law::sticking:  // t·V⁺ = 0
       write_relative_velocity(system, row, c, t, Rational(0));
       return;
-    case Model::rough:
+    case Law::rough:
       throw std::invalid_argument("the law `rough` is not a linear system");
-    case Model::coulomb:
-    case Model::any:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  determines_no_outcome(model);
+  determines_no_outcome(law);
 }
 
 std::array<Rational, unknowns> solved(const System& system) {
@@ -166,7 +166,7 @@ std::array<Rational, unknowns> solved(const System& system) {
 
 }  // namespace
 
-Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Model model) {
+Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, Law law) {
   CAROM_EXPECTS(has_movable_body(collision));
   System system{};
   write_body(system, 0, collision.a, collision.point, 1);
@@ -175,7 +175,7 @@ Truth<Rational> truth_by_elimination(const BasicCollision<Rational>& collision, 
   write_relative_velocity(system, 12, collision, n, -collision.restitution * velocity_before_along(collision, n));
   const auto tangent = tangents(n);
   for (std::size_t k = 0; k < tangent.size(); ++k) {
-    write_tangential_law(system, 13 + k, collision, tangent[k], model);
+    write_tangential_law(system, 13 + k, collision, tangent[k], law);
   }
   const auto x = solved(system);
   const auto part = [&](std::size_t first) { return Vector3<Rational>{x[first], x[first + 1], x[first + 2]}; };

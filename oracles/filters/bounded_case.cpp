@@ -4,7 +4,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/bounded_case.hpp>
-#include <carom/oracles/filters/case_bounds.hpp>
+#include <carom/oracles/filters/bounded_case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/models/models.hpp>
 
@@ -33,12 +33,12 @@ double sum_of_sizes(const Collision& c) {
   return size(c.normal) * sum;
 }
 
-/// Whether the number, and so its sign, is known to six digits (case_bounds.hpp).
+/// Whether the number, and so its sign, is known to six digits (bounded_case_bounds.hpp).
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
-  return std::abs(normal_velocity) > case_bounds::known_share_of_normal_velocity * sensitivity_above;
+  return std::abs(normal_velocity) > bounded_case_bounds::known_share_of_normal_velocity * sensitivity_above;
 }
 bool is_known_to_six_digits(const Enclosure& x) {
-  return x.is_exactly_zero() || x.radius() < case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
+  return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
 /// At most ‖y‖.
@@ -89,25 +89,25 @@ const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const 
   });
 }
 
-const Truth<Enclosure>& BoundedCase::colliding_truth(Model model, Branch branch) const {
-  return of_model_[model].truth.get([&] {
+const Truth<Enclosure>& BoundedCase::colliding_truth(Law law, Branch branch) const {
+  return of_law_[law].truth.get([&] {
     if (is_moderate()) {
       Truth<Enclosure> refined =
-          refined_truth(collision_, enclosed(), approximate(), model, branch, approximate_response());
+          refined_truth(collision_, enclosed(), approximate(), law, branch, approximate_response());
       if (is_bounded(refined)) {
         return refined;
       }
     }
-    return oracles::colliding_truth(enclosed(), model, branch);
+    return oracles::colliding_truth(enclosed(), law, branch);
   });
 }
 
-const Sensitivity& BoundedCase::colliding_sensitivity_below(Model model, Branch branch) const {
+const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch branch) const {
   CAROM_EXPECTS(is_moderate());
-  return of_model_[model].sensitivity_below.get([&] {
+  return of_law_[law].sensitivity_below.get([&] {
     Sensitivity below = norms_before();
     const Vector3<Approximation> impulse =
-        colliding_impulse<Approximation>(approximate(), model, branch, &approximate_response().matrix);
+        colliding_impulse<Approximation>(approximate(), law, branch, &approximate_response().matrix);
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     for (const OutcomeVector k : all_outcome_vectors) {
       const double half = norm_below(*vectors(outcome)[k]) / 2;
@@ -138,7 +138,7 @@ bool BoundedCase::has_clear_divisor() const {
     const Vector3<Approximation> tangential = c.normal.cross(d);
     const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
                          (c.friction * c.normal.dot(d)).magnitude_above();
-    return Rough::divisor<Approximation>(c, d).magnitude_below() >= case_bounds::least_share_of_divisor * terms;
+    return Rough::divisor<Approximation>(c, d).magnitude_below() >= bounded_case_bounds::least_share_of_divisor * terms;
   });
 }
 
@@ -168,7 +168,8 @@ double BoundedCase::collision_matrix_sensitivity_below() const {
     }
     const double norm = std::sqrt(squares);
     const double lambda = approximate_inverse_mass().magnitude_below();
-    return norm >= case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2 : lambda / 2;
+    return norm >= bounded_case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2
+                                                                                     : lambda / 2;
   });
 }
 

@@ -56,13 +56,13 @@ class BoundedCase {
 
   /// The law's answer to a contact that collides, to about 100 bits, with its bound. It is not certified, because no
   /// equation holds exactly for it. Preconditions: those of the function `colliding_truth` (models.hpp).
-  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Model model, Branch branch) const;
+  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
   /// A lower bound of the sensitivity of `colliding_truth`, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's
   /// answer is homogeneous of degree one in the velocities. So the sum over the velocities alone is at least ‖y_k‖
   /// (Euler). The factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten digits.
   /// Preconditions: is_moderate(), and those of `colliding_truth`.
-  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Model model, Branch branch) const;
+  [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
   /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp). No
   /// value if the bounds do not decide it. Precondition: a body is movable.
@@ -82,7 +82,7 @@ class BoundedCase {
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
   /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if that is larger and rounding cannot have destroyed
-  /// it (case_bounds.hpp). Precondition: is_moderate().
+  /// it (bounded_case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// The inertia tensor of a body in world coordinates, rounded. It is zero if the body is immovable.
@@ -90,8 +90,8 @@ class BoundedCase {
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
 
  private:
-  /// The facts about one model.
-  struct OfModel {
+  /// The facts about one law.
+  struct OfLaw {
     Lazy<Truth<Enclosure>> truth;
     Lazy<Sensitivity> sensitivity_below;
   };
@@ -112,7 +112,7 @@ class BoundedCase {
   Lazy<double> normal_velocity_sensitivity_above_;
   Lazy<Sensitivity> norms_before_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
-  PerModel<OfModel> of_model_;
+  PerLaw<OfLaw> of_law_;
   Lazy<bool> has_clear_divisor_;
   Lazy<double> collision_matrix_sensitivity_below_;
   Lazy<Enclosure> enclosed_inverse_mass_;

@@ -8,10 +8,10 @@
 #include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
-Closeness::Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome& outcome,
+Closeness::Closeness(const BoundedCase& bounds, Law law, const LiftedOutcome& outcome,
                      const PerVector<double>& error_above, double allowance)
-    : bounds_(&bounds), model_(model), outcome_(&outcome), error_above_(error_above), allowance_(allowance) {
-  CAROM_EXPECTS(determines_outcome(model) && bounds.is_moderate() && outcome.is_moderate() && allowance > 0, model,
+    : bounds_(&bounds), law_(law), outcome_(&outcome), error_above_(error_above), allowance_(allowance) {
+  CAROM_EXPECTS(determines_outcome(law) && bounds.is_moderate() && outcome.is_moderate() && allowance > 0, law,
                 allowance);
   const PerVector<double> norms = outcome.norms();
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -24,12 +24,12 @@ Closeness::Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome
 
 bool Closeness::shows(const Equation& equation) const {
   const std::optional<AffineEquation> name = name_of(equation);
-  if (bounds_ == nullptr || !name || !keeps(model_, *name)) {
+  if (bounds_ == nullptr || !name || !keeps(law_, *name)) {
     return false;
   }
-  const PerVector<bool>& speaks_of = vectors_in(*name);
+  const PerVector<bool>& occurs = vectors_in(*name);
   for (const OutcomeVector k : all_outcome_vectors) {
-    if (speaks_of[k] && !is_close_[k]) {
+    if (occurs[k] && !is_close_[k]) {
       return false;
     }
   }
@@ -59,7 +59,7 @@ bool Closeness::knows_normal_velocity() const {
 /// The slopes of E⁺ − W are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of a driven wall at the contact point. The slopes
 /// cancel if the body is nearly at rest after the impulse, or moves with the wall.
 bool Closeness::shows_energy() const {
-  if (bounds_ == nullptr || !creates_no_energy(model_)) {
+  if (bounds_ == nullptr || !creates_no_energy(law_)) {
     return false;
   }
   const Collision& c = bounds_->collision();

@@ -17,9 +17,9 @@ class Closeness {
   /// A closeness that shows nothing.
   Closeness() = default;
 
-  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the model is one of `models_with_truth`; the allowance
+  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the law is one of `laws_with_truth`; the allowance
   /// belongs to a yardstick that uses bounds; collision and outcome are moderate.
-  Closeness(const BoundedCase& bounds, Model model, const LiftedOutcome& outcome, const PerVector<double>& error_above,
+  Closeness(const BoundedCase& bounds, Law law, const LiftedOutcome& outcome, const PerVector<double>& error_above,
             double allowance);
 
   /// Whether closeness shows that the equation holds. Precondition: the equation applies to this collision.
@@ -36,7 +36,7 @@ class Closeness {
   [[nodiscard]] bool knows_normal_velocity() const;
 
   const BoundedCase* bounds_ = nullptr;
-  Model model_ = Model::any;
+  Law law_ = Law::any;
   const LiftedOutcome* outcome_ = nullptr;
   PerVector<double> error_above_{};
   PerVector<double> sizes_{};  // ‖ŷ_k‖ + ‖y_k⁻‖

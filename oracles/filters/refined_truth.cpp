@@ -37,17 +37,17 @@ struct Arithmetics {
 
 /// The impulse by which a linear law causes the wanted change of relative velocity, and the changes of the body
 /// velocities.
-template <class Law>
+template <class LawType>
 Truth<Enclosure> refined(const Arithmetics& of, const Vector3<Enclosure>& wanted) {
   const auto middle = [](const auto& x) { return x.middle(); };
   const Matrix3<double> matrix = of.response.matrix.unaryExpr(middle);
-  const Vector3<double> first = Law::template impulse_for<double>(of.rounded, wanted.unaryExpr(middle), &matrix);
-  const Vector3<Enclosure> impulse = Law::permitted(of.enclosed, first);
+  const Vector3<double> first = LawType::template impulse_for<double>(of.rounded, wanted.unaryExpr(middle), &matrix);
+  const Vector3<Enclosure> impulse = LawType::permitted(of.enclosed, first);
   const Outcome<Enclosure> answer = response<Enclosure>(of.enclosed, impulse);
   const Vector3<Enclosure> rest =
-      Law::asked_for(of.enclosed.normal, wanted - relative_velocity<Enclosure>(of.enclosed, answer));
-  const Vector3<Approximation> second =
-      Law::template impulse_for<Approximation>(of.approximate, rest.unaryExpr(&approximation_of), &of.response.matrix);
+      LawType::asked_for(of.enclosed.normal, wanted - relative_velocity<Enclosure>(of.enclosed, answer));
+  const Vector3<Approximation> second = LawType::template impulse_for<Approximation>(
+      of.approximate, rest.unaryExpr(&approximation_of), &of.response.matrix);
   const Outcome<Enclosure> correction = map_outcome<Enclosure>(of.response(second), &enclosure_of);
   return {impulse + second.unaryExpr(&enclosure_of), sum(answer, correction)};
 }
@@ -55,23 +55,23 @@ Truth<Enclosure> refined(const Arithmetics& of, const Vector3<Enclosure>& wanted
 }  // namespace
 
 Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
-                               const BasicCollision<Approximation>& approximate, Model model, Branch branch,
+                               const BasicCollision<Approximation>& approximate, Law law, Branch branch,
                                const ApproximateResponse& approximate_response) {
   const Arithmetics of{collision, enclosed, approximate, approximate_response};
-  Truth<Enclosure> truth = with_law(model, branch, [&]<class Law>(Law) -> Truth<Enclosure> {
-    if constexpr (LinearLaw<Law>) {
-      return refined<Law>(of, wanted_change<Law>(enclosed));
+  Truth<Enclosure> truth = with_law(law, branch, [&]<class LawType>(LawType) -> Truth<Enclosure> {
+    if constexpr (LinearLaw<LawType>) {
+      return refined<LawType>(of, wanted_change<LawType>(enclosed));
     } else {
       const Vector3<Enclosure> stop = -relative_velocity<Enclosure>(enclosed, unchanged(enclosed));
-      const Truth<Enclosure> approach = refined<typename Law::StopsApproach>(of, stop);
-      const Truth<Enclosure> point = refined<typename Law::StopsPoint>(of, stop);
+      const Truth<Enclosure> approach = refined<typename LawType::StopsApproach>(of, stop);
+      const Truth<Enclosure> point = refined<typename LawType::StopsPoint>(of, stop);
       const Vector3<Enclosure> d = point.impulse - approach.impulse;
-      const Enclosure share = Law::template friction_share<Enclosure>(enclosed, approach.impulse, d, branch);
-      Truth<Enclosure> result{Law::template combined<Enclosure>(enclosed, approach.impulse, d, share), {}};
+      const Enclosure share = LawType::template friction_share<Enclosure>(enclosed, approach.impulse, d, branch);
+      Truth<Enclosure> result{LawType::template combined<Enclosure>(enclosed, approach.impulse, d, share), {}};
       const auto into = vectors(result.outcome);
       for (const OutcomeVector k : all_outcome_vectors) {
         const Vector3<Enclosure>& by_approach = *vectors(approach.outcome)[k];
-        *into[k] = Law::template combined<Enclosure>(
+        *into[k] = LawType::template combined<Enclosure>(
             enclosed, by_approach, Vector3<Enclosure>(*vectors(point.outcome)[k] - by_approach), share);
       }
       return result;

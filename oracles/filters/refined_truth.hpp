@@ -32,8 +32,8 @@ struct ApproximateResponse {
 /// impulse F is exactly F̂ plus the impulse for this remaining change, so F̂ needs no bound. The second impulse is
 /// smaller by the precision of binary64, so approximations suffice for it. Preconditions: those of impulse_for.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
-                                             const BasicCollision<Approximation>& approximate, Model model,
-                                             Branch branch, const ApproximateResponse& approximate_response);
+                                             const BasicCollision<Approximation>& approximate, Law law, Branch branch,
+                                             const ApproximateResponse& approximate_response);
 
 /// Whether every number has a finite bound.
 [[nodiscard]] bool is_bounded(const Truth<Enclosure>& truth);

@@ -72,7 +72,7 @@ struct Deviation {
 };
 
 template <class T>
-Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as, const BasicCollision<T>& collision,
+Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, const BasicCollision<T>& collision,
                           const Truth<T>& truth, const Outcome<T>& outcome) {
   Deviation<T> result;
   Accuracy& accuracy = result.accuracy;
@@ -100,7 +100,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Model model, Approach as,
           map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
     };
     const double norm_of_change = as == exact_case.approach()
-                                      ? exact_case.energy_norm_of_change(model, is_exact<T>, find_norm_of_change)
+                                      ? exact_case.energy_norm_of_change(law, is_exact<T>, find_norm_of_change)
                                       : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
     // If the squares leave the range of numbers, the error counts as infinite, and nothing passes by it.
@@ -174,7 +174,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 namespace {
 
 /// The accuracy with respect to the answer to a contact with approach `as`.
-Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, const LiftedOutcome& outcome,
+Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
   const auto with_digits = [&](Accuracy accuracy) {
@@ -182,9 +182,9 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
       const double bound = yardstick.allowance();
       const std::optional<bool> decided =
           may_use_bounds ? relative_error_at_most(bound, exact_case.bounds().enclosed(),
-                                                  exact_case.enclosed_truth(model, as), outcome.enclosed())
+                                                  exact_case.enclosed_truth(law, as), outcome.enclosed())
                          : std::nullopt;
-      accuracy.has_digits = decided ? *decided : exact_case.with_truth(model, as, [&]<class T>(const Truth<T>& truth) {
+      accuracy.has_digits = decided ? *decided : exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
         return *relative_error_at_most(bound, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
       });
     }
@@ -193,16 +193,16 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed = deviation_of(exact_case, model, as, exact_case.bounds().enclosed(),
-                              exact_case.enclosed_truth(model, as), outcome.enclosed());
+      enclosed = deviation_of(exact_case, law, as, exact_case.bounds().enclosed(), exact_case.enclosed_truth(law, as),
+                              outcome.enclosed());
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
   // If a lower bound of the sensitivity allows an error, the sensitivity allows it too, provided that the sensitivity
   // is finite. The errors are the same in both cases, so the reported errors do not depend on `known`.
-  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(model) &&
+  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(law) &&
       outcome.is_moderate()) {
-    const Sensitivity& below = exact_case.sensitivity_below(model);
+    const Sensitivity& below = exact_case.sensitivity_below(law);
     const auto bounded = by_enclosures(below);
     if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff) <= known) {
       count(Stage::enclosure);
@@ -210,8 +210,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
     }
   }
   const Sensitivity sensitivity = as == exact_case.approach()
-                                      ? exact_case.sensitivity(model, yardstick.allowance())
-                                      : exact_case.sensitivity_as(model, as, yardstick.allowance());
+                                      ? exact_case.sensitivity(law, yardstick.allowance())
+                                      : exact_case.sensitivity_as(law, as, yardstick.allowance());
   for (const double sum : sensitivity) {
     if (!yardstick.allowed(sum)) {
       Accuracy undecided;
@@ -226,9 +226,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Model model, Approach as, cons
     }
   }
   count(Stage::rational);
-  return exact_case.with_truth(model, as, [&]<class T>(const Truth<T>& truth) {
-    const auto exactly =
-        deviation_of(exact_case, model, as, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
+  return exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
+    const auto exactly = deviation_of(exact_case, law, as, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
     return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
   });
 }
@@ -240,20 +239,20 @@ bool passes(const Accuracy& accuracy, const Yardstick& yardstick) {
 
 }  // namespace
 
-Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome, const Yardstick& yardstick,
+Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome, const Yardstick& yardstick,
                   double known) {
   const Approach approach = exact_case.approach();
-  if (exact_case.is_open(model, yardstick.allowance())) {
+  if (exact_case.is_open(law, yardstick.allowance())) {
     Accuracy undecided;
     undecided.is_decided = false;
     return undecided;
   }
-  Accuracy own = accuracy_as(exact_case, model, approach, outcome, yardstick, known);
-  if (!exact_case.has_two_answers(model, yardstick.allowance())) {
+  Accuracy own = accuracy_as(exact_case, law, approach, outcome, yardstick, known);
+  if (!exact_case.has_two_answers(law, yardstick.allowance())) {
     return own;
   }
   const Approach other = approach == Approach::colliding ? Approach::separating : Approach::colliding;
-  Accuracy result = accuracy_as(exact_case, model, other, outcome, yardstick, known);
+  Accuracy result = accuracy_as(exact_case, law, other, outcome, yardstick, known);
   if (!passes(result, yardstick)) {
     return own;
   }

@@ -41,11 +41,11 @@ struct Accuracy {
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// The accuracy of an outcome. If the case has two answers by this model, it refers to the answer by which the outcome
+/// The accuracy of an outcome. If the case has two answers by this law, it refers to the answer by which the outcome
 /// passes. If the outcome passes by neither, it refers to the truth. With a filtered yardstick, a backward error that
 /// is certainly at most `known` may be computed with a lower bound of the sensitivity. This costs much less. The
-/// backward error is then too large, but at most `known`. Precondition: the model is one of `models_with_truth`.
-[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Model model, const LiftedOutcome& outcome,
+/// backward error is then too large, but at most `known`. Precondition: the law is one of `laws_with_truth`.
+[[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 
 }  // namespace carom::oracles

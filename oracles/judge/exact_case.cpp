@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <carom/collision/expects.hpp>
-#include <carom/oracles/filters/case_bounds.hpp>
+#include <carom/oracles/filters/bounded_case_bounds.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/certify.hpp>
@@ -107,7 +107,7 @@ bool ExactCase::is_grazing(double allowance) const {
   if (permitted != nullptr && permitted->normal_velocity().contains(0)) {
     return true;
   }
-  if (bounds_.is_moderate() && std::abs(normal_velocity().value) > case_bounds::factor_for_grazing * allowance *
+  if (bounds_.is_moderate() && std::abs(normal_velocity().value) > bounded_case_bounds::factor_for_grazing * allowance *
                                                                        bounds_.normal_velocity_sensitivity_above()) {
     return false;
   }
@@ -131,9 +131,9 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
   return permitted ? &*permitted : nullptr;
 }
 
-Branch ExactCase::branch(Model model) const {
+Branch ExactCase::branch(Law law) const {
   CAROM_EXPECTS(has_movable_body(collision()));
-  if (model != Model::rough || collision().friction == 0) {
+  if (law != Law::rough || collision().friction == 0) {
     return Branch::only;
   }
   return is_inside_cone() ? Branch::inside_cone : Branch::on_cone;
@@ -158,45 +158,45 @@ namespace {
 /// The certified truth of the law `rough` in the field T.
 template <class T>
 Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
-  Truth<T> truth = colliding_truth(c, Model::rough, branch);
+  Truth<T> truth = colliding_truth(c, Law::rough, branch);
   const detail::RoughImpulses<T> of(c, nullptr);
   const auto after = [&](const Vector3<T>& impulse) { return sum(unchanged(c), response<T>(c, impulse)); };
   certify_rough<T>(c, truth.outcome,
                    {after(of.stops_approach), after(of.stops_point),
                     Rough::friction_share<T>(c, of.stops_approach, of.difference(), branch)});
-  certify(c, Model::rough, Approach::colliding, truth.outcome);
+  certify(c, Law::rough, Approach::colliding, truth.outcome);
   return truth;
 }
 
 }  // namespace
 
-const Truth<Rational>& ExactCase::truth(Model model, Approach as) const {
-  CAROM_EXPECTS(as != Approach::colliding || branch(model) != Branch::on_cone, model);
-  return (as == Approach::colliding ? of_model_[model].truth : unchanged_).get([&] {
-    if (as == Approach::colliding && model == Model::rough) {
-      return certified_rough(exact(), branch(model));
+const Truth<Rational>& ExactCase::truth(Law law, Approach as) const {
+  CAROM_EXPECTS(as != Approach::colliding || branch(law) != Branch::on_cone, law);
+  return (as == Approach::colliding ? of_law_[law].truth : unchanged_).get([&] {
+    if (as == Approach::colliding && law == Law::rough) {
+      return certified_rough(exact(), branch(law));
     }
-    Truth<Rational> truth = truth_of(exact(), model, as, Branch::only);
-    certify(exact(), model, as, truth.outcome);
+    Truth<Rational> truth = truth_of(exact(), law, as, Branch::only);
+    certify(exact(), law, as, truth.outcome);
     return truth;
   });
 }
 
-const Truth<Radical>& ExactCase::truth_on_cone(Model model) const {
-  return of_model_[model].truth_on_cone.get([this] {
+const Truth<Radical>& ExactCase::truth_on_cone(Law law) const {
+  return of_law_[law].truth_on_cone.get([this] {
     return certified_rough(map_numbers<Radical>(collision(), [](double number) { return Radical(number); }),
                            Branch::on_cone);
   });
 }
 
-Outcome<double> ExactCase::nearest_truth(Model model) const {
-  return with_truth(model, approach(), []<class T>(const Truth<T>& truth) {
+Outcome<double> ExactCase::nearest_truth(Law law) const {
+  return with_truth(law, approach(), []<class T>(const Truth<T>& truth) {
     return map_outcome<double>(truth.outcome, [](const T& x) { return nearest_double(x); });
   });
 }
 
-bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
-  if (branch(model) == Branch::only) {
+bool ExactCase::is_near_cone_surface(Law law, double allowance) const {
+  if (branch(law) == Branch::only) {
     return false;
   }
   const ConeDistance& distance = cone_distance_.get([this] {
@@ -207,25 +207,25 @@ bool ExactCase::is_near_cone_surface(Model model, double allowance) const {
   return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone());
 }
 
-bool ExactCase::acts_at_once_here(Model model, double allowance) const {
-  return acts_at_once(model, branch(model)) || is_near_cone_surface(model, allowance);
+bool ExactCase::acts_at_once_here(Law law, double allowance) const {
+  return acts_at_once(law, branch(law)) || is_near_cone_surface(law, allowance);
 }
 
-bool ExactCase::is_open(Model model, double allowance) const {
-  return approach() != Approach::inert && branch(model) != Branch::only && is_grazing(allowance) &&
-         is_near_cone_surface(model, allowance);
+bool ExactCase::is_open(Law law, double allowance) const {
+  return approach() != Approach::inert && branch(law) != Branch::only && is_grazing(allowance) &&
+         is_near_cone_surface(law, allowance);
 }
 
-Approach ExactCase::answered_as(Model model, Approach as) const {
-  const bool acts = as != Approach::colliding || approach() == Approach::colliding || branch(model) != Branch::on_cone;
+Approach ExactCase::answered_as(Law law, Approach as) const {
+  const bool acts = as != Approach::colliding || approach() == Approach::colliding || branch(law) != Branch::on_cone;
   return acts ? as : approach();
 }
 
-const Truth<Enclosure>& ExactCase::enclosed_truth(Model model, Approach as) const {
-  if (answered_as(model, as) == Approach::colliding) {
-    return bounds_.colliding_truth(model, branch(model));
+const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, Approach as) const {
+  if (answered_as(law, as) == Approach::colliding) {
+    return bounds_.colliding_truth(law, branch(law));
   }
-  return enclosed_unchanged_.get([&] { return truth_of(bounds_.enclosed(), model, as, Branch::only); });
+  return enclosed_unchanged_.get([&] { return truth_of(bounds_.enclosed(), law, as, Branch::only); });
 }
 
 const Sensitivity& ExactCase::unchanged_sensitivity() const {
@@ -240,18 +240,18 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
   });
 }
 
-Sensitivity ExactCase::sensitivity(Model model, double allowance) const {
+Sensitivity ExactCase::sensitivity(Law law, double allowance) const {
   const bool may_collide =
-      approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once_here(model, allowance));
-  return sensitivity_as(model, may_collide ? Approach::colliding : approach(), allowance);
+      approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once_here(law, allowance));
+  return sensitivity_as(law, may_collide ? Approach::colliding : approach(), allowance);
 }
 
-Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance) const {
+Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) const {
   const bool collides = as == Approach::colliding &&
-                        (approach() == Approach::colliding || branch(model) != Branch::on_cone || reaches_cone());
-  Sensitivity sum = collides ? colliding_first_order(model, branch(model)) : unchanged_sensitivity();
-  if (collides && is_near_cone_surface(model, allowance) && reaches_cone()) {
-    const Sensitivity& beyond = colliding_first_order(model, other_side(branch(model)));
+                        (approach() == Approach::colliding || branch(law) != Branch::on_cone || reaches_cone());
+  Sensitivity sum = collides ? colliding_first_order(law, branch(law)) : unchanged_sensitivity();
+  if (collides && is_near_cone_surface(law, allowance) && reaches_cone()) {
+    const Sensitivity& beyond = colliding_first_order(law, other_side(branch(law)));
     for (const OutcomeVector k : all_outcome_vectors) {
       sum[k] = std::max(sum[k], beyond[k]);
     }
@@ -260,11 +260,11 @@ Sensitivity ExactCase::sensitivity_as(Model model, Approach as, double allowance
     sum[k] += allowance * second_order()[k];
   }
   if (const PermittedInputs* permitted = collides ? permitted_inputs(allowance) : nullptr) {
-    const Branch side = branch(model);
+    const Branch side = branch(law);
     const Vector3<double> impulse =
-        bounds_.colliding_truth(model, side).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); });
-    const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(model, allowance);
-    const PerVector<double> distance = permitted->distance_of_answers(impulse, model, side, from_rest);
+        bounds_.colliding_truth(law, side).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); });
+    const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(law, allowance);
+    const PerVector<double> distance = permitted->distance_of_answers(impulse, law, side, from_rest);
     for (const OutcomeVector k : all_outcome_vectors) {
       sum[k] = std::max(sum[k], distance[k] / allowance);
     }
@@ -276,34 +276,34 @@ const Sensitivity& ExactCase::second_order() const {
   return second_order_.get([this] { return second_order_scale(collision()); });
 }
 
-bool ExactCase::has_two_answers(Model model, double allowance) const {
-  return is_grazing(allowance) && acts_at_once_here(model, allowance);
+bool ExactCase::has_two_answers(Law law, double allowance) const {
+  return is_grazing(allowance) && acts_at_once_here(law, allowance);
 }
 
-const Sensitivity& ExactCase::colliding_first_order(Model model, Branch branch) const {
+const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
   // Use binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact
   // arithmetic.
-  return of_model_[model].colliding_sensitivity[branch].get([&]() -> Sensitivity {
+  return of_law_[law].colliding_sensitivity[branch].get([&]() -> Sensitivity {
     std::optional<Sensitivity> known;
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() &&
         (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
-      known = colliding_sensitivity(collision(), model, branch);
+      known = colliding_sensitivity(collision(), law, branch);
     }
     if (!known) {
-      known = enclosed_sensitivity(collision(), model, branch, bounds_.is_moderate());
+      known = enclosed_sensitivity(collision(), law, branch, bounds_.is_moderate());
     }
-    return known ? *known : exact_sensitivity(collision(), model, branch);
+    return known ? *known : exact_sensitivity(collision(), law, branch);
   });
 }
 
-bool ExactCase::is_moderate(Model model) const {
+bool ExactCase::is_moderate(Law law) const {
   return bounds_.is_moderate() &&
-         (approach() == Approach::inert || branch(model) != Branch::on_cone || bounds_.has_clear_divisor());
+         (approach() == Approach::inert || branch(law) != Branch::on_cone || bounds_.has_clear_divisor());
 }
 
-const Sensitivity& ExactCase::sensitivity_below(Model model) const {
-  CAROM_EXPECTS(is_moderate(model), model);
-  return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(model, branch(model))
+const Sensitivity& ExactCase::sensitivity_below(Law law) const {
+  CAROM_EXPECTS(is_moderate(law), law);
+  return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(law, branch(law))
                                            : bounds_.norms_before();
 }
 

@@ -34,35 +34,35 @@ class ExactCase {
   /// Whether the inputs that differ relatively by `allowance` include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
 
-  /// The formula by which the law answers if the contact collides. Preconditions: a body is movable; the model is one
-  /// of `models_with_truth`.
-  [[nodiscard]] Branch branch(Model model) const;
+  /// The formula by which the law answers if the contact collides. Preconditions: a body is movable; the law is one
+  /// of `laws_with_truth`.
+  [[nodiscard]] Branch branch(Law law) const;
 
   /// The law's answer, certified: both sides of each defining equation are equal. Throws std::logic_error if they are
-  /// not. Preconditions: the model is one of `models_with_truth`; its answer is rational, so it does not lie on the
+  /// not. Preconditions: the law is one of `laws_with_truth`; its answer is rational, so it does not lie on the
   /// cone.
-  [[nodiscard]] const Truth<Rational>& truth(Model model) const { return truth(model, approach()); }
+  [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, approach()); }
 
   /// The certified answer that the law would give if the contact had approach `as`.
-  [[nodiscard]] const Truth<Rational>& truth(Model model, Approach as) const;
+  [[nodiscard]] const Truth<Rational>& truth(Law law, Approach as) const;
 
   /// The certified answer if it lies on the cone, in ℚ(√s).
-  [[nodiscard]] const Truth<Radical>& truth_on_cone(Model model) const;
+  [[nodiscard]] const Truth<Radical>& truth_on_cone(Law law) const;
 
   /// Calls use(truth) with the rational truth or with the truth on the cone.
   template <class Use>
-  decltype(auto) with_truth(Model model, Approach as, const Use& use) const {
-    const Approach answered = answered_as(model, as);
-    return answered == Approach::colliding && branch(model) == Branch::on_cone ? use(truth_on_cone(model))
-                                                                               : use(truth(model, answered));
+  decltype(auto) with_truth(Law law, Approach as, const Use& use) const {
+    const Approach answered = answered_as(law, as);
+    return answered == Approach::colliding && branch(law) == Branch::on_cone ? use(truth_on_cone(law))
+                                                                             : use(truth(law, answered));
   }
 
   /// The outcome of the truth, each number rounded to the nearest binary64 number.
-  [[nodiscard]] Outcome<double> nearest_truth(Model model) const;
+  [[nodiscard]] Outcome<double> nearest_truth(Law law) const;
 
   /// The truth to about 100 bits, with its bound. It is not certified, because no equation holds exactly for it.
-  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model) const { return enclosed_truth(model, approach()); }
-  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Model model, Approach as) const;
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
 
   /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ and a the
   /// allowance. τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 V / λ, with V an upper bound of
@@ -75,26 +75,26 @@ class ExactCase {
   ///
   /// If the first order is blind (PermittedInputs), the sensitivity is at least the distance of the answers to
   /// permitted inputs, divided by the allowance.
-  [[nodiscard]] Sensitivity sensitivity(Model model, double allowance) const;
+  [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
   /// The sensitivity that the answer would have if the contact had approach `as`, away from the grazing band.
-  [[nodiscard]] Sensitivity sensitivity_as(Model model, Approach as, double allowance) const;
+  [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers that are far from each other. This is so for a
   /// law that acts at once in the grazing band. `rough` acts at once if friction by itself lies in the cone.
-  [[nodiscard]] bool has_two_answers(Model model, double allowance) const;
+  [[nodiscard]] bool has_two_answers(Law law, double allowance) const;
 
   /// Whether every number is moderate, so that the law's sensitivity is certainly finite.
-  [[nodiscard]] bool is_moderate(Model model) const;
+  [[nodiscard]] bool is_moderate(Law law) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers of every kind. Some collide and some do not. If
   /// they collide, F lies inside the friction cone or on it, so the law acts at once or does not. The judge then
   /// requires nothing of an outcome by itself.
-  [[nodiscard]] bool is_open(Model model, double allowance) const;
+  [[nodiscard]] bool is_open(Law law, double allowance) const;
 
   /// A lower bound of `sensitivity`, at a small part of its cost. If the contact collides, it is the bound of
-  /// BoundedCase. Otherwise it is ‖y_k⁻‖, grazing or not. Precondition: is_moderate(model).
-  [[nodiscard]] const Sensitivity& sensitivity_below(Model model) const;
+  /// BoundedCase. Otherwise it is ‖y_k⁻‖, grazing or not. Precondition: is_moderate(law).
+  [[nodiscard]] const Sensitivity& sensitivity_below(Law law) const;
 
   /// K, exactly (`response_matrix`).
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
@@ -113,9 +113,9 @@ class ExactCase {
   /// The kinetic-energy norm of the change of the velocities by the law, rounded. `from_truth` computes it on first
   /// use. The exact judge and the filtered judge each have a value of their own, because bounds may leave it unknown.
   template <class FromTruth>
-  [[nodiscard]] double energy_norm_of_change(Model model, bool exactly, const FromTruth& from_truth) const {
-    const OfModel& of_model = of_model_[model];
-    return (exactly ? of_model.exact_energy_norm_of_change : of_model.bounded_energy_norm_of_change).get(from_truth);
+  [[nodiscard]] double energy_norm_of_change(Law law, bool exactly, const FromTruth& from_truth) const {
+    const OfLaw& of_law = of_law_[law];
+    return (exactly ? of_law.exact_energy_norm_of_change : of_law.bounded_energy_norm_of_change).get(from_truth);
   }
 
   /// Whether r × N = 0 for each movable body, exactly.
@@ -125,8 +125,8 @@ class ExactCase {
   [[nodiscard]] bool is_head_on() const;
 
  private:
-  /// The facts about one model.
-  struct OfModel {
+  /// The facts about one law.
+  struct OfLaw {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
     PerBranch<Lazy<Sensitivity>> colliding_sensitivity;
@@ -136,17 +136,17 @@ class ExactCase {
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
-  [[nodiscard]] const Sensitivity& colliding_first_order(Model model, Branch branch) const;
+  [[nodiscard]] const Sensitivity& colliding_first_order(Law law, Branch branch) const;
   [[nodiscard]] bool is_inside_cone() const;
   [[nodiscard]] bool reaches_cone() const;
   /// Whether the law acts at once: its impulse does not vanish with N·V⁻. On the cone it vanishes.
-  [[nodiscard]] bool acts_at_once_here(Model model, double allowance) const;
+  [[nodiscard]] bool acts_at_once_here(Law law, double allowance) const;
   /// Whether the answers to inputs that differ relatively by `allowance` lie on both sides of the cone's surface.
-  [[nodiscard]] bool is_near_cone_surface(Model model, double allowance) const;
+  [[nodiscard]] bool is_near_cone_surface(Law law, double allowance) const;
   /// The approach of the answer if the contact is treated as `as`. A contact that does not collide, and whose answer as
   /// a colliding contact would lie on the cone, keeps its own approach. On the cone the impulse vanishes with N·V⁻, so
   /// there is no other answer.
-  [[nodiscard]] Approach answered_as(Model model, Approach as) const;
+  [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 
   BoundedCase bounds_;
@@ -155,7 +155,7 @@ class ExactCase {
   Lazy<BoundedCase::NormalVelocity> normal_velocity_;
   Lazy<double> normal_velocity_sensitivity_;
   LazyMap<double, std::optional<PermittedInputs>> permitted_inputs_;
-  PerModel<OfModel> of_model_;
+  PerLaw<OfLaw> of_law_;
   Lazy<bool> is_inside_cone_;
   Lazy<bool> reaches_cone_;
   Lazy<ConeDistance> cone_distance_;

@@ -146,28 +146,28 @@ VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
           (approach_share * parts.stops_approach).radius + largest * parts.difference.radius + change * length};
 }
 
-VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Model model, Branch branch) const {
+VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Branch branch) const {
   const ScalarBall rebound = ScalarBall{1, 0} + restitution_;
-  switch (model == Model::rough && branch == Branch::only ? Model::frictionless : model) {
-    case Model::frictionless:
+  switch (law == Law::rough && branch == Branch::only ? Law::frictionless : law) {
+    case Law::frictionless:
       return along_normal(impulse, -(rebound * normal_velocity_));
-    case Model::reflection:
+    case Law::reflection:
       return by_matrix(impulse, -(rebound * normal_velocity_) * unit_normal_);
-    case Model::sticking:
+    case Law::sticking:
       return by_matrix(impulse, -(relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_));
-    case Model::rough:
+    case Law::rough:
       return rough(impulse);
-    case Model::coulomb:
-    case Model::any:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  determines_no_outcome(model);
+  determines_no_outcome(law);
 }
 
-PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
+PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                        bool from_rest) const {
   CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
-  VectorBall all = impulses(impulse, model, branch);
+  VectorBall all = impulses(impulse, law, branch);
   if (from_rest) {
     all = {Vector3<double>::Zero(), all.largest()};
   }

@@ -35,8 +35,8 @@ class PermittedInputs {
 
   /// The distance of the answers to permitted inputs from the law's answer to a contact that collides. `impulse` is the
   /// impulse of that answer. If `from_rest`, the distance is from the answer without an impulse. Infinite beyond the
-  /// range of numbers. Preconditions: a body is movable; the model is one of `models_with_truth`.
-  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Model model, Branch branch,
+  /// range of numbers. Preconditions: a body is movable; the law is one of `laws_with_truth`.
+  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
   /// Whether the answers of the law `rough` to permitted inputs lie on both sides of the cone's surface. Precondition:
@@ -86,7 +86,7 @@ class PermittedInputs {
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;
   [[nodiscard]] RoughParts rough_parts() const;
   [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;
-  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Model model, Branch branch) const;
+  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Law law, Branch branch) const;
 
   double allowance_;
   OfBody a_;

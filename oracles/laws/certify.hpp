@@ -8,12 +8,12 @@
 
 namespace carom::oracles {
 
-/// Substitutes an outcome into the equations that define the model. If the outcome is the model's answer, both sides of
+/// Substitutes an outcome into the equations that define the law. If the outcome is the law's answer, both sides of
 /// each equation are equal. Otherwise throws std::logic_error that names the equation. T is an exact field.
-/// Precondition: the model is one of `models_with_truth`.
+/// Precondition: the law is one of `laws_with_truth`.
 template <class T>
-void certify(const BasicCollision<T>& collision, Model model, Approach approach, const Outcome<T>& outcome) {
-  for_each_defining_equation(collision, model, approach, [&](const char* name, const auto& equation) {
+void certify(const BasicCollision<T>& collision, Law law, Approach approach, const Outcome<T>& outcome) {
+  for_each_defining_equation(collision, law, approach, [&](const char* name, const auto& equation) {
     const auto sides = equation(collision, outcome);
     for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
       if (sides.left[i] != sides.right[i]) {

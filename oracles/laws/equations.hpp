@@ -352,11 +352,11 @@ consteval bool stand_in_the_order_of_their_names() {
 }  // namespace detail
 static_assert(detail::stand_in_the_order_of_their_names());
 
-/// Calls visit(name, equation) for each equation that defines the answer of a model to a contact with this approach.
-/// For every model except `rough`, these equations determine the answer; `certify_rough` checks the rest of `rough`.
-/// Precondition: the model is one of `models_with_truth`.
+/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach.
+/// For every law except `rough`, these equations determine the answer; `certify_rough` checks the rest of `rough`.
+/// Precondition: the law is one of `laws_with_truth`.
 template <class T, class Visit>
-void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approach approach, const Visit& visit) {
+void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {
     for (const OutcomeVector vector : vectors_of_body(a)) {
       visit(name, equation::Untouched{vector});
@@ -382,27 +382,27 @@ void for_each_defining_equation(const BasicCollision<T>& c, Model model, Approac
     visit("linear momentum", equation::LinearMomentum{});
   }
   // The law's own conditions on F or V⁺.
-  switch (model) {
-    case Model::frictionless:
+  switch (law) {
+    case Law::frictionless:
       visit("restitution", equation::Restitution{});
       visit("the frictionless direction", equation::FrictionlessDirection{reads_impulse_off_a(c)});
       return;
-    case Model::reflection:
+    case Law::reflection:
       visit("restitution", equation::Restitution{});
       visit("the reflection plane", equation::ReflectionPlane{});
       return;
-    case Model::sticking:
+    case Law::sticking:
       visit("restitution", equation::Restitution{});
       visit("sticking", equation::Sticks{});
       return;
-    case Model::rough:  // certify_rough checks the rest, which is no equation of the outcome alone
+    case Law::rough:  // certify_rough checks the rest, which is no equation of the outcome alone
       visit("restitution", equation::Restitution{});
       return;
-    case Model::coulomb:
-    case Model::any:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  determines_no_outcome(model);
+  determines_no_outcome(law);
 }
 
 }  // namespace carom::oracles

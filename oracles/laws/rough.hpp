@@ -37,8 +37,8 @@ void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome
   };
   BasicCollision<T> inelastic = collision;
   inelastic.restitution = T(0);
-  certify(inelastic, Model::frictionless, Approach::colliding, parts.approach_stopped);
-  certify(inelastic, Model::sticking, Approach::colliding, parts.point_stopped);
+  certify(inelastic, Law::frictionless, Approach::colliding, parts.approach_stopped);
+  certify(inelastic, Law::sticking, Approach::colliding, parts.point_stopped);
   const Outcome<T> before = unchanged(collision);
   const auto y = vectors(outcome);
   const auto y_before = vectors(before);

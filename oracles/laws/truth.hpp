@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/outcome.hpp>
 
 namespace carom::oracles {
@@ -16,9 +16,9 @@ struct Truth {
   Outcome<T> outcome;
 };
 
-/// Throws std::invalid_argument. Call it for a model that is not one of `models_with_truth`.
-[[noreturn]] inline void determines_no_outcome(Model model) {
-  throw std::invalid_argument("the model `" + std::string(name_of(model)) + "` determines no outcome");
+/// Throws std::invalid_argument. Call it for a law that is not one of `laws_with_truth`.
+[[noreturn]] inline void determines_no_outcome(Law law) {
+  throw std::invalid_argument("the law `" + std::string(name_of(law)) + "` determines no outcome");
 }
 
 }  // namespace carom::oracles

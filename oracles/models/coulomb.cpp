@@ -58,7 +58,7 @@ Truth<Rational> truth_by(const BasicCollision<Rational>& c, const Vector3<Ration
 std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
   CAROM_EXPECTS(has_movable_body(c) && normal_velocity_before(c) < 0, normal_velocity_before(c));
   if (c.friction == 0) {
-    Truth<Rational> truth = colliding_truth(c, Model::frictionless, Branch::only);
+    Truth<Rational> truth = colliding_truth(c, Law::frictionless, Branch::only);
     return {{AnswerKind::frictionless, std::move(truth)}};
   }
   const Slip slip(c);

@@ -77,7 +77,7 @@ struct Frictionless {
 
   // Closeness uses these members.
 
-  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
   /// they apply.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,

@@ -18,7 +18,7 @@ template <class S>
 using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
 /// The indices of the numbers of a collision among its inputs.
-struct Places {
+struct InputIndices {
   struct OfBody {
     Eigen::Index position = 0;  // after mass, principal inertia and orientation, if the body has them
     [[nodiscard]] Eigen::Index velocity() const { return position + 3; }
@@ -33,7 +33,7 @@ struct Places {
   [[nodiscard]] Eigen::Index tangential_restitution() const { return normal + 5; }
   std::vector<Quantity> quantities;
 
-  explicit Places(const Collision& collision) {
+  explicit InputIndices(const Collision& collision) {
     const auto numbers_of = [](const Body& body) { return body.immovable ? 9 : 17; };
     constexpr Eigen::Index after_position = 9;
     a.position = numbers_of(collision.a) - after_position;
@@ -85,7 +85,7 @@ struct BodyResponse {
 
 template <class S>
 [[nodiscard]] BodyResponse<S> response_of(const BasicBody<S>& body, const Vector3<S>& point, const Vector3<S>& impulse,
-                                          const Places::OfBody& place, Eigen::Index point_place) {
+                                          const InputIndices::OfBody& index, Eigen::Index point_index) {
   BodyResponse<S> result;
   if (body.immovable) {
     return result;
@@ -111,8 +111,8 @@ template <class S>
   const Vector3<T> at = inputs<own + 3>(point, own);
   const BodyVelocity<T> answer = response<T>(dual, at, impulse.unaryExpr([](const S& x) { return T(x); }));
   const auto spread = [&](const Vector3<T>& from, Jacobian<S>& to) {
-    to.template middleCols<own>(place.velocity() - own) = derivatives<own>(from, 0);
-    to.template middleCols<3>(point_place) = derivatives<3>(from, own);
+    to.template middleCols<own>(index.velocity() - own) = derivatives<own>(from, 0);
+    to.template middleCols<3>(point_index) = derivatives<3>(from, own);
   };
   spread(answer.velocity, result.d_velocity);
   spread(answer.angular_velocity, result.d_angular_velocity);

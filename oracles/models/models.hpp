@@ -11,52 +11,51 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The models that determine an outcome, each as a type. Nothing in these types has to be trusted: the defining
+/// The laws that determine an outcome, each as a type. Nothing in these types has to be trusted: the defining
 /// equations certify a truth, and the tests check the rest against the truth.
 namespace carom::oracles {
 
-/// Calls use(law) with an object of the type that stands for the model. Throws std::invalid_argument if the model is
-/// not one of `models_with_truth`.
+/// Calls use(type) with an object of the type that stands for the law. Throws std::invalid_argument if the law is
+/// not one of `laws_with_truth`.
 template <class Use>
-decltype(auto) with_law(Model model, Use&& use) {
-  switch (model) {
-    case Model::frictionless:
+decltype(auto) with_law(Law law, Use&& use) {
+  switch (law) {
+    case Law::frictionless:
       return std::forward<Use>(use)(Frictionless{});
-    case Model::reflection:
+    case Law::reflection:
       return std::forward<Use>(use)(Reflection{});
-    case Model::sticking:
+    case Law::sticking:
       return std::forward<Use>(use)(Sticking{});
-    case Model::rough:
+    case Law::rough:
       return std::forward<Use>(use)(Rough{});
-    case Model::coulomb:
-    case Model::any:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  determines_no_outcome(model);
+  determines_no_outcome(law);
 }
 
-/// Calls use(law) with the law by which the model answers on this branch. On the branch without friction, `rough` is
+/// Calls use(type) with the type by which the law answers on this branch. On the branch without friction, `rough` is
 /// frictionless.
 template <class Use>
-decltype(auto) with_law(Model model, Branch branch, Use&& use) {
-  return with_law(model == Model::rough && branch == Branch::only ? Model::frictionless : model,
-                  std::forward<Use>(use));
+decltype(auto) with_law(Law law, Branch branch, Use&& use) {
+  return with_law(law == Law::rough && branch == Branch::only ? Law::frictionless : law, std::forward<Use>(use));
 }
 
-/// A law whose impulse is linear in the change of relative velocity that it requires. Every other law combines two such
+/// A type whose impulse is linear in the change of relative velocity that it requires. Every other type combines two such
 /// laws, with a share that is not linear.
-template <class Law>
+template <class LawType>
 concept LinearLaw = requires {
-  &Law::template wanted_change<double>;
+  &LawType::template wanted_change<double>;
 };
 
-/// The models of these laws. One formula gives their truth, which is rational.
-inline constexpr std::array linear_models{Model::frictionless, Model::reflection, Model::sticking};
+/// The laws of these laws. One formula gives their truth, which is rational.
+inline constexpr std::array linear_laws{Law::frictionless, Law::reflection, Law::sticking};
 
-/// The change of relative velocity that a linear law requires.
-template <class Law, class T>
+/// The change of relative velocity that a linear type requires.
+template <class LawType, class T>
 [[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& c) {
-  return Law::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
+  return LawType::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
 }
 
 namespace detail {
@@ -83,33 +82,32 @@ struct RoughImpulses {
 /// other side of the cone. `matrix` is the response matrix if it is already known. T is a field, with square roots on
 /// the cone. The function does not check the sign of N·V⁻. Precondition: a body is movable.
 template <class T>
-[[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Model model, Branch branch,
+[[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Law law, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
   CAROM_EXPECTS(has_movable_body(c));
-  return with_law(model, branch, [&]<class Law>(Law) -> Vector3<T> {
-    if constexpr (LinearLaw<Law>) {
-      return Law::template impulse_for<T>(c, wanted_change<Law>(c), matrix);
+  return with_law(law, branch, [&]<class LawType>(LawType) -> Vector3<T> {
+    if constexpr (LinearLaw<LawType>) {
+      return LawType::template impulse_for<T>(c, wanted_change<LawType>(c), matrix);
     } else {
       const detail::RoughImpulses<T> of(c, matrix);
       const Vector3<T> d = of.difference();
-      return Law::template combined<T>(c, of.stops_approach, d,
-                                       Law::template friction_share<T>(c, of.stops_approach, d, branch));
+      return LawType::template combined<T>(c, of.stops_approach, d,
+                                           LawType::template friction_share<T>(c, of.stops_approach, d, branch));
     }
   });
 }
 
 /// The law's answer to a contact that collides, from `colliding_impulse` with the same parameters and precondition.
 template <class T>
-[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Model model, Branch branch) {
-  const Vector3<T> impulse = colliding_impulse<T>(c, model, branch);
+[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Law law, Branch branch) {
+  const Vector3<T> impulse = colliding_impulse<T>(c, law, branch);
   return {impulse, sum(unchanged(c), response<T>(c, impulse))};
 }
 
 /// The law's answer to a contact with this approach.
 template <class T>
-[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Model model, Approach approach, Branch branch) {
-  return approach == Approach::colliding ? colliding_truth(c, model, branch)
-                                         : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
+[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Law law, Approach approach, Branch branch) {
+  return approach == Approach::colliding ? colliding_truth(c, law, branch) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
 /// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. No value if the
@@ -140,9 +138,9 @@ template <class T, class Sign>
   return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
-/// The equations that the answer of every model satisfies for every contact to which they apply. `restitution` applies
+/// The equations that the answer of every law satisfies for every contact to which they apply. `restitution` applies
 /// if the contact collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
-inline constexpr std::array kept_by_every_model{AffineEquation::linear_momentum,
+inline constexpr std::array kept_by_every_law{AffineEquation::linear_momentum,
                                                 AffineEquation::angular_momentum_of_a,
                                                 AffineEquation::angular_momentum_of_b,
                                                 AffineEquation::total_angular_momentum,
@@ -155,37 +153,37 @@ inline constexpr std::array kept_by_every_model{AffineEquation::linear_momentum,
 
 namespace detail {
 
-template <class Law>
+template <class LawType>
 [[nodiscard]] constexpr PerAffineEquation<bool> kept_equations() {
   PerAffineEquation<bool> kept{};
-  for (const AffineEquation equation : kept_by_every_model) {
+  for (const AffineEquation equation : kept_by_every_law) {
     kept[equation] = true;
   }
-  for (const AffineEquation equation : Law::keeps) {
+  for (const AffineEquation equation : LawType::keeps) {
     kept[equation] = true;
   }
   return kept;
 }
 
-template <class Law>
-inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<Law>();
+template <class LawType>
+inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawType>();
 
 }  // namespace detail
 
-/// Whether the answer of the model satisfies the equation for every contact to which it applies.
-[[nodiscard]] inline bool keeps(Model model, AffineEquation equation) {
-  return with_law(model, [&]<class Law>(Law) { return detail::kept_equations_of<Law>[equation]; });
+/// Whether the answer of the law satisfies the equation for every contact to which it applies.
+[[nodiscard]] inline bool keeps(Law law, AffineEquation equation) {
+  return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the model on this branch does not vanish with N·V⁻. If so, and if inputs within rounding
+/// Whether the impulse of the law on this branch does not vanish with N·V⁻. If so, and if inputs within rounding
 /// include both colliding and separating contacts, an outcome may be either of the two answers.
-[[nodiscard]] inline bool acts_at_once(Model model, Branch branch) {
-  return with_law(model, branch, [&]<class Law>(Law) { return Law::acts_at_once && branch != Branch::on_cone; });
+[[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
+  return with_law(law, branch, [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });
 }
 
-/// Whether the model never adds energy, apart from the work of a driven wall.
-[[nodiscard]] inline bool creates_no_energy(Model model) {
-  return with_law(model, []<class Law>(Law) { return Law::creates_no_energy; });
+/// Whether the law never adds energy, apart from the work of a driven wall.
+[[nodiscard]] inline bool creates_no_energy(Law law) {
+  return with_law(law, []<class LawType>(LawType) { return LawType::creates_no_energy; });
 }
 
 }  // namespace carom::oracles

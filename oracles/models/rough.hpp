@@ -75,7 +75,7 @@ struct Rough {
 
   // Closeness uses these members.
 
-  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
   /// they apply.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
   /// Whether the law never adds energy, apart from the work of a driven wall. P_I and D are K-orthogonal, so ΔE = −½ (1

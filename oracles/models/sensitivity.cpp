@@ -29,11 +29,11 @@ template <class S>
 struct Differentiable {
   explicit Differentiable(const Collision& collision)
       : c(map_numbers<S>(collision, [](double x) { return S(x); })),
-        places(collision),
+        indices(collision),
         velocity(velocity_before<S>(map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); }))) {}
 
   BasicCollision<S> c;
-  Places places;
+  InputIndices indices;
   Vector3<S> velocity;  // V⁻
 };
 
@@ -46,28 +46,28 @@ struct Wanted {
 
 /// Applies the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
 /// derivative.
-template <class Law, class S>
+template <class LawType, class S>
 Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
   const BasicCollision<S>& c = of.c;
   Wanted<S> result;
   Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
-  const auto add_body = [&](const BasicBody<S>& body, const Places::OfBody& place, int sign) {
+  const auto add_body = [&](const BasicBody<S>& body, const InputIndices::OfBody& index, int sign) {
     constexpr int own = 9;  // position, velocity, angular velocity; and the contact point
     using T = Dual<S, own + 3>;
     const Vector3<T> arm = inputs<own + 3>(c.point, own) - inputs<own + 3>(body.position, 0);
     const Vector3<T> at_point =
         point_velocity<T>({inputs<own + 3>(body.velocity, 3), inputs<own + 3>(body.angular_velocity, 6)}, arm);
-    d_velocity.template middleCols<own>(place.position) += S(sign) * derivatives<own>(at_point, 0);
-    d_velocity.template middleCols<3>(of.places.point) += S(sign) * derivatives<3>(at_point, own);
+    d_velocity.template middleCols<own>(index.position) += S(sign) * derivatives<own>(at_point, 0);
+    d_velocity.template middleCols<3>(of.indices.point) += S(sign) * derivatives<3>(at_point, own);
   };
-  add_body(c.a, of.places.a, 1);
-  add_body(c.b, of.places.b, -1);
+  add_body(c.a, of.indices.a, 1);
+  add_body(c.b, of.indices.b, -1);
   using T = Dual<S, 7>;  // normal, restitution, relative velocity
   const Vector3<T> wanted =
-      Law::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(of.velocity, 4));
+      LawType::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(of.velocity, 4));
   result.change = value(wanted);
   result.derivative = derivatives<3>(wanted, 4) * d_velocity;
-  result.derivative.template middleCols<4>(of.places.normal) += derivatives<4>(wanted, 0);
+  result.derivative.template middleCols<4>(of.indices.normal) += derivatives<4>(wanted, 0);
   return result;
 }
 
@@ -79,18 +79,18 @@ struct Differentiated {
   Derivatives<S> derivatives;
 };
 
-template <class Law, class S>
+template <class LawType, class S>
 Differentiated<S> differentiated(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
   const BasicCollision<S>& c = of.c;
-  const Places& places = of.places;
-  const Wanted<S> wanted = wanted_of<Law>(of, restitution);
-  const Vector3<S> impulse = Law::template impulse_for<S>(c, wanted.change, nullptr);
-  const BodyResponse<S> a = response_of<S>(c.a, c.point, impulse, places.a, places.point);
-  const BodyResponse<S> b = response_of<S>(c.b, c.point, -impulse, places.b, places.point);
+  const InputIndices& indices = of.indices;
+  const Wanted<S> wanted = wanted_of<LawType>(of, restitution);
+  const Vector3<S> impulse = LawType::template impulse_for<S>(c, wanted.change, nullptr);
+  const BodyResponse<S> a = response_of<S>(c.a, c.point, impulse, indices.a, indices.point);
+  const BodyResponse<S> b = response_of<S>(c.b, c.point, -impulse, indices.b, indices.point);
   const Jacobian<S> left = a.d_at_point - b.d_at_point - wanted.derivative;
   return {impulse,
           {a.velocity * impulse, a.angular_velocity * impulse, -b.velocity * impulse, -b.angular_velocity * impulse},
-          Law::template derivatives<S>(c, {a, b, impulse, wanted.change, left, places.normal})};
+          LawType::template derivatives<S>(c, {a, b, impulse, wanted.change, left, indices.normal})};
 }
 
 template <class S>
@@ -107,11 +107,11 @@ template <class S>
 Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& approach, const Differentiated<S>& point,
                         Branch branch) {
   const BasicCollision<S>& c = of.c;
-  const Places& places = of.places;
+  const InputIndices& indices = of.indices;
   const Vector3<S> d = point.impulse - approach.impulse;
   Share<S> share{Rough::friction_share<S>(c, approach.impulse, d, branch)};
   if (branch == Branch::inside_cone) {
-    share.derivative[places.tangential_restitution()] = S(1);
+    share.derivative[indices.tangential_restitution()] = S(1);
     return share;
   }
   // κ q = μ (1 + ε) p with p = N·P_I and q = ‖N × D‖ − μ N·D.
@@ -125,30 +125,30 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   const S q = Rough::divisor<S>(c, d);
   // ∂(N·D), and ∂‖N × D‖ = t·(∂N × D + N × ∂D) with t the unit vector along N × D.
   Row<S> d_normal = n.transpose() * d_of_d;
-  d_normal.template segment<3>(places.normal) += d.transpose();
+  d_normal.template segment<3>(indices.normal) += d.transpose();
   Row<S> d_tangential = along.cross(n).transpose() * d_of_d;
-  d_tangential.template segment<3>(places.normal) += d.cross(along).transpose();
+  d_tangential.template segment<3>(indices.normal) += d.cross(along).transpose();
   Row<S> d_p = n.transpose() * approach.derivatives.of_impulse;
-  d_p.template segment<3>(places.normal) += approach.impulse.transpose();
+  d_p.template segment<3>(indices.normal) += approach.impulse.transpose();
   Row<S> numerator = S(c.friction * rebound) * d_p;
-  numerator[places.friction()] += rebound * p;
-  numerator[places.restitution()] += c.friction * p;
+  numerator[indices.friction()] += rebound * p;
+  numerator[indices.restitution()] += c.friction * p;
   Row<S> d_q = d_tangential - c.friction * d_normal;
-  d_q[places.friction()] -= n.dot(d);
+  d_q[indices.friction()] -= n.dot(d);
   share.derivative = (numerator - share.value * d_q) / q;
   return share;
 }
 
 /// The derivatives of the changes of the velocities by the law's impulse.
-template <class Law, class S>
+template <class LawType, class S>
 PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch branch) {
   using T = Dual<S, 7>;
   const BasicCollision<S>& c = of.c;
-  if constexpr (LinearLaw<Law>) {
-    return differentiated<Law>(of, T::input(c.restitution, 3)).derivatives.of_change;
+  if constexpr (LinearLaw<LawType>) {
+    return differentiated<LawType>(of, T::input(c.restitution, 3)).derivatives.of_change;
   } else {
-    const Differentiated<S> approach = differentiated<typename Law::StopsApproach>(of, T(0));
-    const Differentiated<S> point = differentiated<typename Law::StopsPoint>(of, T(0));
+    const Differentiated<S> approach = differentiated<typename LawType::StopsApproach>(of, T(0));
+    const Differentiated<S> point = differentiated<typename LawType::StopsPoint>(of, T(0));
     const Share<S> share = friction_share(of, approach, point, branch);
     const S rebound = S(1) + c.restitution;
     PerVector<Jacobian<S>> result;
@@ -156,7 +156,7 @@ PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch br
       const Jacobian<S>& of_approach = approach.derivatives.of_change[k];
       result[k] = rebound * of_approach + share.value * (point.derivatives.of_change[k] - of_approach) +
                   (point.change[k] - approach.change[k]) * share.derivative;
-      result[k].col(of.places.restitution()) += approach.change[k];
+      result[k].col(of.indices.restitution()) += approach.change[k];
     }
     return result;
   }
@@ -164,12 +164,12 @@ PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch br
 
 /// ∂y_k for the law's answer to a contact that collides.
 template <class S>
-PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Model model, Branch branch) {
+PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Law law, Branch branch) {
   PerVector<Jacobian<S>> derivatives =
-      with_law(model, branch, [&]<class Law>(Law) { return change_derivatives<Law>(of, branch); });
-  const Places& places = of.places;
-  const PerVector<Eigen::Index> before{places.a.velocity(), places.a.angular_velocity(), places.b.velocity(),
-                                       places.b.angular_velocity()};
+      with_law(law, branch, [&]<class LawType>(LawType) { return change_derivatives<LawType>(of, branch); });
+  const InputIndices& indices = of.indices;
+  const PerVector<Eigen::Index> before{indices.a.velocity(), indices.a.angular_velocity(), indices.b.velocity(),
+                                       indices.b.angular_velocity()};
   for (const OutcomeVector k : all_outcome_vectors) {
     for (Eigen::Index i = 0; i < 3; ++i) {
       derivatives[k](i, before[k] + i) += S(1);
@@ -206,7 +206,7 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
 /// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
 /// bounds κ(K), and it covers cancellation in r × F. On the cone's surface, the divisor ‖N × D‖ − μ N·D of κ may cancel
 /// too. Its terms are as large as the impulses, at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
-double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Model model,
+double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
   double terms = lambda;
@@ -216,7 +216,7 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
     terms += body->immovable ? 0 : arm * arm / body->principal_inertia.minCoeff();
     largest_impulse += (norm_of(body->velocity) + norm_of(body->angular_velocity) * arm) / lambda;
   }
-  if (model != Model::rough || branch != Branch::on_cone) {
+  if (law != Law::rough || branch != Branch::on_cone) {
     return terms / lambda;
   }
   const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(enclosed, nullptr).difference();
@@ -234,24 +234,23 @@ constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
-std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch) {
+std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch) {
   CAROM_EXPECTS(has_movable_body(collision));
   const Differentiable<double> of(collision);
-  const PerVector<Jacobian<double>> derivatives = outcome_derivatives(of, model, branch);
+  const PerVector<Jacobian<double>> derivatives = outcome_derivatives(of, law, branch);
   Sensitivity result = norms_before(collision);
   for (const OutcomeVector k : all_outcome_vectors) {
-    result[k] += weighted_norm(derivatives[k], of.places.quantities);
+    result[k] += weighted_norm(derivatives[k], of.indices.quantities);
   }
   const bool is_known = std::all_of(result.begin(), result.end(), [](double sum) { return std::isfinite(sum); });
   return is_known ? std::optional<Sensitivity>(result) : std::nullopt;
 }
 
-std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
-                                                bool is_moderate) {
+std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch, bool is_moderate) {
   CAROM_EXPECTS(has_movable_body(collision));
   const Differentiable<Enclosure> of(collision);
-  const PerVector<Jacobian<Enclosure>> derivatives = outcome_derivatives(of, model, branch);
-  const std::vector<Quantity>& quantities = of.places.quantities;
+  const PerVector<Jacobian<Enclosure>> derivatives = outcome_derivatives(of, law, branch);
+  const std::vector<Quantity>& quantities = of.indices.quantities;
   bool is_bounded_to_a_thousandth = true;
   Sensitivity result = norms_before(collision);
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -264,7 +263,7 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Mode
   }
   // Exact derivatives take a hundred times as long.
   if (is_bounded_to_a_thousandth ||
-      (is_moderate && growth_of_roundings(collision, of.c, model, branch) <= largest_growth)) {
+      (is_moderate && growth_of_roundings(collision, of.c, law, branch) <= largest_growth)) {
     return result;
   }
   return std::nullopt;
@@ -314,12 +313,12 @@ Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
 
 }  // namespace
 
-Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch) {
+Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch) {
   const auto inputs = dual_inputs<Rational, collision_inputs>(collision, [](double x) { return Rational(x); });
   if (branch == Branch::on_cone) {
     return sensitivity_of_outcome(collision, answer_on_cone(inputs.collision), inputs.quantities);
   }
-  return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, model, branch).outcome, inputs.quantities);
+  return sensitivity_of_outcome(collision, colliding_truth(inputs.collision, law, branch).outcome, inputs.quantities);
 }
 
 namespace {
@@ -350,7 +349,7 @@ template <class S>
 ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
   CAROM_EXPECTS(has_movable_body(of.c));
   const BasicCollision<S>& c = of.c;
-  const Places& places = of.places;
+  const InputIndices& indices = of.indices;
   using T = Dual<S, 7>;
   const Differentiated<S> approach = differentiated<Rough::StopsApproach>(of, T(0));
   const Differentiated<S> point = differentiated<Rough::StopsPoint>(of, T(0));
@@ -359,20 +358,20 @@ ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
   const Vector3<S> whole = Rough::combined<S>(c, approach.impulse, d, share);
   const Jacobian<S>& d_approach = approach.derivatives.of_impulse;
   Jacobian<S> d_whole = S(S(1) + c.restitution) * d_approach + share * (point.derivatives.of_impulse - d_approach);
-  d_whole.col(places.restitution()) += approach.impulse;
-  d_whole.col(places.tangential_restitution()) += d;
+  d_whole.col(indices.restitution()) += approach.impulse;
+  d_whole.col(indices.tangential_restitution()) += d;
   const Vector3<S>& n = c.normal;
   ConeDerivatives<S> result;
   Row<S> d_limit = c.friction * (n.transpose() * d_whole);
-  d_limit.template segment<3>(places.normal) += c.friction * whole.transpose();
-  d_limit[places.friction()] += n.dot(whole);
+  d_limit.template segment<3>(indices.normal) += c.friction * whole.transpose();
+  d_limit[indices.friction()] += n.dot(whole);
   result.limit.row(0) = d_limit;
   for (Eigen::Index j = 0; j < d_whole.cols(); ++j) {
     const Vector3<S> column = d_whole.col(j);
     result.tangential.col(j) = n.cross(column);
   }
   for (Eigen::Index i = 0; i < 3; ++i) {
-    result.tangential.col(places.normal + i) += Vector3<S>(Vector3<S>::Unit(i)).cross(whole);
+    result.tangential.col(indices.normal + i) += Vector3<S>(Vector3<S>::Unit(i)).cross(whole);
   }
   return result;
 }
@@ -382,7 +381,7 @@ ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
 ConeDistance cone_distance(const Collision& collision) {
   const Differentiable<double> of(collision);
   const ConeDerivatives<double> derivatives = cone_derivatives(of);
-  const std::vector<Quantity>& quantities = of.places.quantities;
+  const std::vector<Quantity>& quantities = of.indices.quantities;
   return {distance_from_cone(map_numbers<Enclosure>(collision, [](double x) { return Enclosure(x); })),
           weighted_norm(derivatives.limit, quantities) + weighted_norm(derivatives.tangential, quantities)};
 }
@@ -391,7 +390,7 @@ ConeDistance enclosed_cone_distance(const Collision& collision) {
   const Differentiable<Enclosure> of(collision);
   const ConeDerivatives<Enclosure> derivatives = cone_derivatives(of);
   const auto above = [&](const Jacobian<Enclosure>& jacobian) {
-    return enclosed_norm(jacobian, of.places.quantities, [](const Enclosure& x) { return x.magnitude_above(); });
+    return enclosed_norm(jacobian, of.indices.quantities, [](const Enclosure& x) { return x.magnitude_above(); });
   };
   return {distance_from_cone(of.c), above(derivatives.limit) + above(derivatives.tangential)};
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/numbers/dual.hpp>
@@ -38,19 +38,19 @@ inline constexpr double ten_digits = 0x1p-34;
 
 /// The sensitivity of the law's answer to a contact that collides, in binary64. It uses implicit differentiation
 /// (implicit_differentiation.hpp), and loses about κ(K) u if the law inverts K. No value if a sum is extreme.
-/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the model is one of `models_with_truth`.
+/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`.
 /// κ(K) must be well below 1/u, except for the frictionless law. On the cone, the divisor of κ must not cancel
 /// completely.
-[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Model model, Branch branch);
+[[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The sensitivity of `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body.
 /// It is known if its radii are at most a thousandth of it. If the collision is moderate, it is also known if the
 /// growth of rounding errors, bounded by means of κ(K), is small enough. Otherwise no value.
-[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Model model, Branch branch,
+[[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
 /// The sensitivity of `colliding_sensitivity` by exact differentiation of the whole law.
-[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Model model, Branch branch);
+[[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The distance of the answer of `rough` with κ = 1 + e_t from the cone's surface, and the first-order effect of the
 /// inputs on this distance. Both are rounded as sensitivities are, and NaN if unknown.

@@ -51,7 +51,7 @@ struct Sticking {
 
   // Closeness uses these members.
 
-  /// The equations, in addition to those of every model, that the law's answer satisfies for every contact to which
+  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
   /// they apply.
   static constexpr std::array keeps{AffineEquation::sticks};
   /// Whether the law never adds energy, apart from the work of a driven wall. Sticking may add energy if ε > 0, because

@@ -7,7 +7,7 @@
 /// Instantiates the suite NAME/Conformance of a subject in GoogleTest. It has one test Holds/INVARIANT_in_FAMILY for
 /// each family and each invariant that is claimed for the subject's law. RapidCheck draws the cases.
 ///
-///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Model::frictionless, my_callable));
+///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Law::frictionless, my_callable));
 ///
 /// A further argument gives carom::conformance::Options. If an option, or CAROM_EXACT in the environment, is wrong, the
 /// suite is one test that fails and gives the reason. RapidCheck's RC_PARAMS sets the seed and the number of cases. A

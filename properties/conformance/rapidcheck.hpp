@@ -10,7 +10,7 @@
 #include <rapidcheck.h>
 
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/search/simpler_cases.hpp>
 

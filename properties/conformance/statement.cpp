@@ -55,7 +55,7 @@ void require_known_deviations(const Options& options) {
 
 }  // namespace
 
-properties::Claim Statement::claim() const { return {subject->model, yardstick, {invariant}}; }
+properties::Claim Statement::claim() const { return {subject->law, yardstick, {invariant}}; }
 
 std::vector<Statement> statements(const Subject& subject, const Options& options) {
   const auto shared = std::make_shared<const Subject>(subject);

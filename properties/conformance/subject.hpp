@@ -86,15 +86,15 @@ template <class Solver, class S>
 /// The callable sees only valid collisions. The kit refuses the invalid ones itself, so `invalid_refused` is not
 /// claimed.
 template <class S = void, class Solver>
-[[nodiscard]] Subject subject(std::string name, Model model, Solver solver,
+[[nodiscard]] Subject subject(std::string name, Law law, Solver solver,
                               std::optional<Precision> precision = std::nullopt) {
   if constexpr (std::is_void_v<S>) {
-    return subject<decltype(detail::deduced_scalar<Solver>())>(std::move(name), model, std::move(solver), precision);
+    return subject<decltype(detail::deduced_scalar<Solver>())>(std::move(name), law, std::move(solver), precision);
   } else {
     static_assert(std::is_same_v<S, float> || std::is_same_v<S, double> || std::is_same_v<S, long double>);
     Subject made;
     made.name = std::move(name);
-    made.model = model;
+    made.law = law;
     made.precision = precision.value_or(precision_of<S>);
     made.deviates = {"invalid_refused"};
     made.shows_collision_matrix = detail::shows_matrix<Solver, S>();

@@ -233,7 +233,7 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
       continue;
     }
     outcomes.push_back(one);
-    if (const std::optional<KnownCase> known = known_case(one, result.subject.model)) {
+    if (const std::optional<KnownCase> known = known_case(one, result.subject.law)) {
       if (is_visibly_off(*known, roundoff)) {
         off.push_back(*known);
       }
@@ -258,10 +258,10 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
          "on the spelling of the request.",
          "caches, warm starts, state that is not reset; the parser of numbers and of optional fields"});
   } else if (5 * outcomes.size() > examples.size()) {
-    faults.push_back(fault_of(outcomes, result.subject.model));
+    faults.push_back(fault_of(outcomes, result.subject.law));
   }
   if (faults.empty() && !outcomes.empty()) {
-    faults.push_back(fault_of(outcomes, result.subject.model));
+    faults.push_back(fault_of(outcomes, result.subject.law));
   }
   Fault joined;
   for (const Fault& fault : faults) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 /// Derives a possible fault of a subject from its violations.
 namespace carom::properties::diagnosis {

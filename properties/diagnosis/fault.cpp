@@ -76,7 +76,7 @@ struct Told {
   std::optional<Shares> shares;  // set if the impulse is wrong
 };
 
-Told told_of(const ViolatedCase& violated, Model model) {
+Told told_of(const ViolatedCase& violated, Law law) {
   const oracles::ExactCase exact_case(violated.one.collision);
   const Exact& c = exact_case.exact();
   const Outcome<Rational> after = oracles::lift(std::get<ReportedOutcome>(violated.answer));
@@ -100,10 +100,10 @@ Told told_of(const ViolatedCase& violated, Model model) {
   if (a || b) {
     return {a && b ? Step::spin_of_both : (a ? Step::spin_of_a : Step::spin_of_b), {}};
   }
-  if (!determines_outcome(model)) {
+  if (!determines_outcome(law)) {
     return {Step::none, {}};
   }
-  const std::optional<KnownCase> known = known_case(violated, model);
+  const std::optional<KnownCase> known = known_case(violated, law);
   const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
   const Vector3<Rational> right = known->impulse.cast<Rational>();
   if (!differ(computed, right)) {
@@ -189,14 +189,14 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 /// Describes a speed or an angular velocity if many wrong outcomes have one size that the law does not give. Otherwise
 /// empty.
-std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
+std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
   struct Size {
     OutcomeVector vector;
     double computed;
   };
   std::vector<Size> sizes;  // sizes that differ from those of the law
   for (const ViolatedCase& violated : cases) {
-    const std::optional<KnownCase> known = known_case(violated, model);
+    const std::optional<KnownCase> known = known_case(violated, law);
     for (const OutcomeVector k : all_outcome_vectors) {
       const double computed = known ? vectors(known->answered)[k]->norm() : 0;
       if (computed > 0 && std::abs(computed - vectors(known->truth)[k]->norm()) > visible * computed) {
@@ -222,12 +222,12 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Model model) {
   return {};
 }
 
-Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
+Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
   CAROM_EXPECTS(!cases.empty());
   std::array<std::size_t, all_steps.size()> counts{};
   std::vector<Shares> shares;
   for (const ViolatedCase& violated : cases) {
-    const Told told = told_of(violated, model);
+    const Told told = told_of(violated, law);
     ++counts[static_cast<std::size_t>(told.step)];
     if (told.shares) {
       shares.push_back(*told.shares);
@@ -241,7 +241,7 @@ Fault fault_of(std::span<const ViolatedCase> cases, Model model) {
   count_of(Step::spin_of_a) = count_of(Step::spin_of_b) = 0;
   const auto most = std::max_element(counts.begin(), counts.end());
   const std::string share = fmt::format(" ({} of {} examined outcomes)", *most, cases.size());
-  const std::string limits = limits_in_words(cases, model);
+  const std::string limits = limits_in_words(cases, law);
   switch (static_cast<Step>(most - counts.begin())) {
     case Step::immovable_moved:
       return {"An immovable body's velocity or spin changes" + share + '.', "the treatment of bodies of infinite mass"};

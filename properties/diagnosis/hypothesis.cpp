@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iterator>
 
-#include <carom/properties/diagnosis/groups.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
+#include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
 namespace carom::properties::diagnosis {
 

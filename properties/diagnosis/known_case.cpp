@@ -66,30 +66,29 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
 
 }  // namespace
 
-LawAnswer law_answer(const Collision& collision, Model model, std::optional<oracles::Approach> approach) {
-  CAROM_EXPECTS(determines_outcome(model), model);
+LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
+  CAROM_EXPECTS(determines_outcome(law), law);
   const oracles::ExactCase exact_case(collision);
   const oracles::Approach as = approach.value_or(exact_case.approach());
   // Exact arithmetic takes ten times as long, and a hint does not need it.
-  if (const auto& enclosed = exact_case.enclosed_truth(model, as); is_known(enclosed)) {
+  if (const auto& enclosed = exact_case.enclosed_truth(law, as); is_known(enclosed)) {
     return rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); });
   }
-  return exact_case.with_truth(model, as, [](const auto& truth) {
+  return exact_case.with_truth(law, as, [](const auto& truth) {
     return rounded(truth, [](const auto& x) { return oracles::nearest_double(x); });
   });
 }
 
-std::optional<KnownCase> known_case(const ViolatedCase& violated, Model model) {
+std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law) {
   const Collision& collision = violated.one.collision;
   const auto* outcome = std::get_if<ReportedOutcome>(&violated.answer);
-  if (outcome == nullptr || !oracles::is_finite(*outcome) || !determines_outcome(model) ||
-      !validate(collision).empty()) {
+  if (outcome == nullptr || !oracles::is_finite(*outcome) || !determines_outcome(law) || !validate(collision).empty()) {
     return std::nullopt;
   }
-  const LawAnswer law = law_answer(collision, model);
+  const LawAnswer answer = law_answer(collision, law);
   return KnownCase{
-      collision,   model,      oracles::ExactCase(collision).approach(), unchanged(collision), narrowed(*outcome),
-      law.outcome, law.impulse};
+      collision,      law,           oracles::ExactCase(collision).approach(), unchanged(collision), narrowed(*outcome),
+      answer.outcome, answer.impulse};
 }
 
 double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties::diagnosis {
 
@@ -14,14 +14,14 @@ struct LawAnswer {
 };
 
 /// The law's answer to a collision. `approach` replaces the collision's own approach. Preconditions: the collision is
-/// valid; the model determines an outcome.
-[[nodiscard]] LawAnswer law_answer(const Collision& collision, Model model,
+/// valid; the law determines an outcome.
+[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law,
                                    std::optional<oracles::Approach> approach = {});
 
 /// A case that has an outcome as its answer, with the law's answer.
 struct KnownCase {
   Collision collision;
-  Model model = Model::any;
+  Law law = Law::any;
   oracles::Approach approach = oracles::Approach::inert;
   Outcome<double> before;
   Outcome<double> answered;
@@ -29,9 +29,9 @@ struct KnownCase {
   Vector3<double> impulse;  // of the law, on A
 };
 
-/// No value if the collision is invalid, the answer is not an outcome of finite numbers, or the model determines no
+/// No value if the collision is invalid, the answer is not an outcome of finite numbers, or the law determines no
 /// outcome.
-[[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Model model);
+[[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law);
 
 /// The square root of Σ m ‖δv‖² + δwᵀ J δw over the movable bodies, for the difference of two outcomes [√J]. Its square
 /// is twice the kinetic energy of the difference. It makes velocities and angular velocities comparable.

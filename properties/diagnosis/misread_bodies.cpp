@@ -4,7 +4,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/properties/diagnosis/groups.hpp>
+#include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -209,7 +209,7 @@ std::optional<Outcome<double>> impulse_of(const Collision& changed, const KnownC
   if (!validate(changed).empty()) {
     return std::nullopt;
   }
-  return pushed(one.collision, law_answer(changed, one.model).impulse);
+  return pushed(one.collision, law_answer(changed, one.law).impulse);
 }
 
 std::vector<Hypothesis> misread_bodies() {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/diagnosis/groups.hpp>
+#include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -43,7 +43,7 @@ std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCa
     return std::nullopt;
   }
   const Outcome<double> before = unchanged(changed);
-  const Outcome<double> after = law_answer(changed, one.model).outcome;
+  const Outcome<double> after = law_answer(changed, one.law).outcome;
   Outcome<double> answer = one.before;
   for (const OutcomeVector k : all_outcome_vectors) {
     *vectors(answer)[k] += *vectors(after)[k] - *vectors(before)[k];
@@ -62,7 +62,7 @@ std::vector<Hypothesis> misread_contacts() {
     }
     return one.approach == oracles::Approach::colliding
                ? one.before
-               : law_answer(one.collision, one.model, oracles::Approach::colliding).outcome;
+               : law_answer(one.collision, one.law, oracles::Approach::colliding).outcome;
   };
   std::vector<Hypothesis> all{
       {"the test for approach were inverted: separating contacts are solved, and colliding contacts are not",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties::diagnosis {
 

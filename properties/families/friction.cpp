@@ -4,7 +4,7 @@
 
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/friction.hpp>
 
 namespace carom::properties {

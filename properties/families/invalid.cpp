@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/invalid.hpp>
 
 namespace carom::properties {

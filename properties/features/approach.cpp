@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/features/groups.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/feature_groups.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include <carom/properties/features/groups.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/feature_groups.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include <carom/properties/features/groups.hpp>
+#include <carom/properties/features/feature_groups.hpp>
 
 namespace carom::properties::features {
 namespace {

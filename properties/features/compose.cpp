@@ -5,7 +5,7 @@
 #include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/geometry.hpp>
 #include <carom/properties/features/seldom.hpp>
 
 namespace carom::properties {

@@ -2,8 +2,8 @@
 #include <iterator>
 #include <utility>
 
-#include <carom/properties/features/groups.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/feature_groups.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties {
 namespace features {
@@ -46,9 +46,9 @@ namespace {
 
 std::vector<Feature> catalogue() {
   std::vector<Feature> all;
-  for (const auto group : {features::of_orientation, features::of_inertia, features::of_lever_arm, features::of_motion,
-                           features::of_normal, features::of_coefficients, features::of_both_bodies,
-                           features::of_approach, features::magnitudes}) {
+  for (const auto group : {features::of_orientation, features::of_inertia, features::of_lever_arm,
+                           features::of_velocities, features::of_normal, features::of_coefficients,
+                           features::of_both_bodies, features::of_approach, features::magnitudes}) {
     std::vector<Feature> of_group = group();
     std::move(of_group.begin(), of_group.end(), std::back_inserter(all));
   }

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/features/groups.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/feature_groups.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
 namespace {

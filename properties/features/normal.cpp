@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include <carom/properties/features/groups.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/feature_groups.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
 namespace {

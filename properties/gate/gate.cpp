@@ -13,7 +13,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/schedule.hpp>
-#include <carom/properties/gate/tally.hpp>
+#include <carom/properties/gate/subject_tally.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/restarts.hpp>
@@ -147,7 +147,7 @@ class Worker {
  public:
   explicit Worker(Run& run) : run_(&run), coverage_(run.options.families.size()), tallies_(run.subjects.size()) {
     for (const Family* family : run.options.families) {
-      for (Tally& tally : tallies_) {
+      for (SubjectTally& tally : tallies_) {
         tally.families.emplace_back().sampled = sampled_of(*family);
       }
     }
@@ -164,7 +164,7 @@ class Worker {
       const std::deque<JudgedCase> cases = cases_in(*task);
       for (std::size_t s = 0; s < examinees_.size(); ++s) {
         if (!run_->finds.was_found_before(s, task->number)) {
-          guarded(s, [&] {
+          run_unless_failed(s, [&] {
             judge_task(examinees_[s], *task, cases, tallies_[s]);
             note_find(s);
           });
@@ -175,13 +175,13 @@ class Worker {
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
       finish(s);
     }
-    for (Tally& tally : tallies_) {
+    for (SubjectTally& tally : tallies_) {
       tally.name_counts();
     }
     sessions_.clear();  // in the thread that opened them
   }
 
-  [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
+  [[nodiscard]] const std::vector<SubjectTally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::vector<Coverage>& coverage() const { return coverage_; }
   [[nodiscard]] const FeatureCoverage& features() const { return features_; }
   [[nodiscard]] const std::vector<Sampled>& sampled() const { return sampled_; }
@@ -197,7 +197,7 @@ class Worker {
 
   /// A subject that throws is not judged further. Its results so far stay.
   template <class F>
-  void guarded(std::size_t subject, const F& f) {
+  void run_unless_failed(std::size_t subject, const F& f) {
     if (!tallies_[subject].error.empty()) {
       return;
     }
@@ -216,7 +216,7 @@ class Worker {
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       examinees_.push_back({subjects[s], run_->claims[s], run_->options.families, sessions_[s],
                             relations_every(subjects[s]), run_->options.fail_fast});
-      guarded(s, [&] {
+      run_unless_failed(s, [&] {
         require_known_deviations(subjects[s]);
         sessions_[s] = open_restarting(subjects[s], run_->restarts[s], run_->options.stop);
       });
@@ -280,7 +280,7 @@ class Worker {
       }
       return;
     }
-    guarded(subject, [&] {
+    run_unless_failed(subject, [&] {
       examinee.session.close();
       Session fresh = open_restarting(examinee.subject, run_->restarts[subject], run_->options.stop);
       ask_again(examinee, after_all_tasks, fresh, examinee.remembered, tallies_[subject]);
@@ -293,7 +293,7 @@ class Worker {
   std::vector<Session> sessions_;
   std::vector<Examinee> examinees_;
   std::vector<Coverage> coverage_;
-  std::vector<Tally> tallies_;
+  std::vector<SubjectTally> tallies_;
   FeatureCoverage features_;
   std::vector<Sampled> sampled_;
 };
@@ -303,8 +303,8 @@ std::vector<Worker> workers_of(Run& run) {
 }
 
 /// The findings of all workers on one subject.
-Tally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
-  Tally tally = workers[0].tallies()[subject];
+SubjectTally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
+  SubjectTally tally = workers[0].tallies()[subject];
   for (std::size_t w = 1; w < workers.size(); ++w) {
     tally += workers[w].tallies()[subject];
   }
@@ -329,12 +329,12 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
   if (options.beyond_domain.empty() || options.budget || options.fail_fast) {
     return;
   }
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> judged_to_the_end;
   std::vector<Subject> posed;
   std::vector<Claim> claimed;
   for (std::size_t s = 0; s < results.size(); ++s) {
     if (results[s].error.empty()) {
-      places.push_back(s);
+      judged_to_the_end.push_back(s);
       posed.push_back(subjects[s]);
       claimed.push_back(claims[s]);
     }
@@ -345,10 +345,10 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
   Run run{posed, claimed, beyond};
   std::vector<Worker> workers = workers_of(run);
   options.workers.run(workers.size(), [&](std::size_t worker) { workers[worker].run(); });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    Tally tally = tally_of(workers, i, claimed[i]);
-    results[places[i]].beyond_domain = std::move(tally.families);
-    results[places[i]].error_beyond_domain = std::move(tally.error);
+  for (std::size_t i = 0; i < judged_to_the_end.size(); ++i) {
+    SubjectTally tally = tally_of(workers, i, claimed[i]);
+    results[judged_to_the_end[i]].beyond_domain = std::move(tally.families);
+    results[judged_to_the_end[i]].error_beyond_domain = std::move(tally.error);
   }
 }
 
@@ -369,7 +369,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false};
   report.sampled.resize(options.families.size());
   for (std::size_t s = 0; s < subjects.size(); ++s) {
-    const Tally tally = tally_of(workers, s, claims[s]);
+    const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
       // The median: other programs disturb single batches by far more than solvers differ.
@@ -400,18 +400,18 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     std::size_t subject;
     std::size_t witness;
   };
-  std::vector<FoundWitness> places;
+  std::vector<FoundWitness> found;
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     for (std::size_t w = 0; w < report.results[s].witnesses.size(); ++w) {
-      places.push_back({s, w});
+      found.push_back({s, w});
     }
   }
-  options.workers.run(places.size(), [&](std::size_t i) {
-    SubjectResult& result = report.results[places[i].subject];
-    Witness& witness = result.witnesses[places[i].witness];
+  options.workers.run(found.size(), [&](std::size_t i) {
+    SubjectResult& result = report.results[found[i].subject];
+    Witness& witness = result.witnesses[found[i].witness];
     try {
       if (options.shrinks && !options.stop.stop_requested()) {
-        witness = shrunk_witness(result.subject, claims[places[i].subject], witness);
+        witness = shrunk_witness(result.subject, claims[found[i].subject], witness);
       }
     } catch (const std::exception&) {
       // The witness keeps the violation as it was found.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 /// Judges subjects on families of collisions.
 namespace carom::properties {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties {
 

@@ -47,7 +47,7 @@ std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& o
   for (const Invariant* invariant : claim.invariants) {
     const auto* about = std::get_if<AboutAnswer>(&invariant->about);
     if (about != nullptr && about->to_valid == is_valid) {
-      return NamedVerdict{invariant, about->check(one.collision, lift(answer), claim.model)};
+      return NamedVerdict{invariant, about->check(one.collision, lift(answer), claim.law)};
     }
   }
   return std::nullopt;
@@ -74,7 +74,7 @@ void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& fami
 
 }  // namespace
 
-void FirstViolation::add_to(Tally& tally, const Claim& claim) const {
+void FirstViolation::add_to(SubjectTally& tally, const Claim& claim) const {
   if (is_of_new_case) {
     tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered), asked.answer, judgement,
               claim);
@@ -91,7 +91,7 @@ bool is_remembered(std::uint64_t index, std::size_t families) {
 }
 
 void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked,
-               Tally& tally) {
+               SubjectTally& tally) {
   if (asked.empty()) {
     return;
   }
@@ -123,7 +123,7 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
   }
 }
 
-void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, Tally& tally) {
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally) {
   const Claim& claim = examinee.claim;
   Session& session = examinee.session;
   std::vector<Collision> collisions;

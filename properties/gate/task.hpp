@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <carom/properties/gate/schedule.hpp>
-#include <carom/properties/gate/tally.hpp>
+#include <carom/properties/gate/subject_tally.hpp>
 
 /// The judging of one subject on some cases.
 namespace carom::properties {
@@ -27,7 +27,7 @@ struct FirstViolation {
   Judgement judgement;         // its last verdict is the violation
   bool is_of_new_case = true;  // false if the case was judged before and asked again
 
-  void add_to(Tally& tally, const Claim& claim) const;
+  void add_to(SubjectTally& tally, const Claim& claim) const;
 };
 
 /// A subject in one thread.
@@ -50,9 +50,10 @@ struct Examinee {
 /// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise. If the
 /// session fails, the answers so far are judged without the invariants that ask further questions, and the failure is
 /// thrown. If the run ends at the first violation, the function sets `first_violation` and judges nothing after it.
-void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, Tally& tally);
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally);
 
 /// Asks an invalid collision, then the cases again, the last ones first. Judges whether the answers are the same.
-void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked, Tally& tally);
+void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked,
+               SubjectTally& tally);
 
 }  // namespace carom::properties

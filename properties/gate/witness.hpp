@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 /// Violations that a user can replay.
 namespace carom::properties {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
 
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/untouched.hpp>
 
 namespace carom::properties {
@@ -19,7 +19,7 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (are_surely_untouched(e, spins)) {
     return {};
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
   Verdict worst;
   for (const OutcomeVector k : spins) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
@@ -34,7 +34,7 @@ std::vector<Invariant> collinear_spin_invariants() {
                     "If both lever arms are along the normal, as for spheres, no body changes its spin.",
                     R"(r_A \times N = r_B \times N = 0 \Rightarrow w_A^+ = w_A^-,\ w_B^+ = w_B^-)", "note eq. 19",
                     "colliding contacts with both lever arms exactly along the normal",
-                    std::vector{Model::frictionless, Model::reflection}, AboutOutcome{check_collinear_spin},
+                    std::vector{Law::frictionless, Law::reflection}, AboutOutcome{check_collinear_spin},
                     Proof{ProvedOf::its_laws,
                           {{"collinear_spin_of_frictionless", "laws_of_impulse.v"},
                            {"collinear_spin_of_reflection", "laws_of_impulse.v"}}}}};

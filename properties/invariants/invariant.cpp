@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 
 namespace carom::properties {
 
@@ -50,18 +50,16 @@ bool Invariant::is_of_invalid() const {
   return answer != nullptr && !answer->to_valid;
 }
 
-std::vector<Model> Invariant::proved_models() const {
-  std::vector<Model> proved;
+std::vector<Law> Invariant::proved_laws() const {
+  std::vector<Law> proved;
   if (!proof.theorems.empty()) {
-    std::ranges::copy_if(models, std::back_inserter(proved),
-                         [&](Model model) { return proof.of == ProvedOf::every_impulse || determines_outcome(model); });
+    std::ranges::copy_if(laws, std::back_inserter(proved),
+                         [&](Law law) { return proof.of == ProvedOf::every_impulse || determines_outcome(law); });
   }
   return proved;
 }
 
-bool Invariant::claimed_for(Model model) const {
-  return std::find(models.begin(), models.end(), model) != models.end();
-}
+bool Invariant::claimed_for(Law law) const { return std::find(laws.begin(), laws.end(), law) != laws.end(); }
 
 std::span<const Invariant> all_invariants() {
   static const std::vector<Invariant> all = [] {

@@ -62,10 +62,10 @@ struct Related {
 struct Evidence {
   const oracles::ExactCase& exact_case;
   bool convex_uniform;  // from the case: C ⪯ 16 λI is claimed
-  Model model;
+  Law law;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
-  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for models without a truth
+  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for laws without a truth
   const oracles::Closeness& closeness;  // of the outcome to the truth
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
@@ -74,7 +74,7 @@ struct Evidence {
 /// An invariant of the answer itself, to a valid or to an invalid collision.
 struct AboutAnswer {
   bool to_valid;
-  Verdict (*check)(const Collision&, const ExactAnswer&, Model);
+  Verdict (*check)(const Collision&, const ExactAnswer&, Law);
 };
 
 /// An invariant of the outcome of a valid collision.
@@ -127,7 +127,7 @@ struct Invariant {
   std::string_view formula;    // LaTeX
   std::string_view source;
   std::string_view domain;    // the collisions to which it applies
-  std::vector<Model> models;  // the models for which it is claimed
+  std::vector<Law> laws;  // the laws for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
   /// If several invariants are violated, the one with the lowest rank explains the others.
@@ -150,10 +150,10 @@ struct Invariant {
   /// Whether it is about invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;
 
-  [[nodiscard]] bool claimed_for(Model model) const;
+  [[nodiscard]] bool claimed_for(Law law) const;
 
-  /// The models for which it is claimed and proved. Empty if it is only tested.
-  [[nodiscard]] std::vector<Model> proved_models() const;
+  /// The laws for which it is claimed and proved. Empty if it is only tested.
+  [[nodiscard]] std::vector<Law> proved_laws() const;
 };
 
 /// The catalogue, in its fixed order.

@@ -6,7 +6,7 @@
 
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -189,7 +189,7 @@ std::vector<Invariant> matrix_invariants() {
       Invariant{"definite", "The collision matrix is positive definite, and its least eigenvalue is at least λ.",
                 R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
                 "note eq. 27, with QᵀJ⁻¹Q positive semidefinite",
-                "contacts with a movable body, if the subject shows its C", every_model(),
+                "contacts with a movable body, if the subject shows its C", every_law(),
                 AboutMatrix{of_shown_matrix<check_definite>},
                 Proof{ProvedOf::every_impulse, {{"definite", "collision_matrix.v"}}}, 8},
       Invariant{
@@ -201,7 +201,7 @@ std::vector<Invariant> matrix_invariants() {
           "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
           "Geom. 13 (1995), Thm 4.1, with n = 3",
           "bodies that are known to be uniform and star-shaped from the contact point, if the subject shows its C",
-          every_model(), AboutMatrix{check_well_conditioned_if_convex, true},
+          every_law(), AboutMatrix{check_well_conditioned_if_convex, true},
           Proof{ProvedOf::every_impulse,
                 {{"well_conditioned", "well_conditioned.v"},
                  {"star_shaped_well_conditioned", "star_shaped.v"},
@@ -211,7 +211,7 @@ std::vector<Invariant> matrix_invariants() {
           "matrix_used",
           "The shown collision matrix is symmetric, and maps the impulse to the change of the relative velocity.",
           R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
-          "contacts with a movable body, if the subject shows its C", every_model(),
+          "contacts with a movable body, if the subject shows its C", every_law(),
           AboutMatrix{of_shown_matrix<check_matrix_used>},
           Proof{ProvedOf::every_impulse,
                 {{"velocity_change", "collision_matrix.v"}, {"collision_matrix_symmetric", "collision_matrix.v"}}}}};

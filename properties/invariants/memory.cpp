@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 
 namespace carom::properties {
 namespace {
@@ -72,7 +72,7 @@ std::vector<Invariant> memory_invariants() {
                     "invalid collision, and in a separate session. The answers of a program are equal as numbers, and "
                     "all other answers are equal bit for bit.",
                     R"(y_2(x) = y_1(x))", "caches, warm starts, and state that a refused request leaves behind",
-                    "collisions that the gate asks a second time", every_model(), AboutSession{check_memoryless},
+                    "collisions that the gate asks a second time", every_law(), AboutSession{check_memoryless},
                     Proof{}, 3}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/collision/validate.hpp>
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 
 namespace carom::properties {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
 
 /// `finite`, for the answer to a valid collision.
-Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Model /*model*/) {
+Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Law /*law*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
     return violated("the outcome contains infinities or NaN");
   }
@@ -22,26 +22,26 @@ Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, 
 }
 
 /// Whether a collision is invalid only because of fields that the law does not read.
-bool is_invalid_by_unread_fields(const Collision& collision, Model model) {
+bool is_invalid_by_unread_fields(const Collision& collision, Law law) {
   Collision without = collision;
-  if (model != Model::rough && model != Model::coulomb) {
+  if (law != Law::rough && law != Law::coulomb) {
     without.friction = 0;
   }
-  if (model != Model::rough) {
+  if (law != Law::rough) {
     without.tangential_restitution = 0;
   }
   return validate(without).empty();
 }
 
 /// `invalid_refused`, for the answer to an invalid collision.
-Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Model model) {
+Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Law law) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};
   }
   if (const auto* failed = std::get_if<Failed>(&answer)) {
     return violated("the subject did not refuse an invalid collision: it " + failed->why);
   }
-  if (is_invalid_by_unread_fields(collision, model)) {
+  if (is_invalid_by_unread_fields(collision, law)) {
     return {Status::skipped, "the law does not use the invalid field", 0, 0, {}, {}};
   }
   return violated("the subject answered an invalid collision");
@@ -52,11 +52,11 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
 std::vector<Invariant> answer_invariants() {
   return {Invariant{"finite", "A subject answers each valid collision with finite numbers.",
                     R"(x \text{ valid} \Rightarrow y(x) \in \mathbb{R}^{12})",
-                    "protocol; failure cases 12, 25, 28 to 30, 34", "valid collisions", every_model(),
+                    "protocol; failure cases 12, 25, 28 to 30, 34", "valid collisions", every_law(),
                     AboutAnswer{true, check_finite}, Proof{}, 2},
           Invariant{"invalid_refused", "A subject refuses each invalid collision.",
                     R"(x \text{ invalid} \Rightarrow \text{no } y(x))", "protocol; failure cases 12, 22, 28",
-                    "invalid collisions", every_model(), AboutAnswer{false, check_invalid_refused}, Proof{}, 1}};
+                    "invalid collisions", every_law(), AboutAnswer{false, check_invalid_refused}, Proof{}, 1}};
 }
 
 }  // namespace carom::properties

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/untouched.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
@@ -43,7 +43,7 @@ Verdict untouched_body(const Evidence& e, bool a) {
 Verdict check_backward_error(const Evidence& e) {
   const oracles::Accuracy& accuracy = *e.accuracy;
   if (!accuracy.is_decided) {
-    return e.exact_case.is_open(e.model, e.allowance()) ? between_two_answers() : beyond_range();
+    return e.exact_case.is_open(e.law, e.allowance()) ? between_two_answers() : beyond_range();
   }
   const bool enough_digits = e.yardstick.digits && accuracy.has_digits;
   Verdict worst;
@@ -64,9 +64,9 @@ Verdict check_backward_error(const Evidence& e) {
       }
     };
     if (e.yardstick.filtered) {
-      show(e.exact_case.enclosed_truth(e.model));
+      show(e.exact_case.enclosed_truth(e.law));
     } else {
-      e.exact_case.with_truth(e.model, e.exact_case.approach(), show);
+      e.exact_case.with_truth(e.law, e.exact_case.approach(), show);
     }
     worst = both(std::move(worst), std::move(verdict));
   }
@@ -136,7 +136,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (collides(e)) {
     return outside_domain("the contact is colliding");
   }
-  if (!determines_outcome(e.model)) {
+  if (!determines_outcome(e.law)) {
     // Within rounding of a colliding contact the law may act, and its allowance is unknown.
     if (e.exact_case.is_grazing(e.allowance())) {
       return outside_domain("the contact is colliding, or differs from a colliding one by rounding only");
@@ -149,7 +149,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (are_surely_untouched(e, all_outcome_vectors)) {
     return {};
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
@@ -237,18 +237,18 @@ std::vector<Invariant> outcome_invariants() {
           "valid collisions", with_truth(), AboutOutcome{check_backward_error}},
       Invariant{"linear_momentum", "A gains the linear momentum that B loses.",
                 R"(m_A (v_A^+ - v_A^-) = -m_B (v_B^+ - v_B^-))", "note eq. 23", "contacts of two movable bodies",
-                every_model(), AboutOutcome{check_linear_momentum},
+                every_law(), AboutOutcome{check_linear_momentum},
                 Proof{ProvedOf::every_impulse, {{"linear_momentum", "momentum.v"}}}, 6},
       Invariant{"angular_momentum",
                 "The change of each movable body's angular momentum is the moment of its impulse; the total angular "
                 "momentum about every point is conserved.",
                 R"(J (w^+ - w^-) = r \times m (v^+ - v^-))", "note eq. 11, 23", "contacts with a movable body",
-                every_model(), AboutOutcome{check_angular_momentum},
+                every_law(), AboutOutcome{check_angular_momentum},
                 Proof{ProvedOf::every_impulse,
                       {{"angular_momentum", "momentum.v"}, {"angular_momentum_of_each", "momentum.v"}}},
                 7},
       Invariant{"restitution", "The normal velocity is reversed and multiplied by ε.",
-                R"(N \cdot V^+ = -\varepsilon\, N \cdot V^-)", "note eq. 17", "colliding contacts", every_model(),
+                R"(N \cdot V^+ = -\varepsilon\, N \cdot V^-)", "note eq. 17", "colliding contacts", every_law(),
                 AboutOutcome{check_restitution},
                 Proof{ProvedOf::its_laws,
                       {{"restitution_of_every_law", "every_law.v"},
@@ -258,14 +258,14 @@ std::vector<Invariant> outcome_invariants() {
                        {"restitution_of_rough_law", "friction.v"}}},
                 14},
       Invariant{"non_penetration", "After the impulse, the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
-                "note §1, after eq. 4", "contacts with a movable body", every_model(),
+                "note §1, after eq. 4", "contacts with a movable body", every_law(),
                 AboutOutcome{check_non_penetration},
                 Proof{ProvedOf::its_laws,
                       {{"non_penetration_of_every_law", "every_law.v"}, {"non_penetration", "laws_of_impulse.v"}}},
                 15},
       Invariant{"push", "The impulse pushes the bodies apart and never pulls them together.", R"(N \cdot F \ge 0)",
                 "note eq. 18, with C positive definite", "contacts with a movable body",
-                std::vector{Model::frictionless, Model::reflection, Model::rough, Model::coulomb, Model::any},
+                std::vector{Law::frictionless, Law::reflection, Law::rough, Law::coulomb, Law::any},
                 AboutOutcome{check_push},
                 Proof{ProvedOf::its_laws,
                       {{"push_of_frictionless", "laws_of_impulse.v"},
@@ -274,19 +274,19 @@ std::vector<Invariant> outcome_invariants() {
                 16},
       Invariant{"separating_untouched", "A contact that is not colliding keeps its velocities.",
                 R"(N \cdot V^- \ge 0 \Rightarrow y = (v_A^-, w_A^-, v_B^-, w_B^-))", "note §1, after eq. 2",
-                "separating and resting contacts, and two immovable bodies", every_model(),
+                "separating and resting contacts, and two immovable bodies", every_law(),
                 AboutOutcome{check_separating_untouched},
                 Proof{ProvedOf::every_impulse, {{"separating_untouched", "laws_of_impulse.v"}}}, 5},
       Invariant{"immovable_untouched", "A body of infinite mass keeps its velocity.",
                 R"(1/m = 0 \Rightarrow v^+ = v^-,\ w^+ = w^-)", "protocol; failure cases 26, 27",
-                "contacts with an immovable body", every_model(), AboutOutcome{check_immovable_untouched},
+                "contacts with an immovable body", every_law(), AboutOutcome{check_immovable_untouched},
                 Proof{ProvedOf::every_impulse, {{"immovable_untouched", "laws_of_impulse.v"}}}, 4},
       Invariant{"frictionless_direction",
                 "The impulse is along the normal.",
                 R"(N \times F = 0)",
                 "note eq. 10",
                 "contacts with a movable body",
-                {Model::frictionless},
+                {Law::frictionless},
                 AboutOutcome{check_frictionless_direction},
                 Proof{ProvedOf::its_laws, {{"frictionless_direction", "laws_of_impulse.v"}}},
                 9},
@@ -295,7 +295,7 @@ std::vector<Invariant> outcome_invariants() {
                 R"(N \times V^+ = N \times V^-)",
                 "note eq. 20, 21",
                 "contacts with a movable body",
-                {Model::reflection},
+                {Law::reflection},
                 AboutOutcome{check_reflection_plane},
                 Proof{ProvedOf::its_laws, {{"reflection_plane", "laws_of_impulse.v"}}},
                 10},
@@ -304,7 +304,7 @@ std::vector<Invariant> outcome_invariants() {
                 R"(N \times V^+ = 0)",
                 "the limit μ → ∞ of Coulomb friction",
                 "colliding contacts",
-                {Model::sticking},
+                {Law::sticking},
                 AboutOutcome{check_sticks},
                 Proof{ProvedOf::its_laws, {{"sticks", "laws_of_impulse.v"}}},
                 11},
@@ -313,7 +313,7 @@ std::vector<Invariant> outcome_invariants() {
                 R"(\lVert N \times F \rVert \le \mu\, N \cdot F)",
                 "Coulomb friction; A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998)",
                 "contacts with a movable body",
-                {Model::rough, Model::coulomb},
+                {Law::rough, Law::coulomb},
                 AboutOutcome{check_friction_cone},
                 Proof{ProvedOf::its_laws, {{"friction_cone", "friction.v"}}},
                 12},
@@ -324,7 +324,7 @@ std::vector<Invariant> outcome_invariants() {
           R"(N \times V^+ = 0 \ \lor\ \lVert N \times V^+ \rVert\, (N \times F) = -\mu\, (N \cdot F)\, (N \times V^+))",
           "Coulomb friction; docs: the laws",
           "colliding contacts",
-          {Model::coulomb},
+          {Law::coulomb},
           AboutOutcome{check_slip_opposed},
           Proof{},
           13},
@@ -334,7 +334,7 @@ std::vector<Invariant> outcome_invariants() {
                 "ΔE = −(1−ε²)(N·V⁻)²/(2 NᵀKN) for the frictionless law; the rough law adds −½ κ (2−κ) DᵀKD with 0 ≤ κ "
                 "≤ 2. Reflection and sticking can create energy, so they do not claim this invariant",
                 "contacts with a movable body",
-                {Model::frictionless, Model::rough},
+                {Law::frictionless, Law::rough},
                 AboutOutcome{check_energy},
                 Proof{ProvedOf::its_laws,
                       {{"energy_of_frictionless", "energy.v"},

@@ -7,7 +7,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
-#include <carom/properties/invariants/groups.hpp>
+#include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -65,7 +65,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
 
 /// Whether lower bounds may decide. The allowed error is then certainly finite.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
-  return e.yardstick.uses_bounds() && exact_case.is_moderate(e.model) && outcome.is_moderate();
+  return e.yardstick.uses_bounds() && exact_case.is_moderate(e.law) && outcome.is_moderate();
 }
 
 oracles::Sensitivity weighted_sum(double factor, const oracles::Sensitivity& first,
@@ -105,12 +105,12 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       count(oracles::Stage::same_bits);
       return {};
     }
-    const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.model);
+    const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.law);
     if (surely_agree(e, mapped_back, e.outcome, weighted_sum(1, below, below))) {
       return {};
     }
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
@@ -138,13 +138,13 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
       return surely_agree(e, second_expected, second_outcome, weighted_sum(factor, of_first, of_second));
     };
     if (agree_by(first_case.bounds().norms_before(), second_case.bounds().norms_before()) ||
-        agree_by(first_case.sensitivity_below(e.model), second_case.sensitivity_below(e.model))) {
+        agree_by(first_case.sensitivity_below(e.law), second_case.sensitivity_below(e.law))) {
       return {};
     }
   }
   return agree(e, first_outcome, expected, second_outcome,
-               weighted_sum(factor, first_case.sensitivity(e.model, e.allowance()),
-                            second_case.sensitivity(e.model, e.allowance())));
+               weighted_sum(factor, first_case.sensitivity(e.law, e.allowance()),
+                            second_case.sensitivity(e.law, e.allowance())));
 }
 
 /// Applies `polar` to the vectors that a mirror reflects, and `axial` to the angular velocities.
@@ -439,7 +439,7 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
 /// The error that N·V⁺ may have, divided by the allowance, from the sensitivity of each vector of the outcome.
 double slack_of_separation(const Evidence& e) {
   const Collision& c = e.exact_case.collision();
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.model, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
   const auto moment = [&](const Body& body) {
     return Vector3<double>(oracles::lever_arm<double>(body, c.point)).cross(c.normal).lpNorm<1>();
   };
@@ -526,7 +526,7 @@ std::vector<Invariant> relation_invariants() {
                 R"(y(v_n, v_t) - (v_n, v_t) = y(v_n, 0) - (v_n, 0),\ v_t = 2^{-30} v_n)",
                 "the laws depend on N·V⁻ alone; failure cases 3, 4",
                 "valid collisions, changed to head-on contacts without spin",
-                std::vector{Model::frictionless, Model::reflection}, AboutRelation{ask_continuous, check_continuous}},
+                std::vector{Law::frictionless, Law::reflection}, AboutRelation{ask_continuous, check_continuous}},
       Invariant{"repeat", "A second impulse does not change the outcome.",
                 R"(\varepsilon > 0 \Rightarrow y(x \text{ with } y(x)) = y(x))", "note eq. 17",
                 "colliding contacts with ε > 0", with_truth(), AboutRelation{ask_repeat, check_repeat},

@@ -42,7 +42,7 @@ namespace carom::properties {
 /// Whether the law acts at once and inputs within rounding include both colliding and separating contacts. The
 /// invariants of one answer are then not required of the other.
 [[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
-  return determines_outcome(e.model) && exact_case.has_two_answers(e.model, e.allowance());
+  return determines_outcome(e.law) && exact_case.has_two_answers(e.law, e.allowance());
 }
 [[nodiscard]] inline Verdict between_two_answers() {
   return outside_domain(

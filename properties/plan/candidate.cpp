@@ -6,15 +6,15 @@
 namespace carom::properties::plan {
 
 bool is_less(const Candidate& x, const Candidate& y) {
-  // Model lists the laws from the cheapest to the most expensive.
+  // Law lists the laws from the cheapest to the most expensive.
   const auto key = [](const Candidate& c) {
-    return std::tuple(c.subject.model, c.scalar_rank, c.solve_rank, c.frame, c.subject.name);
+    return std::tuple(c.subject.law, c.scalar_rank, c.solve_rank, c.frame, c.subject.name);
   };
   return key(x) < key(y);
 }
 
 bool differ_in_precision_alone(const Candidate& x, const Candidate& y) {
-  const auto rest = [](const Candidate& c) { return std::tuple(c.subject.model, c.solve, c.frame, c.is_batch); };
+  const auto rest = [](const Candidate& c) { return std::tuple(c.subject.law, c.solve, c.frame, c.is_batch); };
   return rest(x) == rest(y) && x.scalar_rank != y.scalar_rank;
 }
 

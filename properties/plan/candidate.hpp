@@ -12,7 +12,7 @@ enum class Frame { body, world };
 
 /// A way to solve contacts that a plan may choose.
 struct Candidate {
-  Subject subject;      // its `model` is the law that it computes
+  Subject subject;      // its `law` is the law that it computes
   std::string scalar;   // "float", "double", "long double", "double-double"
   int scalar_rank = 0;  // smaller for fewer bits
   std::string solve;    // "scalar", or the method that solves the 3×3 system

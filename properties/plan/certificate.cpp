@@ -44,7 +44,7 @@ oracles::Yardstick ulps_of_binary64(double limit_ulps) {
 /// Every invariant of one outcome that is claimed for the law. The gate judges relations between outcomes.
 Claim claim_about_outcome(const Demand& demand) {
   Subject asked;
-  asked.model = demand.law;
+  asked.law = demand.law;
   oracles::Yardstick yardstick = ulps_of_binary64(demand.limit_ulps);
   yardstick.digits = demand.digits;
   Claim claim = claim_of(asked, yardstick);
@@ -83,7 +83,7 @@ Certifier::Certifier(const Collision& collision, const Demand& demand)
       ulps_(ulps_of_binary64(demand.limit_ulps)),
       claim_(claim_about_outcome(demand)) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
-  CAROM_EXPECTS(demand.law != Model::any);
+  CAROM_EXPECTS(demand.law != Law::any);
 }
 
 Result Certifier::judge(const Candidate& candidate, const Answer& answer) const {

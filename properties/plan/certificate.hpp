@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
 #include <carom/properties/plan/candidate.hpp>
 #include <carom/properties/trial/trial.hpp>
@@ -15,7 +15,7 @@ namespace carom::properties::plan {
 
 /// The law and the accuracy that the user asks for.
 struct Demand {
-  Model law = Model::rough;                         // not `any`
+  Law law = Law::rough;                             // not `any`
   double limit_ulps = oracles::default_limit_ulps;  // of binary64, for every precision of a candidate
   /// Replaces the limit in ulps: the number of correct digits (Accuracy::digits) of the velocity change at every
   /// colliding contact. At other contacts the velocities are kept to that many digits.

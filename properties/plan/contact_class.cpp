@@ -22,9 +22,9 @@ Rational squared_length(const Vector3<Rational>& v) { return v.dot(v); }
 bool is_along_normal(const ExactBody& body, const BasicCollision<Rational>& c) {
   const Vector3<Rational> moment = oracles::lever_arm(body, c.point).cross(c.normal);
   // (p + x)² ≤ 2 p² + 2 x², so no root is needed.
-  const Rational places = Rational(2) * (squared_length(c.point) + squared_length(body.position));
+  const Rational squared_positions = Rational(2) * (squared_length(c.point) + squared_length(body.position));
   const Rational rounding(0x1p-50);
-  return squared_length(moment) <= rounding * rounding * squared_length(c.normal) * places;
+  return squared_length(moment) <= rounding * rounding * squared_length(c.normal) * squared_positions;
 }
 
 bool is_slender(const ExactBody& body) {

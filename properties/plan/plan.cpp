@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t block_size = 64;
 
 /// The findings of a thread on one class.
-struct Tally {
+struct ClassTally {
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
   std::vector<Certificate> certificates;  // one for each candidate
 
-  Tally& operator+=(const Tally& other) {
+  ClassTally& operator+=(const ClassTally& other) {
     colliding += other.colliding;
     for (std::size_t i = 0; i < laws.size(); ++i) {
       for (const Reduction reason : all_reductions) {
@@ -43,16 +43,16 @@ class Judging {
   Judging(std::span<const Collision> collisions, std::span<const std::size_t> class_of_contact, std::size_t classes,
           std::span<const Candidate> candidates, const PlanOptions& options)
       : collisions_(collisions), class_of_contact_(class_of_contact), candidates_(candidates), options_(options) {
-    Tally empty;
-    for (const Model law : lesser_laws(options.demand.law)) {
+    ClassTally empty;
+    for (const Law law : lesser_laws(options.demand.law)) {
       empty.laws.push_back({law});
     }
     empty.certificates.resize(candidates.size());
-    tallies_.assign(std::max(1U, options.workers.count), std::vector<Tally>(classes, empty));
+    tallies_.assign(std::max(1U, options.workers.count), std::vector<ClassTally>(classes, empty));
   }
 
   /// The tallies, one for each class. Throws std::runtime_error if a stop is requested.
-  std::vector<Tally> run() {
+  std::vector<ClassTally> run() {
     options_.workers.run(tallies_.size(), [&](std::size_t worker) {
       try {
         judge_blocks(tallies_[worker]);
@@ -64,7 +64,7 @@ class Judging {
     if (options_.stop.stop_requested()) {
       throw std::runtime_error("stopped by the user");
     }
-    std::vector<Tally> sum = tallies_.front();
+    std::vector<ClassTally> sum = tallies_.front();
     for (std::size_t thread = 1; thread < tallies_.size(); ++thread) {
       for (std::size_t i = 0; i < sum.size(); ++i) {
         sum[i] += tallies_[thread][i];
@@ -74,7 +74,7 @@ class Judging {
   }
 
  private:
-  void judge_blocks(std::vector<Tally>& tallies) {
+  void judge_blocks(std::vector<ClassTally>& tallies) {
     std::vector<Session> sessions;
     for (const Candidate& candidate : candidates_) {
       sessions.push_back(candidate.subject.open());
@@ -94,7 +94,7 @@ class Judging {
   }
 
   void judge_contact(std::size_t contact, const std::vector<std::vector<Answer>>& answers, std::size_t in_block,
-                     Tally& tally) {
+                     ClassTally& tally) {
     const Certifier certifier(collisions_[contact], options_.demand);
     tally.colliding += certifier.collides() ? 1 : 0;
     for (LawCount& count : tally.laws) {
@@ -119,13 +119,13 @@ class Judging {
   std::span<const std::size_t> class_of_contact_;
   std::span<const Candidate> candidates_;
   const PlanOptions& options_;
-  std::vector<std::vector<Tally>> tallies_;  // by thread, then by class
+  std::vector<std::vector<ClassTally>> tallies_;  // by thread, then by class
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::uint64_t done_ = 0;
 };
 
-Part part_of(std::string name, std::vector<std::size_t> contacts, const Tally& tally, const Demand& demand,
+Part part_of(std::string name, std::vector<std::size_t> contacts, const ClassTally& tally, const Demand& demand,
              std::span<const Candidate> candidates) {
   Part part;
   part.name = std::move(name);
@@ -134,9 +134,9 @@ Part part_of(std::string name, std::vector<std::size_t> contacts, const Tally& t
   part.laws = tally.laws;
   for (std::size_t c = 0; c < tally.certificates.size(); ++c) {
     JudgedCandidate judged{c, tally.certificates[c], std::nullopt};
-    const bool is_same_law = part.count_of(candidates[c].subject.model).exactly() == part.contacts.size();
+    const bool is_same_law = part.count_of(candidates[c].subject.law).exactly() == part.contacts.size();
     judged.serves = judged.certificate.serves() && (!demand.exact_law || is_same_law);
-    LawCount& count = *std::ranges::find(part.laws, candidates[c].subject.model, &LawCount::law);
+    LawCount& count = *std::ranges::find(part.laws, candidates[c].subject.law, &LawCount::law);
     count.served = std::max(count.served, judged.certificate.contacts - judged.certificate.failures);
     part.candidates.push_back(std::move(judged));
   }
@@ -209,7 +209,7 @@ std::optional<std::size_t> least(const Part& part, std::span<const Candidate> ca
   return found == open.end() ? std::nullopt : std::optional<std::size_t>(*found);
 }
 
-std::size_t baseline_of(std::span<const Candidate> candidates, Model law) {
+std::size_t baseline_of(std::span<const Candidate> candidates, Law law) {
   const std::string name = std::string(name_of(law)) + "-double";
   const auto found =
       std::ranges::find_if(candidates, [&](const Candidate& candidate) { return candidate.subject.name == name; });
@@ -262,7 +262,7 @@ double Part::saving_of(const JudgedCandidate& candidate) const {
   return *baseline_nanoseconds / *candidate.nanoseconds;
 }
 
-const LawCount& Part::count_of(Model law) const { return *std::ranges::find(laws, law, &LawCount::law); }
+const LawCount& Part::count_of(Law law) const { return *std::ranges::find(laws, law, &LawCount::law); }
 
 bool Plan::serves() const { return whole.one_at_a_time || whole.in_batches; }
 
@@ -286,25 +286,25 @@ Plan make_plan(std::span<const ClassedCollision> contacts, std::span<const Candi
   if (contacts.empty()) {
     throw std::invalid_argument("a plan needs at least one contact");
   }
-  if (options.demand.law == Model::any) {
+  if (options.demand.law == Law::any) {
     throw std::invalid_argument("a plan needs one law, not `any`");
   }
   Plan plan;
   std::ranges::copy_if(candidates, std::back_inserter(plan.candidates), [&](const Candidate& candidate) {
-    return std::ranges::count(lesser_laws(options.demand.law), candidate.subject.model) > 0;
+    return std::ranges::count(lesser_laws(options.demand.law), candidate.subject.law) > 0;
   });
   const std::size_t baseline = baseline_of(plan.candidates, options.demand.law);
   const Classified served = classified(contacts, plan);
   if (served.collisions.empty()) {
     return plan;
   }
-  const std::vector<Tally> tallies =
+  const std::vector<ClassTally> tallies =
       Judging(served.collisions, served.class_of_contact, served.names.size(), plan.candidates, options).run();
   std::vector<std::vector<std::size_t>> contacts_of_class(served.names.size());
   for (std::size_t i = 0; i < served.class_of_contact.size(); ++i) {
     contacts_of_class[served.class_of_contact[i]].push_back(i);
   }
-  Tally of_all = tallies.front();
+  ClassTally of_all = tallies.front();
   for (std::size_t i = 0; i < served.names.size(); ++i) {
     if (i > 0) {
       of_all += tallies[i];

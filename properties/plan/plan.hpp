@@ -21,7 +21,7 @@ namespace carom::properties::plan {
 
 /// The number of contacts on which a lesser law equals the law asked for, by reason.
 struct LawCount {
-  Model law;
+  Law law;
   EnumArray<Reduction, std::size_t, all_reductions.size()> by_reason{};
   /// Contacts that its best candidate serves. There it agrees with the law asked for, within the accuracy.
   std::size_t served = 0;
@@ -53,7 +53,7 @@ struct Part {
 
   /// The time of the baseline over the time of the candidate. Precondition: both were timed.
   [[nodiscard]] double saving_of(const JudgedCandidate& candidate) const;
-  [[nodiscard]] const LawCount& count_of(Model law) const;
+  [[nodiscard]] const LawCount& count_of(Law law) const;
 };
 
 struct Plan {

@@ -20,7 +20,7 @@ bool are_parallel(const Vector3<Rational>& x, const Vector3<Rational>& y) {
 Vector3<Rational> k_times_normal(const ExactCase& c) { return c.collision_matrix() * c.exact().normal; }
 
 /// Whether the law's outcome has no slip: N × V⁺ = 0.
-bool ends_without_slip(const ExactCase& c, Model law) {
+bool ends_without_slip(const ExactCase& c, Law law) {
   return are_parallel(c.exact().normal, oracles::relative_velocity<Rational>(c.exact(), c.truth(law).outcome));
 }
 
@@ -33,7 +33,7 @@ bool stops_with_the_approach(const ExactCase& c) {
 /// Whether the impulse of `sticking` lies in the friction cone.
 bool may_stick(const ExactCase& c) {
   const Vector3<Rational>& n = c.exact().normal;
-  const Vector3<Rational>& impulse = c.truth(Model::sticking).impulse;
+  const Vector3<Rational>& impulse = c.truth(Law::sticking).impulse;
   const Vector3<Rational> across = n.cross(impulse);
   const Rational most = c.exact().friction * n.dot(impulse);
   return most >= 0 && across.dot(across) <= most * most;
@@ -64,13 +64,13 @@ std::optional<Reduction> where(bool holds, Reduction reduction) {
   return holds ? std::optional<Reduction>(reduction) : std::nullopt;
 }
 
-std::optional<Reduction> to_frictionless(const ExactCase& c, Model law) {
+std::optional<Reduction> to_frictionless(const ExactCase& c, Law law) {
   switch (law) {
-    case Model::reflection:
+    case Law::reflection:
       return where(is_normal_eigenvector(c), Reduction::eigenvector);
-    case Model::sticking:
-      return where(ends_without_slip(c, Model::frictionless), Reduction::no_slip);
-    case Model::rough:
+    case Law::sticking:
+      return where(ends_without_slip(c, Law::frictionless), Reduction::no_slip);
+    case Law::rough:
       if (c.exact().friction == 0) {
         return Reduction::no_friction;
       }
@@ -78,13 +78,13 @@ std::optional<Reduction> to_frictionless(const ExactCase& c, Model law) {
         return Reduction::no_share;
       }
       return where(stops_with_the_approach(c), Reduction::no_slip);
-    case Model::coulomb:
+    case Law::coulomb:
       if (c.exact().friction == 0) {
         return Reduction::no_friction;
       }
-      return where(ends_without_slip(c, Model::frictionless), Reduction::no_slip);
-    case Model::frictionless:
-    case Model::any:
+      return where(ends_without_slip(c, Law::frictionless), Reduction::no_slip);
+    case Law::frictionless:
+    case Law::any:
       break;
   }
   return std::nullopt;
@@ -92,12 +92,11 @@ std::optional<Reduction> to_frictionless(const ExactCase& c, Model law) {
 
 /// Inside its cone, `rough` with e_t = 0 has the impulse P_II + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N).
 /// They are equal if ε = 0 or if N is an eigenvector of K.
-std::optional<Reduction> to_sticking(const ExactCase& c, Model law) {
-  if (law == Model::coulomb) {
+std::optional<Reduction> to_sticking(const ExactCase& c, Law law) {
+  if (law == Law::coulomb) {
     return where(may_stick(c), Reduction::sticks);
   }
-  const bool is_alike = c.exact().tangential_restitution == 0 &&
-                        c.branch(Model::rough) == oracles::Branch::inside_cone &&
+  const bool is_alike = c.exact().tangential_restitution == 0 && c.branch(Law::rough) == oracles::Branch::inside_cone &&
                         (c.exact().restitution == 0 || is_normal_eigenvector(c));
   return where(is_alike, Reduction::sticks);
 }
@@ -126,24 +125,24 @@ std::string_view in_words(Reduction reduction) {
   return "K is the same in all directions across N, and e_t = 0";
 }
 
-std::span<const Model> lesser_laws(Model law) {
-  static constexpr std::array of_frictionless{Model::frictionless};
-  static constexpr std::array of_reflection{Model::frictionless, Model::reflection};
-  static constexpr std::array of_sticking{Model::frictionless, Model::sticking};
-  static constexpr std::array of_rough{Model::frictionless, Model::sticking, Model::rough};
-  static constexpr std::array of_coulomb{Model::frictionless, Model::sticking, Model::rough, Model::coulomb};
+std::span<const Law> lesser_laws(Law law) {
+  static constexpr std::array of_frictionless{Law::frictionless};
+  static constexpr std::array of_reflection{Law::frictionless, Law::reflection};
+  static constexpr std::array of_sticking{Law::frictionless, Law::sticking};
+  static constexpr std::array of_rough{Law::frictionless, Law::sticking, Law::rough};
+  static constexpr std::array of_coulomb{Law::frictionless, Law::sticking, Law::rough, Law::coulomb};
   switch (law) {
-    case Model::frictionless:
+    case Law::frictionless:
       return of_frictionless;
-    case Model::reflection:
+    case Law::reflection:
       return of_reflection;
-    case Model::sticking:
+    case Law::sticking:
       return of_sticking;
-    case Model::rough:
+    case Law::rough:
       return of_rough;
-    case Model::coulomb:
+    case Law::coulomb:
       return of_coulomb;
-    case Model::any:
+    case Law::any:
       break;
   }
   return {};
@@ -154,7 +153,7 @@ bool is_normal_eigenvector(const ExactCase& exact_case) {
   return are_parallel(exact_case.exact().normal, k_times_normal(exact_case));
 }
 
-std::optional<Reduction> reduction(const ExactCase& exact_case, Model law, Model lesser) {
+std::optional<Reduction> reduction(const ExactCase& exact_case, Law law, Law lesser) {
   if (law == lesser) {
     return Reduction::same_law;
   }
@@ -162,16 +161,16 @@ std::optional<Reduction> reduction(const ExactCase& exact_case, Model law, Model
     return Reduction::untouched;
   }
   switch (lesser) {
-    case Model::frictionless:
+    case Law::frictionless:
       return to_frictionless(exact_case, law);
-    case Model::sticking:
+    case Law::sticking:
       return to_sticking(exact_case, law);
-    case Model::rough:
+    case Law::rough:
       return where(exact_case.exact().tangential_restitution == 0 && is_isotropic_across_normal(exact_case),
                    Reduction::isotropic);
-    case Model::reflection:
-    case Model::coulomb:
-    case Model::any:
+    case Law::reflection:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
   throw std::logic_error(std::string(name_of(lesser)) + " is not a lesser law of " + std::string(name_of(law)));

@@ -32,7 +32,7 @@ static_assert(counts_from_zero_to(all_reductions, Reduction::isotropic));
 [[nodiscard]] std::string_view in_words(Reduction reduction);
 
 /// The laws that may stand in for this one: the cheapest first, the law itself last. Empty for `any`.
-[[nodiscard]] std::span<const Model> lesser_laws(Model law);
+[[nodiscard]] std::span<const Law> lesser_laws(Law law);
 
 /// Whether N × K N = 0 exactly. Then reflection equals frictionless, for all velocities. Precondition: a body is
 /// movable.
@@ -40,6 +40,6 @@ static_assert(counts_from_zero_to(all_reductions, Reduction::isotropic));
 
 /// The reason why the lesser law's outcome of this contact is exactly an outcome of the law; none if it is not. Decided
 /// in ℚ. Precondition: `lesser` is one of `lesser_laws(law)`.
-[[nodiscard]] std::optional<Reduction> reduction(const oracles::ExactCase& exact_case, Model law, Model lesser);
+[[nodiscard]] std::optional<Reduction> reduction(const oracles::ExactCase& exact_case, Law law, Law lesser);
 
 }  // namespace carom::properties::plan

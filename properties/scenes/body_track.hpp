@@ -7,7 +7,7 @@
 
 #include <carom/collision/vector.hpp>
 #include <carom/properties/scenes/wide.hpp>
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::properties {

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/event.hpp>
+#include <carom/scene/scene_state.hpp>
 
 namespace carom::properties {
 

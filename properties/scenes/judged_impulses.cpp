@@ -8,17 +8,17 @@
 namespace carom::properties {
 namespace {
 
-Subject solver_of_scene(Model law, Precision precision) {
+Subject solver_of_scene(Law law, Precision precision) {
   Subject subject;
   subject.name = "scene";
-  subject.model = law;
+  subject.law = law;
   subject.precision = precision;
   return subject;
 }
 
 }  // namespace
 
-ImpulseJudge::ImpulseJudge(Model law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick)
+ImpulseJudge::ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick)
     : subject_(solver_of_scene(law, precision)), claim_(claim_of(subject_, yardstick)), every_(every) {}
 
 void ImpulseJudge::record(const scene::Event& event) {
@@ -39,7 +39,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   bool is_bad = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     if (named.verdict.status == Status::holds) {
-      ++held_[named.invariant->name];
+      ++times_held_[named.invariant->name];
     } else if (named.verdict.status == Status::violated) {
       is_bad = true;
       if (!first_bad_) {

@@ -9,7 +9,7 @@
 
 #include <carom/oracles/judge/yardstick.hpp>
 #include <carom/properties/trial/trial.hpp>
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/event.hpp>
 
 namespace carom::properties {
 
@@ -25,7 +25,7 @@ struct BadImpulse {
 class ImpulseJudge {
  public:
   /// Judges every `every`-th impulse; none if it is 0.
-  ImpulseJudge(Model law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
+  ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
 
   void record(const scene::Event& event);
 
@@ -34,7 +34,7 @@ class ImpulseJudge {
   [[nodiscard]] std::uint64_t violated() const { return violated_; }
   [[nodiscard]] double worst_backward_error() const { return worst_backward_error_; }
   /// For each invariant, the number of judged impulses for which it holds.
-  [[nodiscard]] const std::map<std::string_view, std::uint64_t>& held() const { return held_; }
+  [[nodiscard]] const std::map<std::string_view, std::uint64_t>& times_held() const { return times_held_; }
   [[nodiscard]] const std::optional<BadImpulse>& first_bad() const { return first_bad_; }
 
  private:
@@ -45,7 +45,7 @@ class ImpulseJudge {
   std::uint64_t judged_ = 0;
   std::uint64_t violated_ = 0;
   double worst_backward_error_ = 0;
-  std::map<std::string_view, std::uint64_t> held_;
+  std::map<std::string_view, std::uint64_t> times_held_;
   std::optional<BadImpulse> first_bad_;
 };
 

@@ -29,7 +29,7 @@ Wide spin_at(const Arc& arc, double time) {
 /// speed t does the work −j t + K j²/2. If the contact sticks, j = t/K. Under `rough`, j is at most (1 + e_t) t/K and μ
 /// times the normal impulse. Under `coulomb` the bounds are those of e_t = 0 (mathematics of spheres:
 /// docs/guide/laws.md).
-long double energy_of_impact(Model law, const Collision& collision) {
+long double energy_of_impact(Law law, const Collision& collision) {
   const Wide n = wide(collision.normal).normalized();
   const auto arm = [&](const Body& body) -> Wide { return -wide(body.position); };
   const auto point_velocity = [&](const Body& body) -> Wide {
@@ -55,18 +55,18 @@ long double energy_of_impact(Model law, const Collision& collision) {
   const long double slip = (velocity - n * n.dot(velocity)).norm();
   long double friction_impulse = 0;
   switch (law) {
-    case Model::frictionless:
-    case Model::reflection:
-    case Model::any:
+    case Law::frictionless:
+    case Law::reflection:
+    case Law::any:
       break;
-    case Model::sticking:
+    case Law::sticking:
       friction_impulse = slip / tangential;
       break;
-    case Model::rough:
+    case Law::rough:
       friction_impulse = std::min((1 + static_cast<long double>(collision.tangential_restitution)) * slip / tangential,
                                   collision.friction * normal_impulse);
       break;
-    case Model::coulomb:
+    case Law::coulomb:
       friction_impulse = std::min(slip / tangential, collision.friction * normal_impulse);
       break;
   }
@@ -131,18 +131,18 @@ Ledger::Ledger(const scene::SceneState& state)
   }
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const scene::BodyState& body = state.bodies[i];
-    held_.push_back({body.mass, wide(body.principal_inertia), !is_sphere(*scene_, i), body.orientation_at_start, {}});
+    bodies_.push_back({body.mass, wide(body.principal_inertia), !is_sphere(*scene_, i), body.orientation_at_start, {}});
     const Spin spin{body.orientation_at_start, wide(body.arc.turning.angular_velocity)};
     const Energies energies = energies_of(body.arc, body.arc.path.start, i, spin);
-    held_.back().energies = energies;
+    bodies_.back().energies = energies;
     translation_.add(energies.translation);
     rotation_.add(energies.rotation);
     potential_.add(energies.potential);
-    initial_momentum_ += held_.back().mass * wide(body.arc.path.velocity);
+    initial_momentum_ += bodies_.back().mass * wide(body.arc.path.velocity);
   }
   initial_ = present();
-  for (const Held& held : held_) {
-    heights_ += std::abs(held.energies.potential);
+  for (const BookedBody& booked : bodies_) {
+    heights_ += std::abs(booked.energies.potential);
   }
   scale_ = initial_.translation + initial_.rotation + heights_;
 }
@@ -165,28 +165,28 @@ void Ledger::round_energy(long double amount) {
 }
 
 Vector3<long double> Ledger::spin_momentum(std::size_t body, const Spin& spin) const {
-  const Held& held = held_[body];
-  if (!held.is_polyhedron) {
-    return held.principal_inertia[0] * spin.rate;
+  const BookedBody& booked = bodies_[body];
+  if (!booked.is_polyhedron) {
+    return booked.principal_inertia[0] * spin.rate;
   }
   const Matrix3<long double> axes = wide_rotation(spin.orientation);
-  return axes * held.principal_inertia.cwiseProduct(axes.transpose() * spin.rate);
+  return axes * booked.principal_inertia.cwiseProduct(axes.transpose() * spin.rate);
 }
 
 Energies Ledger::energies_of(const Arc& arc, double time, std::size_t body, const Spin& spin) const {
-  const Held& held = held_[body];
-  return {held.mass * wide_velocity_at(arc, time).squaredNorm() / 2, spin_momentum(body, spin).dot(spin.rate) / 2,
-          -held.mass * gravity_.dot(wide_position_at(arc, time))};
+  const BookedBody& booked = bodies_[body];
+  return {booked.mass * wide_velocity_at(arc, time).squaredNorm() / 2, spin_momentum(body, spin).dot(spin.rate) / 2,
+          -booked.mass * gravity_.dot(wide_position_at(arc, time))};
 }
 
 void Ledger::follow(const Arc& arc, double end, std::size_t body, const Spin& at_end) {
-  const Held& held = held_[body];
+  const BookedBody& booked = bodies_[body];
   const long double span = static_cast<long double>(end) - arc.path.start;
-  const Spin at_start{held.orientation, wide(arc.turning.angular_velocity)};
+  const Spin at_start{booked.orientation, wide(arc.turning.angular_velocity)};
   const Energies before = energies_of(arc, arc.path.start, body, at_start);
   const Energies after = energies_of(arc, end, body, at_end);
   const long double work =
-      held.mass * gravity_.dot(span * (wide(arc.path.velocity) + span / 2 * wide(arc.path.acceleration)));
+      booked.mass * gravity_.dot(span * (wide(arc.path.velocity) + span / 2 * wide(arc.path.acceleration)));
   gravity_work_.add(work);
   long double by_causes = 0;
   const auto book = [&](Cause cause, long double amount) {
@@ -207,14 +207,14 @@ void Ledger::follow(const Arc& arc, double end, std::size_t body, const Spin& at
     const bool decelerates = !arc.path.acceleration.isZero(0);
     if (phase == Phase::sliding && decelerates) {
       const long double friction = pair.friction * g;
-      book(Cause::sliding, -held.mass * friction * distance((v - radius * w.cross(n)).norm(), 3.5L * friction, span));
+      book(Cause::sliding, -booked.mass * friction * distance((v - radius * w.cross(n)).norm(), 3.5L * friction, span));
     } else if (phase == Phase::rolling && decelerates) {
       const long double resistance = pair.rolling_resistance * g;
-      book(Cause::rolling, -1.4L * held.mass * resistance * distance(v.norm(), resistance, span));
+      book(Cause::rolling, -1.4L * booked.mass * resistance * distance(v.norm(), resistance, span));
     }
     if (arc.turning.angular_acceleration[level.axis] != 0) {
       const long double loss = 2.5L * pair.spinning_resistance * g / radius;
-      book(Cause::spinning, -held.principal_inertia[0] * loss * distance(std::abs(w[level.axis]), loss, span));
+      book(Cause::spinning, -booked.principal_inertia[0] * loss * distance(std::abs(w[level.axis]), loss, span));
     }
   }
   round_energy((after.translation + after.rotation) - (before.translation + before.rotation) - work - by_causes);
@@ -222,8 +222,8 @@ void Ledger::follow(const Arc& arc, double end, std::size_t body, const Spin& at
   translation_.add(after.translation - before.translation);
   rotation_.add(after.rotation - before.rotation);
   potential_.add(after.potential - before.potential);
-  add(gravity_impulse_, held.mass * span * gravity_);
-  add(plane_impulse_, held.mass * span * (wide(arc.path.acceleration) - gravity_));
+  add(gravity_impulse_, booked.mass * span * gravity_);
+  add(plane_impulse_, booked.mass * span * (wide(arc.path.acceleration) - gravity_));
 }
 
 void Ledger::record(const scene::Event& event) {
@@ -232,14 +232,14 @@ void Ledger::record(const scene::Event& event) {
   Wide angular = Wide::Zero();
   long double angular_size = 0;
   const auto change = [&](const scene::Change& one) {
-    Held& held = held_[one.body];
-    const Wide rate = held.is_polyhedron ? wide(one.angular_velocity_before) : spin_at(one.before, event.time);
+    BookedBody& booked = bodies_[one.body];
+    const Wide rate = booked.is_polyhedron ? wide(one.angular_velocity_before) : spin_at(one.before, event.time);
     const Spin spin{one.orientation, rate};
     const Spin spin_after{one.orientation, wide(one.after.turning.angular_velocity)};
     follow(one.before, event.time, one.body, spin);
     const Energies before = energies_of(one.before, event.time, one.body, spin);
     const Energies after = energies_of(one.after, event.time, one.body, spin_after);
-    held.orientation = one.orientation;
+    booked.orientation = one.orientation;
     gained += (after.translation + after.rotation) - (before.translation + before.rotation);
     round_energy(after.potential - before.potential);
     translation_.add(after.translation - before.translation);
@@ -247,20 +247,21 @@ void Ledger::record(const scene::Event& event) {
     potential_.add(after.potential - before.potential);
     const Wide v = wide_velocity_at(one.before, event.time);
     const Wide v_after = wide(one.after.path.velocity);
-    momentum += held.mass * (v_after - v);
-    angular +=
-        held.mass * (wide(one.after.path.position).cross(v_after) - wide_position_at(one.before, event.time).cross(v)) +
-        spin_momentum(one.body, spin_after) - spin_momentum(one.body, spin);
-    angular_size += held.mass * wide_position_at(one.before, event.time).norm() * v.norm();
+    momentum += booked.mass * (v_after - v);
+    angular += booked.mass *
+                   (wide(one.after.path.position).cross(v_after) - wide_position_at(one.before, event.time).cross(v)) +
+               spin_momentum(one.body, spin_after) - spin_momentum(one.body, spin);
+    angular_size += booked.mass * wide_position_at(one.before, event.time).norm() * v.norm();
   };
   change(event.a);
   if (event.b) {
     change(*event.b);
   }
   long double by_law = 0;
-  const bool has_polyhedron = held_[event.a.body].is_polyhedron || (event.b && held_[event.b->body].is_polyhedron);
+  const bool has_polyhedron = bodies_[event.a.body].is_polyhedron || (event.b && bodies_[event.b->body].is_polyhedron);
   if (event.has_impulse) {
-    const Wide impulse = held_[event.a.body].mass * (wide(event.outcome.a.velocity) - wide(event.collision.a.velocity));
+    const Wide impulse =
+        bodies_[event.a.body].mass * (wide(event.outcome.a.velocity) - wide(event.collision.a.velocity));
     by_law =
         has_polyhedron ? work_of_impulse(event.collision, impulse) : energy_of_impact(scene_->law, event.collision);
     energy_[event.b ? Cause::impacts : Cause::plane_impacts].add(by_law);
@@ -282,7 +283,8 @@ void Ledger::record(const scene::Event& event) {
 }
 
 long double Ledger::work_of_sending_apart(const scene::Event& event) const {
-  const Wide impulse = held_[event.a.body].mass * (wide(event.a.after.path.velocity) - wide(event.outcome.a.velocity));
+  const Wide impulse =
+      bodies_[event.a.body].mass * (wide(event.a.after.path.velocity) - wide(event.outcome.a.velocity));
   return work_of_impulse(with_velocities(event.collision, event.outcome), impulse);
 }
 
@@ -293,8 +295,8 @@ long double Ledger::work_of_raised_speed(const scene::Event& event) const {
   const Vector3<double>& of_b = event.b ? event.b->after.path.velocity : still;
   const long double before = speed(event.outcome.a.velocity, event.outcome.b.velocity);
   const long double after = speed(event.a.after.path.velocity, of_b);
-  long double inverse_mass = 1 / held_[event.a.body].mass;
-  inverse_mass += event.b ? 1 / held_[event.b->body].mass : 0;
+  long double inverse_mass = 1 / bodies_[event.a.body].mass;
+  inverse_mass += event.b ? 1 / bodies_[event.b->body].mass : 0;
   return (after * after - before * before) / (2 * inverse_mass);
 }
 

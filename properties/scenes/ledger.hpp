@@ -8,8 +8,8 @@
 
 #include <carom/collision/enum_array.hpp>
 #include <carom/collision/vector.hpp>
+#include <carom/scene/event.hpp>
 #include <carom/scene/scene_state.hpp>
-#include <carom/scene/simulation.hpp>
 
 namespace carom::properties {
 
@@ -87,7 +87,7 @@ class Ledger {
 
  private:
   using Momentum = std::array<Account, 3>;
-  struct Held {
+  struct BookedBody {
     long double mass;
     Vector3<long double> principal_inertia;
     bool is_polyhedron;
@@ -113,7 +113,7 @@ class Ledger {
 
   const scene::Scene* scene_;
   Vector3<long double> gravity_;
-  std::vector<Held> held_;
+  std::vector<BookedBody> bodies_;
   std::vector<scene::Level> levels_;  // one for each plane; gravity 0 if the plane is not level
   Energies initial_;
   Account translation_, rotation_, potential_;

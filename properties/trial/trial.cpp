@@ -30,7 +30,7 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                                 const std::optional<oracles::Accuracy>& accuracy) {
   const bool is_bounded = accuracy && accuracy->is_decided && claim.yardstick.uses_bounds() &&
                           judged_case.exact().bounds().is_moderate() && outcome->is_moderate();
-  return is_bounded ? oracles::Closeness(judged_case.exact().bounds(), claim.model, *outcome, accuracy->error_above,
+  return is_bounded ? oracles::Closeness(judged_case.exact().bounds(), claim.law, *outcome, accuracy->error_above,
                                          claim.yardstick.allowance())
                     : oracles::Closeness();
 }
@@ -72,7 +72,7 @@ bool Claim::is_made_in(const Invariant& invariant, const Family& family) const {
 std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject) {
   std::vector<const Invariant*> not_claimed;
   for (const Invariant& invariant : all_invariants()) {
-    if (!subject.shows_collision_matrix && invariant.is_of_matrix() && invariant.claimed_for(subject.model)) {
+    if (!subject.shows_collision_matrix && invariant.is_of_matrix() && invariant.claimed_for(subject.law)) {
       not_claimed.push_back(&invariant);
     }
   }
@@ -82,13 +82,13 @@ std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject)
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
-  Claim claim{subject.model, yardstick, {}, deviations_of(subject)};
+  Claim claim{subject.law, yardstick, {}, deviations_of(subject)};
   for (const Invariant& invariant : all_invariants()) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
         [&](const Deviation& deviation) { return deviation.invariant == &invariant && deviation.family == nullptr; });
     const bool shows_what_it_is_of = subject.shows_collision_matrix || !invariant.is_of_matrix();
-    if (invariant.claimed_for(subject.model) && shows_what_it_is_of && !deviates) {
+    if (invariant.claimed_for(subject.law) && shows_what_it_is_of && !deviates) {
       claim.invariants.push_back(&invariant);
     }
   }
@@ -218,14 +218,14 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   }
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   const bool is_of_valid = outcome != nullptr && judged_case_->is_valid();
-  if (is_of_valid && determines_outcome(claim_->model)) {
+  if (is_of_valid && determines_outcome(claim_->law)) {
     judgement.accuracy =
-        oracles::accuracy(judged_case_->exact(), claim_->model, *outcome, claim_->yardstick, known_backward_error);
+        oracles::accuracy(judged_case_->exact(), claim_->law, *outcome, claim_->yardstick, known_backward_error);
   }
   const oracles::Closeness closeness = closeness_of(*judged_case_, *claim_, outcome, judgement.accuracy);
   std::optional<Evidence> evidence;
   if (is_of_valid) {
-    evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->model,
+    evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->law,
                               claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
                               closeness});
   }
@@ -238,7 +238,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     if (const auto* of_answer = std::get_if<AboutAnswer>(&invariant.about)) {
       if (of_answer->to_valid == judged_case_->is_valid()) {
         judgement.verdicts.push_back(
-            {&invariant, of_answer->check(judged_case_->generated().collision, answer_, claim_->model)});
+            {&invariant, of_answer->check(judged_case_->generated().collision, answer_, claim_->law)});
       }
       continue;
     }

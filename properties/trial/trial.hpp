@@ -22,9 +22,9 @@ namespace carom::properties {
 
 /// The claim of a subject: the subject is judged on it.
 struct Claim {
-  Model model = Model::any;
+  Law law = Law::any;
   oracles::Yardstick yardstick;
-  /// The invariants that are claimed for the model. Excluded are those that the subject deviates from, and those of a
+  /// The invariants that are claimed for the law. Excluded are those that the subject deviates from, and those of a
   /// matrix that the subject does not show.
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // all deviations, including those in single families: a trial does not know
@@ -33,7 +33,7 @@ struct Claim {
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
 
-/// The invariants of the collision matrix that are claimed for the subject's model but cannot be judged. The list is
+/// The invariants of the collision matrix that are claimed for the subject's law but cannot be judged. The list is
 /// empty if the subject shows its matrix.
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
@@ -92,7 +92,7 @@ struct NamedVerdict {
 /// The result of a trial.
 struct Judgement {
   std::vector<NamedVerdict> verdicts;
-  std::optional<oracles::Accuracy> accuracy;  // of an outcome, if the model has a truth
+  std::optional<oracles::Accuracy> accuracy;  // of an outcome, if the law has a truth
   std::optional<Skipped> skipped;             // set if the case could not be given to the subject
   std::optional<Unjudged> unjudged;           // the reason why the case is not judged; then there are no verdicts
 };

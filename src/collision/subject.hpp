@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/collision/solved_outcome.hpp>
 
@@ -86,7 +86,7 @@ struct Subject {
   std::string specification = {};
   std::string summary = {};
   std::string version = {};  // of the engine; empty if it has no version of its own
-  Model model = Model::any;
+  Law law = Law::any;
   Precision precision = Precision::binary64;
   /// Whether its author claims that it is correct. A subject that is kept because it fails is shown, but does not
   /// count.

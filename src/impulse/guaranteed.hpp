@@ -132,14 +132,14 @@ namespace detail {
   return contact;
 }
 
-/// The outcome of another impulse by the law. After `rough` the frictionless law is used, because friction has already
-/// acted.
-template <class Law>
-[[nodiscard]] Outcome<double> struck_again(const Contact<double>& contact, const Law& law, double approach) {
-  if constexpr (std::is_same_v<std::invoke_result_t<const Law&, const Contact<double>&>, RoughImpulse<double>>) {
+/// The outcome of another impulse by the solver. After `rough` the frictionless law is used, because friction has
+/// already acted.
+template <class Solver>
+[[nodiscard]] Outcome<double> struck_again(const Contact<double>& contact, const Solver& solver, double approach) {
+  if constexpr (std::is_same_v<std::invoke_result_t<const Solver&, const Contact<double>&>, RoughImpulse<double>>) {
     return apply_impulse(contact, frictionless_impulse(contact, approach));
   } else {
-    return apply_impulse(contact, law(contact, approach));
+    return apply_impulse(contact, solver(contact, approach));
   }
 }
 
@@ -153,11 +153,12 @@ template <class Law>
 
 }  // namespace detail
 
-/// `law` without penetration. The law maps a Contact<double> and N·V⁻ to an argument of apply_impulse. If the exact
-/// N·V⁻ is not negative, the velocities are unchanged. Otherwise the outcome of the law is rounded so that the exact
-/// N·V⁺ is not negative. Precondition: the collision is valid, and the contact was made from it.
-template <class Law>
-[[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact, const Law& law) {
+/// `solver` without penetration. The solver maps a Contact<double> and N·V⁻ to an argument of apply_impulse. If the
+/// exact N·V⁻ is not negative, the velocities are unchanged. Otherwise its outcome is rounded so that the exact N·V⁺ is
+/// not negative. Precondition: the collision is valid, and the contact was made from it.
+template <class Solver>
+[[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact,
+                                         const Solver& solver) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   const Outcome<double> before = unchanged(collision);
   if (normal_velocity_sign(collision, before) >= 0) {
@@ -171,13 +172,13 @@ template <class Law>
   };
   const auto is_usable = [](double approach) { return std::isfinite(approach) && approach < 0; };
   const double approach = known_approach(before);
-  Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? law(contact, approach) : law(contact));
+  Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? solver(contact, approach) : solver(contact));
   // The rounding error of a large impulse may leave a part of the approach. Another impulse removes it and conserves
   // the momenta.
   if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0;
       is_usable(left) && !detail::is_within_few_ulps(collision, outcome, left / unit)) {
     const Contact<double> again = detail::at_velocities(contact, outcome);
-    outcome = detail::struck_again(again, law, left);
+    outcome = detail::struck_again(again, solver, left);
   }
   return without_approach(collision, outcome);
 }

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
@@ -28,26 +28,26 @@ struct FrictionlessLaw {
 
 }  // namespace detail
 
-/// Calls use(law). `law` takes a contact in any scalar type and returns its ContactImpulse, NormalImpulse or
+/// Calls use(solver). `solver` takes a contact in any scalar type and returns its ContactImpulse, NormalImpulse or
 /// RoughImpulse. It also takes N·V⁻, if that is known better than from the contact, and after it `see`, which receives
-/// the collision matrix. Does not call `use` if the law is not one of `models_with_truth`.
+/// the collision matrix. Does not call `use` if the law is not one of `laws_with_truth`.
 template <class Use>
-constexpr void with_law(Model model, const Use& use) {
-  switch (model) {
-    case Model::frictionless:
+constexpr void with_law(Law law, const Use& use) {
+  switch (law) {
+    case Law::frictionless:
       use(detail::FrictionlessLaw());
       return;
-    case Model::reflection:
+    case Law::reflection:
       use([](const auto& contact, const auto&... given) { return reflection_impulse<Ldlt>(contact, given...); });
       return;
-    case Model::sticking:
+    case Law::sticking:
       use([](const auto& contact, const auto&... given) { return sticking_impulse<Ldlt>(contact, given...); });
       return;
-    case Model::rough:
+    case Law::rough:
       use([](const auto& contact, const auto&... given) { return rough_impulse<Ldlt>(contact, given...); });
       return;
-    case Model::coulomb:
-    case Model::any:
+    case Law::coulomb:
+    case Law::any:
       return;
   }
 }
@@ -59,19 +59,19 @@ struct Description {
   std::string_view source;  // of the formula; empty if the formula is the solver's own
 };
 
-[[nodiscard]] constexpr Description description_of(Model model) {
-  switch (model) {
-    case Model::frictionless:
+[[nodiscard]] constexpr Description description_of(Law law) {
+  switch (law) {
+    case Law::frictionless:
       return {"impulse along the normal", "", "eq. 18"};
-    case Model::reflection:
+    case Law::reflection:
       return {"basis-free reflection", "LDLᵀ", ""};
-    case Model::sticking:
+    case Law::sticking:
       return {"the tangential relative velocity becomes zero", "LDLᵀ", ""};
-    case Model::rough:
+    case Law::rough:
       return {"Coulomb friction with tangential restitution", "LDLᵀ", "Chatterjee and Ruina 1998"};
-    case Model::coulomb:
+    case Law::coulomb:
       return {"Coulomb friction that opposes the slip after the impulse", "LDLᵀ", ""};
-    case Model::any:
+    case Law::any:
       break;
   }
   return {};

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 
 namespace carom::scene {
 

@@ -7,7 +7,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/precision.hpp>
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 
 namespace carom::scene {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
-#include <carom/scene/motion.hpp>
 
 /// Exact decisions if bounds cannot decide: real roots of polynomials with rational coefficients, by CGAL.
 namespace carom::scene {

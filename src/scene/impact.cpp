@@ -40,33 +40,33 @@ BodyVelocity<double> in_double(const BodyVelocity<S>& velocity) {
 }
 
 template <class S>
-Outcome<double> struck_in(Model law, const Collision& collision) {
+Outcome<double> struck_in(Law law, const Collision& collision) {
   using impulse::Ldlt;
   using Inertia = impulse::PrincipalInertia<S, false>;  // no sphere is slender
   impulse::Contact<S, Inertia> contact = impulse::make_contact<S, Inertia>(collision);
   const auto outcome = [&]() -> Outcome<S> {
     switch (law) {
-      case Model::frictionless:
-      case Model::reflection:
+      case Law::frictionless:
+      case Law::reflection:
         // The lever arms are along the normal. With zero lever arms, K N = λ N exactly, and rounding cannot change the
         // spins.
         contact.a.lever_arm.setConstant(S(0));
         contact.b.lever_arm.setConstant(S(0));
         return impulse::frictionless<S, Inertia>(contact);
-      case Model::sticking:
+      case Law::sticking:
         return impulse::sticking<Ldlt, S, Inertia>(contact);
-      case Model::coulomb:
+      case Law::coulomb:
         contact.tangential_restitution = S(0);
         break;
-      case Model::rough:
-      case Model::any:
+      case Law::rough:
+      case Law::any:
         break;
     }
     return impulse::rough<Ldlt, S, Inertia>(contact);
   }();
   Outcome<double> result{in_double(outcome.a), in_double(outcome.b)};
   // The rounding to S would change velocities that the impulse does not affect.
-  if (law == Model::frictionless || law == Model::reflection) {
+  if (law == Law::frictionless || law == Law::reflection) {
     result.a.angular_velocity = collision.a.angular_velocity;
     result.b.angular_velocity = collision.b.angular_velocity;
   }
@@ -113,8 +113,8 @@ Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& nor
   return collision;
 }
 
-Outcome<double> struck(Model law, Precision precision, const Collision& collision) {
-  CAROM_EXPECTS(law != Model::any);
+Outcome<double> struck(Law law, Precision precision, const Collision& collision) {
+  CAROM_EXPECTS(law != Law::any);
   CAROM_EXPECTS(collision.normal == collision.a.position, collision.normal, collision.a.position);
   switch (precision) {
     case Precision::binary32:

@@ -30,7 +30,7 @@ struct StruckSphere {
 /// `frictionless` and `reflection` need one scalar division and leave the spins exactly unchanged. The law `coulomb` is
 /// `rough` without tangential restitution. Preconditions: collision_of or collision_with_plane made the collision; the
 /// law is not `any`.
-[[nodiscard]] Outcome<double> struck(Model law, Precision precision, const Collision& collision);
+[[nodiscard]] Outcome<double> struck(Law law, Precision precision, const Collision& collision);
 
 /// Adds ulps to velocity_a until the centres do not approach: (x_A − x_B)·(v_A − v_B) ≥ 0 exactly.
 void keep_apart(const Vector3<double>& position_a, const Vector3<double>& position_b, Vector3<double>& velocity_a,

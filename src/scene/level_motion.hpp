@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 #include <carom/scene/scene.hpp>
 
 namespace carom::scene {

@@ -66,7 +66,7 @@ bool is_negative(double gap, double error, const Path& path, const Other& other,
 }  // namespace
 
 bool overlap(const Path& a, const Path& b, double time, unsigned long long& undecided) {
-  const Beside pair(placed(a, time), placed(b, time), a.radius + b.radius);
+  const RelativeState pair(state_at(a, time), state_at(b, time), a.radius + b.radius);
   if (a.start == time && b.start == time && std::abs(pair.squared_gap()) <= pair.squared_gap_error()) {
     ++undecided;
     return sign_of_gap_at_start(a, b) < 0;

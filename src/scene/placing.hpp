@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/scene/arc.hpp>
 #include <carom/scene/exact_time.hpp>
-#include <carom/scene/motion.hpp>
 
 namespace carom::scene {
 

@@ -37,7 +37,7 @@ TimeBounds bounded_or_exact(const Crossing& crossing, const auto& exactly, doubl
 
 }  // namespace
 
-TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
+TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now, double horizon,
                            ExactCounts& counts) {
   Crossing crossing;
   if (a.acceleration == b.acceleration) {

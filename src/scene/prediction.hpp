@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
 #include <carom/scene/exact_time.hpp>
-#include <carom/scene/motion.hpp>
 
 /// The time at which a sphere next touches another sphere or a plane. Bounds allow for rounding errors. If they do not
 /// decide, exact arithmetic does.
@@ -15,15 +15,15 @@ namespace carom::scene {
 /// The position and velocity of a path at a time, in double, with bounds of their errors. In a coordinate x + s (v +
 /// (s/2) a), each term has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
 /// 2002, ch. 3).
-struct Placed {
+struct PathState {
   Vector3<double> position, velocity;
   double position_error, velocity_error;  // in the 1-norm
 };
 
 /// The position and velocity at s = t − start. Sizes are in the 1-norm.
-[[nodiscard]] inline Placed placed(double s, const Vector3<double>& position, const Vector3<double>& velocity,
-                                   const Vector3<double>& acceleration, double position_size, double velocity_size,
-                                   double acceleration_size) {
+[[nodiscard]] inline PathState state_at(double s, const Vector3<double>& position, const Vector3<double>& velocity,
+                                        const Vector3<double>& acceleration, double position_size, double velocity_size,
+                                        double acceleration_size) {
   if (s == 0) {
     return {position, velocity, 0, 0};
   }
@@ -33,19 +33,19 @@ struct Placed {
           acceleration_size == 0 ? 0 : 4 * roundoff * (velocity_size + turn)};
 }
 
-[[nodiscard]] inline Placed placed(const Path& path, double now) {
-  return placed(now - path.start, path.position, path.velocity, path.acceleration, path.position_size,
-                path.velocity_size, path.acceleration_size);
+[[nodiscard]] inline PathState state_at(const Path& path, double now) {
+  return state_at(now - path.start, path.position, path.velocity, path.acceleration, path.position_size,
+                  path.velocity_size, path.acceleration_size);
 }
 
-/// Two spheres beside each other. Sizes and errors are in the 1-norm, which is at least the Euclidean norm.
-struct Beside {
+/// The state of a sphere relative to another. Sizes and errors are in the 1-norm, which is at least the Euclidean norm.
+struct RelativeState {
   Vector3<double> distance, velocity;  // of A relative to B
   double distance_size, velocity_size;
   double distance_error, velocity_error;
   double radii;
 
-  Beside(const Placed& a, const Placed& b, double both_radii)
+  RelativeState(const PathState& a, const PathState& b, double both_radii)
       : distance(a.position - b.position),
         velocity(a.velocity - b.velocity),
         distance_size(distance.cwiseAbs().sum()),
@@ -68,7 +68,7 @@ struct Beside {
 };
 
 /// |d + v s|² − R² as a function of s = t − now, for two paths with the same acceleration.
-[[nodiscard]] inline UncertainQuadratic squared_gap(const Beside& pair) {
+[[nodiscard]] inline UncertainQuadratic squared_gap(const RelativeState& pair) {
   return {pair.squared_gap(),
           2 * pair.receding(),
           pair.velocity.dot(pair.velocity),
@@ -79,7 +79,7 @@ struct Beside {
 }
 
 [[nodiscard]] inline UncertainQuadratic height_over(const Path& sphere, const Reach& plane, double now) {
-  const Placed at = placed(sphere, now);
+  const PathState at = state_at(sphere, now);
   const Vector3<double>& n = plane.normal;
   const double n_size = n.cwiseAbs().maxCoeff();
   const auto rounding_of_dot = [&](const Vector3<double>& x) { return 5 * roundoff * n.cwiseAbs().dot(x.cwiseAbs()); };
@@ -101,8 +101,8 @@ struct ExactCounts {
 
 /// The time at which the gap of two spheres first falls below 0, from `now` up to `horizon`; `never` if it does not, or
 /// only later. Precondition: at `now` the gap is at least 0.
-[[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const Beside& pair, double now, double horizon,
-                                         ExactCounts& counts);
+[[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now,
+                                         double horizon, ExactCounts& counts);
 
 /// The time at which the gap of a sphere and a plane first falls below 0, as for two spheres.
 [[nodiscard]] TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon,
@@ -111,7 +111,7 @@ struct ExactCounts {
 /// Whether two spheres are certain not to touch up to the horizon, because they are too far apart or recede. Most
 /// neighbours are. `bends` says that their accelerations differ. Only then is `acceleration_size` used, the sum of the
 /// sizes of both.
-[[nodiscard]] inline bool stay_apart(const Beside& pair, bool bends, double acceleration_size, double now,
+[[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
   const double bend = bends ? 0.5 * acceleration_size * span : 0;
@@ -124,7 +124,8 @@ struct ExactCounts {
   return is_far | (!bends & recedes);
 }
 
-[[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const Beside& pair, double now, double horizon) {
+[[nodiscard]] inline bool stay_apart(const Path& a, const Path& b, const RelativeState& pair, double now,
+                                     double horizon) {
   return stay_apart(pair, a.acceleration != b.acceleration, a.acceleration_size + b.acceleration_size, now, horizon);
 }
 

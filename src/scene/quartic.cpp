@@ -64,7 +64,7 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
 
 }  // namespace
 
-UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, double span) {
+UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span) {
   // As a polynomial in t in [0, 1], with s = t span.
   const Vector3<double>& d = pair.distance;
   const Vector3<double> v = pair.velocity * span;

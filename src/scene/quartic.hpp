@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
-#include <carom/scene/motion.hpp>
 #include <carom/scene/prediction.hpp>
 
 namespace carom::scene {
@@ -17,7 +17,7 @@ struct UncertainQuartic {
   double span;
 };
 
-[[nodiscard]] UncertainQuartic squared_gap(const Beside& pair, const Path& a, const Path& b, double span);
+[[nodiscard]] UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span);
 
 /// The least s in [0, span] at which the quartic falls below 0, as for a quadratic. The search halves the interval (R.
 /// T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). The quartic lies

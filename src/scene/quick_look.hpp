@@ -14,7 +14,7 @@ namespace carom::scene {
 ///
 /// Let u be `roundoff`, P and W the bounds of `Extent`, R the sum of the radii, d the distance and v the relative
 /// velocity. The 1-norms of d and v are at most 2 P and 2 W. These are bounds of the errors of the computed numbers,
-/// here and in `Beside`:
+/// here and in `RelativeState`:
 /// - d: 2 · 7 u P + 2 u · 2 P = 18 u P.
 /// - v: 2 · 4 u W + 2 u · 2 W = 12 u W.
 /// - d·v: 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W.
@@ -23,12 +23,13 @@ namespace carom::scene {
 /// - Receding: if d·v > 128 u P W as computed, d·v is positive.
 /// - Far: the test is |d| > R + m + (|v| + 16 u W) s as computed, with m = 256 u (P + R). Both sides are at most 2 P
 ///   there, and have fewer than 8 roundings relative to that. These 16 u P, and the 18 u P of d, are less than m.
-/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The error of the squared gap in `Beside` is at most (2√3
+/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The error of the squared gap in `RelativeState` is at
+/// most (2√3
 ///   |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
 class QuickLook {
  public:
   /// For a sphere of this radius that is `here` at `now`. Contacts after `horizon` do not matter.
-  QuickLook(const Placed& here, double radius, const Vector3<double>& gravity, const Extent& extent, double now,
+  QuickLook(const PathState& here, double radius, const Vector3<double>& gravity, const Extent& extent, double now,
             double horizon)
       : here_(here),
         gravity_(gravity),
@@ -54,7 +55,7 @@ class QuickLook {
   }
 
  private:
-  Placed here_;
+  PathState here_;
   Vector3<double> gravity_;
   double now_, horizon_, radius_, margin_, velocity_margin_, receding_margin_;
 };

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/collision/vector.hpp>
 
@@ -76,7 +76,7 @@ inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {
   std::string title;
-  Model law = Model::frictionless;            // not `any`
+  Law law = Law::frictionless;                // not `any`
   Precision precision = Precision::binary64;  // of the impulses; the state is stored in binary64
   double duration = 1;                        // ≥ 0 [s]
   Vector3<double> gravity{0, 0, 0};           // [m/s²]; along an axis of the world, or none

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <carom/collision/vector.hpp>
+#include <carom/scene/arc.hpp>
 #include <carom/scene/level_motion.hpp>
-#include <carom/scene/motion.hpp>
 #include <carom/scene/scene.hpp>
 
 namespace carom::scene {

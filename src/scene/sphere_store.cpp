@@ -18,11 +18,11 @@ SphereStore::SphereStore(const Scene& scene)
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Sphere& sphere = scene.spheres[i];
     const auto [tag, is_new] =
-        tags.try_emplace({sphere.radius, sphere.density, sphere.material}, static_cast<Tag>(2 * makes_.size()));
+        tags.try_emplace({sphere.radius, sphere.density, sphere.material}, static_cast<Tag>(2 * types_.size()));
     if (is_new) {
       const double mass =
           sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
-      makes_.push_back({sphere.radius, mass, 0.4 * mass * sphere.radius * sphere.radius, sphere.material});
+      types_.push_back({sphere.radius, mass, 0.4 * mass * sphere.radius * sphere.radius, sphere.material});
     }
     tags_.push_back(tag->second);
     tracks_[i].position = sphere.position;
@@ -34,7 +34,7 @@ SphereStore::SphereStore(const Scene& scene)
 
 void SphereStore::set_arc(std::size_t sphere, const Arc& arc) {
   const bool is_flying = arc.turning.phase == Phase::flying;
-  CAROM_EXPECTS(arc.path.radius == make(sphere).radius, arc.path.radius, make(sphere).radius);
+  CAROM_EXPECTS(arc.path.radius == type(sphere).radius, arc.path.radius, type(sphere).radius);
   CAROM_EXPECTS(!is_flying || (arc.path.acceleration == gravity_ && arc.path.end == never), arc.path.acceleration,
                 arc.path.end);
   tags_[sphere] = tags_[sphere] / 2 * 2 + (is_flying ? 0 : 1);

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <carom/collision/expects.hpp>
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 #include <carom/scene/scene.hpp>
 
 namespace carom::scene {
 
 /// The common properties of spheres with the same radius, density and material.
-struct Make {
+struct SphereType {
   double radius;         // [m]
   double mass;           // [kg]
   double moment;         // (2/5) m R² [kg m²]
@@ -20,7 +20,7 @@ struct Make {
 };
 
 /// The data of a sphere that each of its neighbours reads: one cache line. Its acceleration is gravity unless it is on
-/// a plane. Its radius is that of its make.
+/// a plane. Its radius is that of its type.
 struct alignas(64) Track {
   Vector3<double> position{0, 0, 0};
   double start = 0;  // of the path [s]
@@ -45,9 +45,9 @@ class SphereStore {
   explicit SphereStore(const Scene& scene);
 
   [[nodiscard]] std::size_t size() const { return tracks_.size(); }
-  [[nodiscard]] const std::vector<Make>& makes() const { return makes_; }
-  [[nodiscard]] std::size_t make_index(std::size_t sphere) const { return tags_[sphere] / 2; }
-  [[nodiscard]] const Make& make(std::size_t sphere) const { return makes_[make_index(sphere)]; }
+  [[nodiscard]] const std::vector<SphereType>& types() const { return types_; }
+  [[nodiscard]] std::size_t type_index(std::size_t sphere) const { return tags_[sphere] / 2; }
+  [[nodiscard]] const SphereType& type(std::size_t sphere) const { return types_[type_index(sphere)]; }
   [[nodiscard]] const Track& track(std::size_t sphere) const { return tracks_[sphere]; }
   [[nodiscard]] bool is_flying(std::size_t sphere) const { return tags_[sphere] % 2 == 0; }
   /// The index of the plane that the sphere is on. Precondition: the sphere is not flying.
@@ -67,7 +67,7 @@ class SphereStore {
     path.position = track.position;
     path.velocity = track.velocity;
     path.acceleration = acceleration(sphere);
-    path.radius = make(sphere).radius;
+    path.radius = type(sphere).radius;
     measure(path);
     return path;
   }
@@ -78,7 +78,7 @@ class SphereStore {
     return {position_size_ + now * (velocity_size_ + turn), velocity_size_ + turn};
   }
   [[nodiscard]] Arc arc(std::size_t sphere) const { return {path(sphere), turnings_[sphere].turning}; }
-  /// Precondition: the radius is that of the sphere's make. If the arc is flying, its acceleration is gravity and it
+  /// Precondition: the radius is that of the sphere's type. If the arc is flying, its acceleration is gravity and it
   /// has no end.
   void set_arc(std::size_t sphere, const Arc& arc);
   void set_position(std::size_t sphere, const Vector3<double>& position);
@@ -97,7 +97,7 @@ class SphereStore {
  private:
   void widen(const Track& track);
 
-  using Tag = std::uint32_t;  // twice the index of the make, plus 1 if the sphere is not flying
+  using Tag = std::uint32_t;  // twice the index of the type, plus 1 if the sphere is not flying
   struct alignas(64) TurningAndEnd {
     Turning turning;
     double end = never;
@@ -106,7 +106,7 @@ class SphereStore {
   Vector3<double> gravity_{0, 0, 0};
   double gravity_size_ = 0;
   double position_size_ = 0, velocity_size_ = 0;  // upper bounds of all values that were set
-  std::vector<Make> makes_;
+  std::vector<SphereType> types_;
   std::vector<Track> tracks_;
   std::vector<Tag> tags_;
   std::vector<TurningAndEnd> turnings_;

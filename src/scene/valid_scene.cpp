@@ -24,7 +24,7 @@ constexpr double least_gravity = 1e-200;
 
 Found scene_defect(const Scene& scene) {
   const auto defect = [](const char* field, const char* what) { return SceneDefect{Of::scene, 0, 0, field, what}; };
-  if (scene.law == Model::any) {
+  if (scene.law == Law::any) {
     return defect("law", "expected frictionless, reflection, sticking, rough or coulomb");
   }
   if (!(scene.duration >= 0 && std::isfinite(scene.duration))) {

@@ -2,12 +2,12 @@
 // Judges the same outcomes with all filters and in rational arithmetic alone, and counts equal verdicts:
 //
 //  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
-//  [--one-subject] [--models M,M]
+//  [--one-subject] [--laws L,L]
 //
 // It runs N cases of the families; one case in W is wild (default 3). Each case goes to all subjects, or to one drawn
 // at random. The subjects are the built-in ones, the mutants, and outcomes planted at the edge of the allowance. One
 // in L of the cases that are not wild keeps all its digits (default: every one), because numbers of few digits cost
-// the rational judge less. Relations are judged on one case in R. With --models, only subjects of these models run.
+// the rational judge less. Relations are judged on one case in R. With --laws, only subjects of these laws run.
 // The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
@@ -41,22 +41,21 @@ std::vector<Subject> subjects_and_mutants() {
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
     subjects.push_back(mutants::subject_of(mutant));
   }
-  for (const Model model : all_models) {
+  for (const Law law : all_laws) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-      if (model != Model::any) {
-        subjects.push_back(equality::planting_subject(model, precision));
+      if (law != Law::any) {
+        subjects.push_back(equality::planting_subject(law, precision));
       }
     }
   }
   return subjects;
 }
 
-/// The subjects of these models, or of all models if the list is empty.
-std::vector<Examined> examined_of(const std::vector<std::string>& models) {
+/// The subjects of these laws, or of all laws if the list is empty.
+std::vector<Examined> examined_of(const std::vector<std::string>& laws) {
   std::vector<Examined> examined;
   for (const Subject& subject : subjects_and_mutants()) {
-    const bool is_asked_for =
-        models.empty() || std::find(models.begin(), models.end(), name_of(subject.model)) != models.end();
+    const bool is_asked_for = laws.empty() || std::find(laws.begin(), laws.end(), name_of(subject.law)) != laws.end();
     if (subject.absent.empty() && is_asked_for) {
       examined.emplace_back(subject);
     }
@@ -72,7 +71,7 @@ struct Options {
   int wild_every = 3;
   int long_every = 1;
   bool one_subject = false;
-  std::vector<std::string> models;
+  std::vector<std::string> laws;
 };
 
 /// A case and its name in a reported difference.
@@ -96,7 +95,7 @@ Drawn drawn_case(const Options& options, std::uint64_t i, properties::Stream& ch
 }
 
 void compare(const Options& options, std::atomic<std::uint64_t>& next, Agreement& agreement) {
-  std::vector<Examined> subjects = examined_of(options.models);
+  std::vector<Examined> subjects = examined_of(options.laws);
   for (std::uint64_t i = next++; i < options.cases; i = next++) {
     properties::Stream choices = properties::case_stream(options.seed, "choices of judge_equality", i);
     const Drawn drawn = drawn_case(options, i, choices);
@@ -122,11 +121,11 @@ int run(int argc, char** argv) {
   app.add_option("--wild-every", options.wild_every)->check(CLI::PositiveNumber);
   app.add_option("--long-every", options.long_every)->check(CLI::PositiveNumber);
   app.add_flag("--one-subject", options.one_subject);
-  std::vector<std::string> models;
-  for (const Model model : all_models) {
-    models.emplace_back(name_of(model));
+  std::vector<std::string> laws;
+  for (const Law law : all_laws) {
+    laws.emplace_back(name_of(law));
   }
-  app.add_option("--models", options.models)->delimiter(',')->check(CLI::IsMember(models));
+  app.add_option("--laws", options.laws)->delimiter(',')->check(CLI::IsMember(laws));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

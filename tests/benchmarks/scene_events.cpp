@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include <carom/scene/lattice.hpp>
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/sphere_simulation.hpp>
 
 namespace {
 
@@ -54,7 +54,7 @@ Scene gas(int edge, double volume_fraction) {
 }
 
 /// Processor time of the events [s]. Other programs affect it only through the caches.
-double seconds_of(carom::scene::Simulation& simulation, long events) {
+double seconds_of(carom::scene::SphereSimulation& simulation, long events) {
   const std::clock_t begin = std::clock();
   for (long k = 0; k < events; ++k) {
     if (simulation.advance() == nullptr) {
@@ -65,7 +65,7 @@ double seconds_of(carom::scene::Simulation& simulation, long events) {
 }
 
 struct Measured {
-  std::unique_ptr<carom::scene::Simulation> simulation;
+  std::unique_ptr<carom::scene::SphereSimulation> simulation;
   std::vector<double> rates;  // events per second in each round; sorted in ascending order at the end
   double cells_left = 0;      // for each event
 };
@@ -74,7 +74,7 @@ struct Measured {
 std::vector<Measured> measure(long events, double volume_fraction) {
   std::vector<Measured> all;
   for (const int edge : edges) {
-    all.push_back({std::make_unique<carom::scene::Simulation>(gas(edge, volume_fraction)), {}});
+    all.push_back({std::make_unique<carom::scene::SphereSimulation>(gas(edge, volume_fraction)), {}});
     // Some events of each sphere, so that the spheres leave the lattice.
     seconds_of(*all.back().simulation, std::max(events, 2 * static_cast<long>(all.back().simulation->size())));
   }

@@ -17,14 +17,14 @@
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
 #include <carom/scene/json/scene_json.hpp>
-#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/scene/polyhedra/scene_simulation.hpp>
 
 namespace {
 
-using carom::Model;
+using carom::Law;
 using carom::scene::Event;
 using carom::scene::Scene;
-using carom::scene::SceneLoop;
+using carom::scene::SceneSimulation;
 
 double seconds_of(const auto& work) {
   const std::clock_t begin = std::clock();
@@ -32,7 +32,7 @@ double seconds_of(const auto& work) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-std::vector<Event> events_of(SceneLoop& simulation) {
+std::vector<Event> events_of(SceneSimulation& simulation) {
   std::vector<Event> events;
   while (const Event* event = simulation.advance()) {
     events.push_back(*event);
@@ -50,10 +50,10 @@ void print_row(const Scene& scene, int rounds) {
   std::size_t impulses = 0;
   std::size_t count = 0;
   for (int round = 0; round < rounds; ++round) {
-    const SceneLoop at_first(scene);
+    const SceneSimulation at_first(scene);
     std::vector<Event> events;
     loop.push_back(seconds_of([&] {
-      SceneLoop simulation(scene);
+      SceneSimulation simulation(scene);
       events = events_of(simulation);
     }));
     count = events.size();
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
   fmt::print("{:<14}{:>8}{:>10}{:>20}{:>24}{:>23}{:>24}\n", "law", "events", "impulses", "loop, µs an event",
              "judge, µs an impulse", "ledger, µs an event", "check, µs an event");
-  for (const Model law : {Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb}) {
+  for (const Law law : {Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb}) {
     scene.law = law;
     print_row(scene, rounds);
   }

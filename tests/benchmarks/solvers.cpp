@@ -49,21 +49,21 @@ std::vector<unsigned> thread_counts() {
   return counts;
 }
 
-std::string batch_name(const std::string& scalar, Model model, std::size_t size, InstructionSet set) {
-  return fmt::format("batch/{}/{}/{}/{}", name_of(model), scalar, size, name_of(set));
+std::string batch_name(const std::string& scalar, Law law, std::size_t size, InstructionSet set) {
+  return fmt::format("batch/{}/{}/{}/{}", name_of(law), scalar, size, name_of(set));
 }
-std::string slender_name(Model model) { return fmt::format("slender/{}", name_of(model)); }
+std::string slender_name(Law law) { return fmt::format("slender/{}", name_of(law)); }
 std::string triad_name(std::size_t size) { return fmt::format("triad/{}", size); }
-std::string threads_name(Model model, std::size_t size, unsigned threads) {
-  return fmt::format("threads/{}/{}/{}", name_of(model), size, threads);
+std::string threads_name(Law law, std::size_t size, unsigned threads) {
+  return fmt::format("threads/{}/{}/{}", name_of(law), size, threads);
 }
-std::string plain_name(Model model) { return fmt::format("plain/{}", name_of(model)); }
+std::string plain_name(Law law) { return fmt::format("plain/{}", name_of(law)); }
 std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
 
 /// The laws of the note.
-constexpr Model models[]{Model::frictionless, Model::reflection};
+constexpr Law laws[]{Law::frictionless, Law::reflection};
 /// The laws whose batches are compared.
-constexpr Model batch_models[]{Model::frictionless, Model::reflection, Model::rough};
+constexpr Law batch_laws[]{Law::frictionless, Law::reflection, Law::rough};
 
 /// The shared workload of this size.
 template <class S>
@@ -73,11 +73,11 @@ Workload<S>& shared_workload(std::size_t size) {
 }
 
 template <class S>
-void register_batch(const std::string& scalar, Model model, std::size_t size, InstructionSet set) {
-  benchmark::RegisterBenchmark(batch_name(scalar, model, size, set).c_str(), [=](benchmark::State& state) {
+void register_batch(const std::string& scalar, Law law, std::size_t size, InstructionSet set) {
+  benchmark::RegisterBenchmark(batch_name(scalar, law, size, set).c_str(), [=](benchmark::State& state) {
     Workload<S>& workload = shared_workload<S>(size);
     for (auto _ : state) {
-      impulse::solve(workload.contacts, model, workload.outcomes, set);
+      impulse::solve(workload.contacts, law, workload.outcomes, set);
       benchmark::ClobberMemory();
     }
   });
@@ -114,9 +114,9 @@ void register_plain() {
     }
     return all;
   }();
-  for (const Model model : models) {
-    const auto solve = model == Model::frictionless ? plain::solve_frictionless : plain::solve_reflection;
-    benchmark::RegisterBenchmark(plain_name(model).c_str(), [solve](benchmark::State& state) {
+  for (const Law law : laws) {
+    const auto solve = law == Law::frictionless ? plain::solve_frictionless : plain::solve_reflection;
+    benchmark::RegisterBenchmark(plain_name(law).c_str(), [solve](benchmark::State& state) {
       std::vector<plain::Motions> motions(contacts.size());
       for (auto _ : state) {
         std::ranges::transform(contacts, motions.begin(), solve);
@@ -127,27 +127,27 @@ void register_plain() {
 }
 
 void register_batches() {
-  for (const Model model : batch_models) {
+  for (const Law law : batch_laws) {
     for (const InstructionSet set : instruction_sets()) {
-      register_batch<float>("float", model, in_cache, set);
-      register_batch<double>("double", model, in_cache, set);
+      register_batch<float>("float", law, in_cache, set);
+      register_batch<double>("double", law, in_cache, set);
     }
   }
-  for (const Model model : models) {
+  for (const Law law : laws) {
     for (const InstructionSet set : instruction_sets()) {
-      register_batch<double>("double", model, out_of_cache, set);
+      register_batch<double>("double", law, out_of_cache, set);
     }
     for (const std::size_t size : sizes) {
       if (size != in_cache && size != out_of_cache) {
-        register_batch<double>("double", model, size, impulse::best_instruction_set());
+        register_batch<double>("double", law, size, impulse::best_instruction_set());
       }
     }
   }
-  for (const Model model : models) {
-    benchmark::RegisterBenchmark(slender_name(model).c_str(), [=](benchmark::State& state) {
+  for (const Law law : laws) {
+    benchmark::RegisterBenchmark(slender_name(law).c_str(), [=](benchmark::State& state) {
       Workload<double> workload(colliding_slender(in_cache));
       for (auto _ : state) {
-        impulse::solve(workload.contacts, model, workload.outcomes);
+        impulse::solve(workload.contacts, law, workload.outcomes);
         benchmark::ClobberMemory();
       }
     });
@@ -164,17 +164,17 @@ void register_batches() {
 
 /// Every thread has its own batch.
 void register_threads() {
-  for (const Model model : models) {
+  for (const Law law : laws) {
     for (const std::size_t size : {in_cache, out_of_cache / 4}) {
       for (const unsigned threads : thread_counts()) {
         const auto measure = [=](benchmark::State& state) {
           Workload<double> workload(size);
           for (auto _ : state) {
-            impulse::solve(workload.contacts, model, workload.outcomes);
+            impulse::solve(workload.contacts, law, workload.outcomes);
             benchmark::ClobberMemory();
           }
         };
-        benchmark::RegisterBenchmark(threads_name(model, size, threads).c_str(), measure)
+        benchmark::RegisterBenchmark(threads_name(law, size, threads).c_str(), measure)
             ->Threads(static_cast<int>(threads))
             ->UseRealTime();
       }
@@ -209,7 +209,7 @@ void register_peaks() {
 }
 
 /// Operations for one colliding contact: runs the solver with a scalar that counts.
-Operations operations_of(Model model) {
+Operations operations_of(Law law) {
   const auto contact = colliding_batch<double>(1).at(0);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
   const auto body = [&](const impulse::ContactBody<double>& b) {
@@ -222,7 +222,7 @@ Operations operations_of(Model model) {
   const impulse::Contact<Counted> posed{body(contact.a),     body(contact.b),  counted(contact.normal),
                                         contact.restitution, contact.friction, contact.tangential_restitution};
   Counted::operations = {};
-  impulse::with_law(model, [&](const auto& law) { static_cast<void>(impulse::apply_impulse(posed, law(posed))); });
+  impulse::with_law(law, [&](const auto& solver) { static_cast<void>(impulse::apply_impulse(posed, solver(posed))); });
   return Counted::operations;
 }
 
@@ -255,14 +255,14 @@ void print_methods(const Recorder& recorder) {
 void print_instruction_sets(const Recorder& recorder) {
   fmt::print("\nBatches by instruction set, {} contacts in cache\n", in_cache);
   fmt::print("  {:<32} {:>11} {:>8} {:>22}\n", "batch", "ns/contact", "spread", baseline_method + std::string(" = 1"));
-  for (const Model model : batch_models) {
+  for (const Law law : batch_laws) {
     for (const std::string scalar : {"float", "double"}) {
       for (const InstructionSet set : instruction_sets()) {
-        const std::string name = batch_name(scalar, model, in_cache, set);
+        const std::string name = batch_name(scalar, law, in_cache, set);
         if (recorder.has(name) && recorder.has(baseline_method)) {
           fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>22.3f}\n",
-                     fmt::format("{} {} {}", name_of(model), scalar, name_of(set)),
-                     per_contact(recorder, name, in_cache), 100 * recorder.at(name).spread(),
+                     fmt::format("{} {} {}", name_of(law), scalar, name_of(set)), per_contact(recorder, name, in_cache),
+                     100 * recorder.at(name).spread(),
                      recorder.at(name).median() / recorder.at(baseline_method).median());
         }
       }
@@ -273,25 +273,25 @@ void print_instruction_sets(const Recorder& recorder) {
 /// The speed of the batches relative to the note in plain C++: to its solver of the same law, and to its reflection,
 /// which is the whole note.
 void print_plain(const Recorder& recorder) {
-  const std::string reflection = plain_name(Model::reflection);
+  const std::string reflection = plain_name(Law::reflection);
   if (!recorder.has(reflection)) {
     return;
   }
   fmt::print("\nBatches in double beside the note in plain C++, {} contacts in cache\n", in_cache);
   fmt::print("  {:<32} {:>11} {:>8} {:>16} {:>17}\n", "", "ns/contact", "spread", "plain, same law",
              "plain reflection");
-  for (const Model model : models) {
-    std::vector<std::pair<std::string, std::string>> rows{{fmt::format("plain {}", name_of(model)), plain_name(model)}};
+  for (const Law law : laws) {
+    std::vector<std::pair<std::string, std::string>> rows{{fmt::format("plain {}", name_of(law)), plain_name(law)}};
     for (const InstructionSet set : instruction_sets()) {
-      rows.emplace_back(fmt::format("batch {} {}", name_of(model), name_of(set)),
-                        batch_name("double", model, in_cache, set));
+      rows.emplace_back(fmt::format("batch {} {}", name_of(law), name_of(set)),
+                        batch_name("double", law, in_cache, set));
     }
     for (const auto& [title, name] : rows) {
-      if (recorder.has(name) && recorder.has(plain_name(model))) {
+      if (recorder.has(name) && recorder.has(plain_name(law))) {
         const double median = recorder.at(name).median();
         fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>14.1f} × {:>15.1f} ×\n", title,
                    per_contact(recorder, name, in_cache), 100 * recorder.at(name).spread(),
-                   recorder.at(plain_name(model)).median() / median, recorder.at(reflection).median() / median);
+                   recorder.at(plain_name(law)).median() / median, recorder.at(reflection).median() / median);
       }
     }
   }
@@ -301,12 +301,12 @@ void print_plain(const Recorder& recorder) {
 void print_slender(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
   fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));
-  for (const Model model : models) {
-    const std::string usual = batch_name("double", model, in_cache, best);
-    if (recorder.has(slender_name(model)) && recorder.has(usual)) {
-      fmt::print("  {:<13} {:>8.2f} ns, {:.1f} times as long as without\n", name_of(model),
-                 per_contact(recorder, slender_name(model), in_cache),
-                 recorder.at(slender_name(model)).median() / recorder.at(usual).median());
+  for (const Law law : laws) {
+    const std::string usual = batch_name("double", law, in_cache, best);
+    if (recorder.has(slender_name(law)) && recorder.has(usual)) {
+      fmt::print("  {:<13} {:>8.2f} ns, {:.1f} times as long as without\n", name_of(law),
+                 per_contact(recorder, slender_name(law), in_cache),
+                 recorder.at(slender_name(law)).median() / recorder.at(usual).median());
     }
   }
 }
@@ -321,8 +321,8 @@ void print_sizes(const Recorder& recorder) {
     }
     const double triad = gigabytes_per_second(recorder, triad_name(size), size, triad_bytes_of_contact);
     std::string line = fmt::format("  {:>9}", size);
-    for (const Model model : models) {
-      const std::string name = batch_name("double", model, size, impulse::best_instruction_set());
+    for (const Law law : laws) {
+      const std::string name = batch_name("double", law, size, impulse::best_instruction_set());
       if (recorder.has(name)) {
         const double rate = gigabytes_per_second(recorder, name, size, bytes_of_contact<double>);
         line += fmt::format(" {:>10.2f} ns {:>6.1f} {:>9.2f}", per_contact(recorder, name, size), rate, rate / triad);
@@ -334,15 +334,15 @@ void print_sizes(const Recorder& recorder) {
 
 void print_threads(const Recorder& recorder) {
   fmt::print("\nThreads over batches of their own, double, ns a contact of any thread and ratio to one thread\n");
-  for (const Model model : models) {
+  for (const Law law : laws) {
     for (const std::size_t size : {in_cache, out_of_cache / 4}) {
-      std::string line = fmt::format("  {:<13} {:>7} contacts each:", name_of(model), size);
+      std::string line = fmt::format("  {:<13} {:>7} contacts each:", name_of(law), size);
       for (const unsigned threads : thread_counts()) {
-        const std::string name = threads_name(model, size, threads);
-        if (recorder.has(name) && recorder.has(threads_name(model, size, 1))) {
+        const std::string name = threads_name(law, size, threads);
+        if (recorder.has(name) && recorder.has(threads_name(law, size, 1))) {
           line += fmt::format("  {} thread{} {:.2f} ns ({:.2f})", threads, threads == 1 ? "" : "s",
                               per_contact(recorder, name, size),
-                              recorder.at(threads_name(model, size, 1)).median() / recorder.at(name).median());
+                              recorder.at(threads_name(law, size, 1)).median() / recorder.at(name).median());
         }
       }
       fmt::print("{}\n", line);
@@ -369,22 +369,21 @@ void print_roofline(const Recorder& recorder) {
     fmt::print(" {} {:.1f}", name_of(set), peak(recorder, set));
   }
   fmt::print(" Gflop/s (multiply, add; not fused)\n");
-  for (const Model model : models) {
-    const Operations operations = operations_of(model);
+  for (const Law law : laws) {
+    const Operations operations = operations_of(law);
     const double intensity = static_cast<double>(operations.all()) / static_cast<double>(bytes_of_contact<double>);
     const double roof = std::min(peak(recorder, best), intensity * bandwidth);
-    fmt::print("  {:<13} {} flop a contact ({} +, {} ×, {} ÷), {} bytes, {:.2f} flop/byte\n", name_of(model),
+    fmt::print("  {:<13} {} flop a contact ({} +, {} ×, {} ÷), {} bytes, {:.2f} flop/byte\n", name_of(law),
                operations.all(), operations.additions, operations.multiplications, operations.divisions,
                bytes_of_contact<double>, intensity);
     const auto reached = [&](std::size_t size) {
-      return static_cast<double>(operations.all()) /
-             per_contact(recorder, batch_name("double", model, size, best), size);
+      return static_cast<double>(operations.all()) / per_contact(recorder, batch_name("double", law, size, best), size);
     };
-    if (recorder.has(batch_name("double", model, in_cache, best))) {
+    if (recorder.has(batch_name("double", law, in_cache, best))) {
       fmt::print("    in cache:     {:>6.1f} Gflop/s, {:.0f} % of the arithmetic roof ({:.1f})\n", reached(in_cache),
                  100 * reached(in_cache) / peak(recorder, best), peak(recorder, best));
     }
-    if (recorder.has(batch_name("double", model, out_of_cache, best))) {
+    if (recorder.has(batch_name("double", law, out_of_cache, best))) {
       fmt::print("    out of cache: {:>6.1f} Gflop/s, {:.0f} % of the roof ({:.1f}, {})\n", reached(out_of_cache),
                  100 * reached(out_of_cache) / roof, roof,
                  roof < peak(recorder, best) ? "bound by memory" : "bound by arithmetic");
@@ -394,42 +393,42 @@ void print_roofline(const Recorder& recorder) {
 
 void print_goals(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
-  const std::string cached = batch_name("double", Model::reflection, in_cache, best);
+  const std::string cached = batch_name("double", Law::reflection, in_cache, best);
   fmt::print("\nGoals\n");
   if (recorder.has(cached) && recorder.has(baseline_method)) {
     const double ratio = recorder.at(cached).median() / recorder.at(baseline_method).median();
     fmt::print("  reflection in double, in cache: 1/{:.1f} of {}; goal at most 1/8: {}\n", 1 / ratio, baseline_method,
                ratio <= 1.0 / 8 ? "reached" : "not reached");
   }
-  const std::string rough = batch_name("double", Model::rough, in_cache, best);
+  const std::string rough = batch_name("double", Law::rough, in_cache, best);
   if (recorder.has(cached) && recorder.has(rough)) {
     const double ratio = recorder.at(rough).median() / recorder.at(cached).median();
     fmt::print("  rough in double, in cache: {:.2f} of reflection; goal at most 1.6: {}\n", ratio,
                ratio <= 1.6 ? "reached" : "not reached");
   }
-  const std::string plain = plain_name(Model::reflection);
-  for (const auto& [model, goal] : {std::pair{Model::reflection, 15}, std::pair{Model::frictionless, 20}}) {
-    const std::string name = batch_name("double", model, in_cache, best);
+  const std::string plain = plain_name(Law::reflection);
+  for (const auto& [law, goal] : {std::pair{Law::reflection, 15}, std::pair{Law::frictionless, 20}}) {
+    const std::string name = batch_name("double", law, in_cache, best);
     if (recorder.has(name) && recorder.has(plain)) {
       const double ratio = recorder.at(plain).median() / recorder.at(name).median();
       const double roof = recorder.has(peak_name(best))
                               ? per_contact(recorder, plain, in_cache) * peak(recorder, best) /
-                                    static_cast<double>(operations_of(model).all())
+                                    static_cast<double>(operations_of(law).all())
                               : 0;
       fmt::print(
           "  {} in double, in cache: {:.1f} times as quick as the note (reflection) in plain C++, {:.1f} at the roof; "
           "goal {}: {}\n",
-          name_of(model), ratio, roof, goal, ratio >= goal ? "reached" : "not reached");
+          name_of(law), ratio, roof, goal, ratio >= goal ? "reached" : "not reached");
     }
   }
-  for (const Model model : models) {
-    const std::string streamed = batch_name("double", model, out_of_cache, best);
+  for (const Law law : laws) {
+    const std::string streamed = batch_name("double", law, out_of_cache, best);
     if (recorder.has(streamed) && recorder.has(triad_name(out_of_cache))) {
       const double share =
           gigabytes_per_second(recorder, streamed, out_of_cache, bytes_of_contact<double>) /
           gigabytes_per_second(recorder, triad_name(out_of_cache), out_of_cache, triad_bytes_of_contact);
       fmt::print("  {} in double, out of cache: {:.0f} % of the bytes a second of the triad; goal at least 70 %: {}\n",
-                 name_of(model), 100 * share, share >= 0.7 ? "reached" : "not reached");
+                 name_of(law), 100 * share, share >= 0.7 ? "reached" : "not reached");
     }
   }
 }

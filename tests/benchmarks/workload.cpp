@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <carom/properties/draws/stream.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 
 namespace carom::benchmarks {
 

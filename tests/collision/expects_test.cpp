@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/expects.hpp>
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/vector.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/oracles/exact/rational.hpp>
@@ -39,7 +39,7 @@ TEST(ExpectsDeathTest, PrintsWhatEachScalarTypeCanShow) {
   const bool never = false;
   EXPECT_DEATH(CAROM_EXPECTS(never, 0.1f), ": 0.1000000014901161");
   EXPECT_DEATH(CAROM_EXPECTS(never, oracles::Rational(1, 3)), ": 1/3\n");
-  EXPECT_DEATH(CAROM_EXPECTS(never, Model::rough), ": rough\n");
+  EXPECT_DEATH(CAROM_EXPECTS(never, Law::rough), ": rough\n");
   EXPECT_DEATH(CAROM_EXPECTS(never, Vector3<double>(1, 2, 3)), ": \\(1, 2, 3\\)\n");
   EXPECT_DEATH(CAROM_EXPECTS(never, impulse::Pack<double>(1), Silent()), ": [?] [?]\n");
 }

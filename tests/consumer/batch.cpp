@@ -14,6 +14,6 @@ int main() {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts.set(i, carom::impulse::make_contact<float>(collision));
   }
-  carom::impulse::solve(contacts, carom::Model::reflection, outcomes);
+  carom::impulse::solve(contacts, carom::Law::reflection, outcomes);
   return outcomes.at(0).a.velocity[1] == 1.5F && outcomes.at(20).a.velocity[1] == 1.5F ? 0 : 1;
 }

@@ -13,8 +13,8 @@ int main() {
   options.cases = 20;
   options.families = {carom::properties::family_named("generic")};
   const auto report =
-      carom::properties::run_gate({carom::conformance::subject("sound", carom::Model::frictionless, sound),
-                                   carom::conformance::subject("identity", carom::Model::frictionless, identity)},
+      carom::properties::run_gate({carom::conformance::subject("sound", carom::Law::frictionless, sound),
+                                   carom::conformance::subject("identity", carom::Law::frictionless, identity)},
                                   options);
   return report.results[0].is_sound() && !report.results[1].is_sound() ? 0 : 1;
 }

@@ -14,7 +14,7 @@ int main() {
   options.cases = 20;
   options.families = {carom::properties::family_named("generic")};
   const auto found =
-      carom::properties::run_gate({carom::conformance::subject("mine", carom::Model::frictionless, solver)}, options);
+      carom::properties::run_gate({carom::conformance::subject("mine", carom::Law::frictionless, solver)}, options);
   const carom::report::Run run = carom::report::run_of(found, {true}, {}, {}, {}, false);
   const carom::report::Run read = carom::report::run_from(carom::report::report_record(run));
   return run.exit_status() == 0 && read.exit_status() == 0 &&

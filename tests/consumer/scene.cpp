@@ -2,7 +2,7 @@
 // A scene as a library: a ball 1 m above a floor falls for √(2 h / g) seconds.
 #include <cmath>
 
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/sphere_simulation.hpp>
 
 int main() {
   carom::scene::Scene scene;
@@ -18,7 +18,7 @@ int main() {
   ball.radius = 0.5;
   ball.position = {0, 0, 1.5};
   scene.spheres = {ball};
-  carom::scene::Simulation simulation(scene);
+  carom::scene::SphereSimulation simulation(scene);
   const carom::scene::Event* const first = simulation.advance();
   return first != nullptr && std::abs(first->time - std::sqrt(2 / 9.81)) < 1e-12 ? 0 : 1;
 }

@@ -36,15 +36,15 @@ long double to_extended(const oracles::Rational& number) {
 
 }  // namespace
 
-ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
-                                double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome = map_outcome<long double>(unit::outcome_of_law(exact_case, model), to_extended);
+ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision, double allowance,
+                                properties::Stream& stream) {
+  ReportedOutcome outcome = map_outcome<long double>(unit::outcome_of_law(exact_case, law), to_extended);
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));
   const Vector3<double> direction = stream.direction();
   // `coulomb` has no sensitivity of its own. In the sticking regime it equals that of `sticking`.
-  const Model like = model == Model::coulomb ? Model::sticking : model;
+  const Law like = law == Law::coulomb ? Law::sticking : law;
   const double sensitivity = exact_case.sensitivity(like, allowance)[k];
   if (std::isfinite(sensitivity)) {
     *vectors(outcome)[k] += (direction / direction.norm() * (times * allowance * sensitivity)).cast<long double>();
@@ -52,10 +52,10 @@ ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model mode
   return map_outcome<long double>(outcome, [&](long double x) { return to_precision(x, precision); });
 }
 
-Subject planting_subject(Model model, Precision precision) {
+Subject planting_subject(Law law, Precision precision) {
   Subject subject;
-  subject.name = "planted-" + std::string(name_of(model)) + '-' + std::string(name_of(precision));
-  subject.model = model;
+  subject.name = "planted-" + std::string(name_of(law)) + '-' + std::string(name_of(precision));
+  subject.law = law;
   subject.precision = precision;
   subject.open = [=] {
     return Session([=](std::span<const Collision> collisions) {
@@ -71,7 +71,7 @@ Subject planting_subject(Model model, Precision precision) {
                             const double& x) { state = state * 0x100000001b3U ^ std::bit_cast<std::uint64_t>(x); },
                         collision);
         properties::Stream stream = properties::stream_from(state);
-        answers.emplace_back(planted_outcome(oracles::ExactCase(collision), model, precision, allowance, stream));
+        answers.emplace_back(planted_outcome(oracles::ExactCase(collision), law, precision, allowance, stream));
       }
       return answers;
     });

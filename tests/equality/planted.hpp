@@ -8,12 +8,12 @@ namespace carom::equality {
 
 /// The exact outcome rounded to the precision, with one vector moved so that one invariant comes near its bound.
 /// Either backward_error itself is ½ to 2 times the limit. Or, because laws allow more, it is up to 2⁶ times that.
-/// Preconditions: the case is valid; the model is `coulomb` or determines the outcome.
-[[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Model model, Precision precision,
+/// Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
+[[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision,
                                               double allowance, properties::Stream& stream);
 
 /// A solver that answers every collision with a planted outcome, which depends only on the collision's numbers.
 /// Precondition: the collisions are valid.
-[[nodiscard]] Subject planting_subject(Model model, Precision precision);
+[[nodiscard]] Subject planting_subject(Law law, Precision precision);
 
 }  // namespace carom::equality

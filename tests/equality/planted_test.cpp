@@ -12,14 +12,14 @@
 #include "support/effort.hpp"
 #include "wild.hpp"
 
-/// Repeats equality_test.cpp with outcomes planted near the bounds, where the filters have most to decide.
+/// Repeats subjects_and_mutants_test.cpp with outcomes planted near the bounds, where the filters have most to decide.
 namespace carom::equality {
 namespace {
 
 TEST(JudgeEquality, OnNumbersOfFewDigits) {
   std::vector<Examined> examined;
-  for (const Model model : models_with_truth) {
-    examined.emplace_back(planting_subject(model, Precision::binary64));
+  for (const Law law : laws_with_truth) {
+    examined.emplace_back(planting_subject(law, Precision::binary64));
   }
   Agreement agreement;
   for (const properties::Family& family : properties::all_families()) {
@@ -41,9 +41,9 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
 /// Here the bounds are tight: both verdicts occur within a factor of two of the allowance.
 TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   std::vector<Examined> examined;
-  for (const Model model : models_with_truth) {
+  for (const Law law : laws_with_truth) {
     for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-      examined.emplace_back(planting_subject(model, precision));
+      examined.emplace_back(planting_subject(law, precision));
     }
   }
   Agreement agreement;

@@ -35,40 +35,40 @@ Collision shown() {
 
 Point point_of(const Vector3<double>& impulse) { return {impulse.x(), impulse.y()}; }
 
-Point impulse_by(Model model, const Collision& collision) {
+Point impulse_by(Law law, const Collision& collision) {
   const auto contact = impulse::make_contact<double>(collision);
-  if (model == Model::coulomb) {
+  if (law == Law::coulomb) {
     return point_of(impulse::coulomb_impulse(contact).on_a);
   }
   Point point;
-  impulse::with_law(model, [&](const auto& law) { point = point_of(law(contact).on_a); });
+  impulse::with_law(law, [&](const auto& solver) { point = point_of(solver(contact).on_a); });
   return point;
 }
 
 /// The path to F: the impulses as one of the coefficients grows, starting without restitution.
-std::vector<Point> path_of(Model model) {
+std::vector<Point> path_of(Law law) {
   Collision c = shown();
   std::vector<Point> path{{0, 0}};
-  if (model == Model::rough) {
-    path.push_back(impulse_by(Model::frictionless, c));
-    path.push_back(impulse_by(model, shown()));
+  if (law == Law::rough) {
+    path.push_back(impulse_by(Law::frictionless, c));
+    path.push_back(impulse_by(law, shown()));
     return path;
   }
-  if (model == Model::coulomb) {
-    path.push_back(impulse_by(Model::frictionless, c));
+  if (law == Law::coulomb) {
+    path.push_back(impulse_by(Law::frictionless, c));
     for (c.friction = 0.0625; c.friction <= 1; c.friction += 0.0625) {
-      path.push_back(impulse_by(model, c));
+      path.push_back(impulse_by(law, c));
     }
     return path;
   }
   c.restitution = 0;
-  path.push_back(impulse_by(model, c));
-  path.push_back(impulse_by(model, shown()));
+  path.push_back(impulse_by(law, c));
+  path.push_back(impulse_by(law, shown()));
   return path;
 }
 
-report::Plot picture_of(Model model, std::string_view title) {
-  report::Plot picture("impulse-space-" + std::string(name_of(model)), 620, 560, 15);
+report::Plot picture_of(Law law, std::string_view title) {
+  report::Plot picture("impulse-space-" + std::string(name_of(law)), 620, 560, 15);
   const report::Panel panel{{-6, 3, false, 60, 600}, {-0.5, 7, false, 55, 505}};
   picture.begin(panel, title, "tangential component of F [N s]", "normal component of F [N s]");
   picture.add("set xtics 1\nset ytics 1");
@@ -82,13 +82,13 @@ report::Plot picture_of(Model model, std::string_view title) {
   const Collision c = shown();
   Collision plastic = c;
   plastic.restitution = 0;
-  const Point stops_approach = impulse_by(Model::frictionless, plastic);
-  const Point stops_point = impulse_by(Model::sticking, plastic);
-  const Point answer = impulse_by(model, c);
-  const bool has_friction = model == Model::rough || model == Model::coulomb;
+  const Point stops_approach = impulse_by(Law::frictionless, plastic);
+  const Point stops_point = impulse_by(Law::sticking, plastic);
+  const Point answer = impulse_by(law, c);
+  const bool has_friction = law == Law::rough || law == Law::coulomb;
   Collision smoother = c;
   smoother.friction = 0.5;
-  const Point on_cone = impulse_by(model, smoother);
+  const Point on_cone = impulse_by(law, smoother);
   mark({-2.75, 0.85}, "the cone, μ = 1", report::grey, 0, 0);
   mark({0.35, 3.2}, "N·V⁺ = −ε N·V⁻", report::green, 0, 0);
   mark({-5.9, 4.4}, "N·V⁺ = 0", report::sky_blue, 0, 0);
@@ -104,7 +104,7 @@ report::Plot picture_of(Model model, std::string_view title) {
   if (has_friction) {
     line({{-3.5, 7}, {0, 0}, {3, 6}}, fmt::format("lw 1.5 dt 3 lc rgb '{}'", report::purple));
   }
-  line(path_of(model), fmt::format("lw 3 lc rgb '{}'", report::vermillion));
+  line(path_of(law), fmt::format("lw 3 lc rgb '{}'", report::vermillion));
   picture.curve({stops_approach, stops_point},
                 fmt::format("using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", report::black));
   picture.curve({answer}, fmt::format("using 1:2 with points pt 7 ps 1.3 lc rgb '{}'", report::vermillion));
@@ -120,11 +120,11 @@ int run(int argc, char** argv) {
     throw std::invalid_argument("expected one argument, the directory to write to");
   }
   const std::array pictures{
-      picture_of(Model::frictionless, "frictionless: along N, (1+ε) P_I"),
-      picture_of(Model::reflection, "reflection: the tangential velocity is kept"),
-      picture_of(Model::sticking, "sticking: P_II, and on by ε"),
-      picture_of(Model::rough, "rough: (1+ε) P_I, then along P_II − P_I"),
-      picture_of(Model::coulomb, "coulomb: as friction grows, until the point sticks"),
+      picture_of(Law::frictionless, "frictionless: along N, (1+ε) P_I"),
+      picture_of(Law::reflection, "reflection: the tangential velocity is kept"),
+      picture_of(Law::sticking, "sticking: P_II, and on by ε"),
+      picture_of(Law::rough, "rough: (1+ε) P_I, then along P_II − P_I"),
+      picture_of(Law::coulomb, "coulomb: as friction grows, until the point sticks"),
   };
   const std::filesystem::path directory = argv[1];
   std::filesystem::create_directories(directory / "gnuplot");

@@ -93,20 +93,20 @@ double coulomb_rebound(double incidence) {
   return rebound(c, impulse::coulomb(impulse::make_contact<double>(c)));
 }
 
-using Law = std::function<double(double)>;
+using ReboundAngle = std::function<double(double)>;
 
-double largest_difference(const std::vector<Angles>& measured, const Law& law) {
+double largest_difference(const std::vector<Angles>& measured, const ReboundAngle& rebound_angle) {
   double largest = 0;
   for (const Angles& angles : measured) {
-    largest = std::max(largest, std::abs(law(angles.incidence) - angles.rebound));
+    largest = std::max(largest, std::abs(rebound_angle(angles.incidence) - angles.rebound));
   }
   return largest;
 }
 
-std::vector<std::vector<double>> curve_of(const Law& law) {
+std::vector<std::vector<double>> curve_of(const ReboundAngle& rebound_angle) {
   std::vector<std::vector<double>> points;
   for (double incidence = 0.5; incidence < 89.6; incidence += 0.5) {
-    points.push_back({incidence, law(incidence)});
+    points.push_back({incidence, rebound_angle(incidence)});
   }
   return points;
 }

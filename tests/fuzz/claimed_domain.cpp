@@ -5,7 +5,7 @@
 
 namespace carom::fuzz {
 
-bool is_in_claimed_domain(const Collision& collision, Model model) {
+bool is_in_claimed_domain(const Collision& collision, Law law) {
   constexpr double largest_ratio_of_moments = 1e8;
   // In units of λ. K ⪯ 16 λI includes λI itself, and 0.5 covers the rounding of this computation.
   constexpr double largest_response_to_torque = 14.5;
@@ -25,7 +25,7 @@ bool is_in_claimed_domain(const Collision& collision, Model model) {
     inverse_mass += 1 / body->mass;
     response_to_torque += (collision.point - body->position).squaredNorm() / least_moment;
   }
-  return model == Model::frictionless || response_to_torque <= largest_response_to_torque * inverse_mass;
+  return law == Law::frictionless || response_to_torque <= largest_response_to_torque * inverse_mass;
 }
 
 }  // namespace carom::fuzz

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/collision/collision.hpp>
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 
 namespace carom::fuzz {
 
@@ -11,6 +11,6 @@ namespace carom::fuzz {
 /// family `physical`. Laws that invert K also require K ⪯ 16 λI. This holds for bodies of uniform density that are
 /// star-shaped from the contact point, which includes convex bodies. The pages accuracy.md of
 /// docs/findings and docs/reference describe the behaviour beyond the domain. Precondition: the collision is valid.
-[[nodiscard]] bool is_in_claimed_domain(const Collision& collision, Model model);
+[[nodiscard]] bool is_in_claimed_domain(const Collision& collision, Law law);
 
 }  // namespace carom::fuzz

@@ -23,10 +23,10 @@ struct Solver {
   Session session;
 };
 
-std::vector<Solver> solvers_of(Model model) {
+std::vector<Solver> solvers_of(Law law) {
   std::vector<Solver> solvers;
   for (const Subject& subject : subjects::built_in_subjects()) {
-    if (subject.model == model && subject.precision == Precision::binary64 && subject.expected_to_pass) {
+    if (subject.law == law && subject.precision == Precision::binary64 && subject.expected_to_pass) {
       solvers.push_back({subject, properties::claim_of(subject, {}), subject.open()});
     }
   }
@@ -44,15 +44,15 @@ std::vector<Solver> solvers_of(Model model) {
 
 }  // namespace
 
-void judge_law(Bytes bytes, Model model) {
-  static std::vector<Solver> solvers = solvers_of(model);
+void judge_law(Bytes bytes, Law law) {
+  static std::vector<Solver> solvers = solvers_of(law);
   Input input(bytes);
   Solver& solver = solvers[input.byte() % solvers.size()];
   const ReadCase read = case_from(input);
   const Collision& collision = read.one.collision;
   const std::vector<Answer> first = properties::answers_of(solver.session, std::span(&collision, 1));
   const bool is_valid = validate(collision).empty();
-  const bool is_beyond_domain = !read.is_of_family && is_valid && !is_in_claimed_domain(collision, model);
+  const bool is_beyond_domain = !read.is_of_family && is_valid && !is_in_claimed_domain(collision, law);
   require(!is_valid || !std::holds_alternative<Refused>(first[0]), "a valid collision was refused");
   const properties::AnswerAndJudgement judged = properties::judge_in_session(solver.claim, solver.session, read.one);
   for (const properties::NamedVerdict& named : judged.judgement.verdicts) {

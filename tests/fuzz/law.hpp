@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 
 #include "input.hpp"
 
@@ -11,6 +11,6 @@ namespace carom::fuzz {
 /// the law. The first byte selects the solver; the case follows. A violation is a finding, printed as a witness that
 /// `carom replay` reads. Beyond the claimed domain only two findings exist: a refusal, and an answer that changes
 /// when the case is asked again.
-void judge_law(Bytes bytes, Model model);
+void judge_law(Bytes bytes, Law law);
 
 }  // namespace carom::fuzz

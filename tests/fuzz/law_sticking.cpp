@@ -3,6 +3,6 @@
 #include "target.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  carom::fuzz::judge_law({data, size}, carom::Model::sticking);
+  carom::fuzz::judge_law({data, size}, carom::Law::sticking);
   return 0;
 }

@@ -16,8 +16,8 @@ namespace carom::fuzz {
 namespace {
 
 /// The exact outcome rounded to binary64, with one of its twelve numbers moved by up to 128 ulps.
-ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Model model, Input& input) {
-  Outcome<double> outcome = exact_case.nearest_truth(model);
+ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Law law, Input& input) {
+  Outcome<double> outcome = exact_case.nearest_truth(law);
   const int which = input.byte() % 12;
   const int ulps = input.byte() - 128;
   double& number = (*vectors(outcome)[static_cast<OutcomeVector>(which / 3)])[which % 3];
@@ -41,7 +41,7 @@ Matrix3<long double> moved_matrix(const Collision& collision, Precision precisio
   return matrix;
 }
 
-Answer made_up_answer(const Collision& collision, Model model, Precision precision, Input& input) {
+Answer made_up_answer(const Collision& collision, Law law, Precision precision, Input& input) {
   const int kind = input.byte() % 16;
   if (kind == 0) {
     return Skipped{"made up"};
@@ -54,11 +54,11 @@ Answer made_up_answer(const Collision& collision, Model model, Precision precisi
   }
   const oracles::ExactCase exact_case(collision);
   if (kind < 10) {
-    return moved_truth(exact_case, model, input);
+    return moved_truth(exact_case, law, input);
   }
   const double allowance = oracles::default_limit_ulps * unit_roundoff(precision);
   properties::Stream stream = input.stream();
-  return equality::planted_outcome(exact_case, model, precision, allowance, stream);
+  return equality::planted_outcome(exact_case, law, precision, allowance, stream);
 }
 
 }  // namespace
@@ -67,9 +67,9 @@ Subject made_up_subject(Input& input) {
   constexpr std::array precisions{Precision::binary32, Precision::binary64, Precision::extended};
   Subject subject;
   subject.name = "made-up";
-  subject.model = models_with_truth.at(input.byte() % models_with_truth.size());
+  subject.law = laws_with_truth.at(input.byte() % laws_with_truth.size());
   subject.precision = precisions.at(input.byte() % precisions.size());
-  const Model model = subject.model;
+  const Law law = subject.law;
   const Precision precision = subject.precision;
   const int place = input.byte() % 9;
   const int ulps = input.byte() - 128;
@@ -78,7 +78,7 @@ Subject made_up_subject(Input& input) {
     return Session([=, &input](std::span<const Collision> collisions) {
       std::vector<Answer> answers;
       for (const Collision& collision : collisions) {
-        Answer answer = made_up_answer(collision, model, precision, input);
+        Answer answer = made_up_answer(collision, law, precision, input);
         if (auto* outcome = std::get_if<ReportedOutcome>(&answer); outcome != nullptr && validate(collision).empty()) {
           outcome->collision_matrix = moved_matrix(collision, precision, place, ulps);
         }

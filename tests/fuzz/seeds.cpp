@@ -87,9 +87,8 @@ void write_all(const fs::path& directory) {
     write_cases(directory, i, beyond[i].name, bytes_beyond_domain(i, 0),
                 properties::drawn_case(beyond[i], 1, 0).collision);
   }
-  write(
-      directory, "protocol_reply", "introduction",
-      '\1' + protocol::introduction_reply({"name", "1.0", Precision::binary64, Model::reflection, {"energy", "swap"}}));
+  write(directory, "protocol_reply", "introduction",
+        '\1' + protocol::introduction_reply({"name", "1.0", Precision::binary64, Law::reflection, {"energy", "swap"}}));
   write(directory, "json_witness", "array", json::array({json::parse("{}"), json::parse("[]")}).dump());
   write(directory, "printed_text", "text", "\x40one\ttwo\n\x1b[31mthree\u202e four \u00e4\u2026\xff");
   write(directory, "printed_text", "words", "\x40program --name 'one two' \"three \\\" $four\" five\\ six");

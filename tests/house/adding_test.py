@@ -28,8 +28,8 @@ ROWS = [
      [], "family at_rest"),
     ("adding-an-invariant.md", "`one_answer.cpp`", "properties/invariants/one_answer.cpp",
      [("std::vector<Invariant> answer_invariants() {",
-       "Verdict check_nothing(const Collision&, const ExactAnswer&, Model) { return {}; }\n\n"),
-      ("Invariant{\"invalid_refused\"", "Invariant{\"nothing\", \"Nothing is asked.\", \"\", \"\", \"\", every_model(),\n"
+       "Verdict check_nothing(const Collision&, const ExactAnswer&, Law) { return {}; }\n\n"),
+      ("Invariant{\"invalid_refused\"", "Invariant{\"nothing\", \"Nothing is asked.\", \"\", \"\", \"\", every_law(),\n"
        "          AboutAnswer{true, check_nothing}},\n          ")],
      ["properties/invariants/invariant.cpp"], "invariant nothing"),
     ("contributing.md", "row in one of the files of `properties/features`", "properties/features/inertia.cpp",
@@ -38,8 +38,8 @@ ROWS = [
        "       [](Stream&, Collision&, Body& b) { set_mass(b, 3); },\n       {.kinds_of = {\"mass\"}}},\n")],
      ["properties/features/feature.cpp"], "feature b.mass_three"),
 ]
-LAW = ("src/collision/model.hpp", [("  any, ", "  slippery,\n"), ("Model::any};", "Model::slippery, "),
-                                   ("    case Model::any:", "    case Model::slippery:\n      return \"slippery\";\n")])
+LAW = ("src/collision/law.hpp", [("  any, ", "  slippery,\n"), ("Law::any};", "Law::slippery, "),
+                                   ("    case Law::any:", "    case Law::slippery:\n      return \"slippery\";\n")])
 
 
 def run(command, **options):
@@ -120,7 +120,7 @@ def adds_rows(compiler, link):
 def names_what_a_law_leaves(compiler):
     change(*LAW)
     folders = [TREE / name for name in ("src", "oracles", "properties")]
-    switching = {path for folder in folders for path in folder.rglob("*.?pp") if "case Model::any:" in path.read_text()}
+    switching = {path for folder in folders for path in folder.rglob("*.?pp") if "case Law::any:" in path.read_text()}
     switching.discard(TREE / LAW[0])
     units = [path for path in switching if path.suffix == ".cpp"]
     for extra in ("oracles/judge/exact_case.cpp", "oracles/judge/accuracy.cpp"):  # they instantiate code of headers

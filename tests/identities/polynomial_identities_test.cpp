@@ -77,55 +77,55 @@ bool is_identity(const oracles::Sides<Rational, N>& sides) {
   return sides.left == sides.right;
 }
 
-/// The two sides of the law that distinguishes the model from the others.
-oracles::Sides<Rational, 3> tangential_law(const RationalCollision& c, Model model, const Outcome<Rational>& y) {
-  switch (model) {
-    case Model::frictionless:
+/// The two sides of the tangential equation, which distinguishes the law from the others.
+oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law law, const Outcome<Rational>& y) {
+  switch (law) {
+    case Law::frictionless:
       return oracles::equation::FrictionlessDirection{true}(c, y);
-    case Model::reflection:
+    case Law::reflection:
       return oracles::equation::ReflectionPlane{}(c, y);
-    case Model::sticking:
+    case Law::sticking:
       return oracles::equation::Sticks{}(c, y);
-    case Model::rough:  // combines two laws, and its factor is not a polynomial
-    case Model::coulomb:
-    case Model::any:
+    case Law::rough:  // combines two laws, and its factor is not a polynomial
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  oracles::determines_no_outcome(model);
+  oracles::determines_no_outcome(law);
 }
 
 /// ΔE from the law alone, without the outcome.
-Rational energy_gain(const RationalCollision& c, Model model) {
+Rational energy_gain(const RationalCollision& c, Law law) {
   const Matrix3<Rational> k = oracles::response_matrix(c);
   const Vector& n = c.normal;
   const Vector v = oracles::relative_velocity<Rational>(c, unchanged(c));
   const Rational normal_velocity = n.dot(v);
-  switch (model) {
-    case Model::frictionless:
+  switch (law) {
+    case Law::frictionless:
       // −(1 − ε²) (N·V⁻)² / (2 NᵀKN)
       return -(1 - c.restitution * c.restitution) * normal_velocity * normal_velocity / (2 * n.dot(Vector(k * n)));
-    case Model::reflection: {
+    case Law::reflection: {
       // ½ F·(V⁻ + V⁺) with K F = c N and c = −(1+ε) (N·V⁻)/(N·N): c/2 (2 V⁻ + c N)ᵀ K⁻¹ N
       const Rational change = -(1 + c.restitution) * normal_velocity / n.dot(n);
       const Vector in_response = oracles::cramer<Rational>(k, n);
       return change / 2 * Vector(Rational(2) * v + change * n).dot(in_response);
     }
-    case Model::sticking: {
+    case Law::sticking: {
       // ½ (V⁺ᵀ K⁻¹ V⁺ − V⁻ᵀ K⁻¹ V⁻) with V⁺ = −ε (N·V⁻)/(N·N) N
       const Vector after = n * Rational(-c.restitution * normal_velocity / n.dot(n));
       return (after.dot(oracles::cramer<Rational>(k, after)) - v.dot(oracles::cramer<Rational>(k, v))) / 2;
     }
-    case Model::rough:
-    case Model::coulomb:
-    case Model::any:
+    case Law::rough:
+    case Law::coulomb:
+    case Law::any:
       break;
   }
-  oracles::determines_no_outcome(model);
+  oracles::determines_no_outcome(law);
 }
 
 /// The name of a law that the solver's outcome violates at one of the points; nothing if every law is an identity. A
 /// solver that never acts satisfies most laws, and is also reported.
-std::optional<std::string> false_identity(Solver solver, Model model) {
+std::optional<std::string> false_identity(Solver solver, Law law) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {
     const RationalCollision c = random_point(stream);
@@ -141,10 +141,10 @@ std::optional<std::string> false_identity(Solver solver, Model model) {
         !is_identity(oracles::equation::TotalAngularMomentum{}(c, y))) {
       return "angular momentum";
     }
-    if (!is_identity(tangential_law(c, model, y))) {
-      return "the model's tangential law";
+    if (!is_identity(tangential_equation(c, law, y))) {
+      return "the law's tangential equation";
     }
-    if (oracles::kinetic_energy_gain(c.a, y.a) + oracles::kinetic_energy_gain(c.b, y.b) != energy_gain(c, model)) {
+    if (oracles::kinetic_energy_gain(c.a, y.a) + oracles::kinetic_energy_gain(c.b, y.b) != energy_gain(c, law)) {
       return "energy";
     }
     if (y.a.velocity == c.a.velocity || y.b.angular_velocity == c.b.angular_velocity) {
@@ -155,35 +155,35 @@ std::optional<std::string> false_identity(Solver solver, Model model) {
 }
 
 TEST(PolynomialIdentities, HoldOfTheFrictionlessLaw) {
-  EXPECT_EQ(false_identity(impulse::frictionless<Rational>, Model::frictionless), std::nullopt);
+  EXPECT_EQ(false_identity(impulse::frictionless<Rational>, Law::frictionless), std::nullopt);
 }
 
 TEST(PolynomialIdentities, HoldOfReflectionByLdlt) {
-  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Model::reflection), std::nullopt);
+  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Law::reflection), std::nullopt);
 }
 
 TEST(PolynomialIdentities, HoldOfReflectionByTheAdjugate) {
-  EXPECT_EQ(false_identity(impulse::reflection<impulse::Adjugate, Rational>, Model::reflection), std::nullopt);
+  EXPECT_EQ(false_identity(impulse::reflection<impulse::Adjugate, Rational>, Law::reflection), std::nullopt);
 }
 
 TEST(PolynomialIdentities, HoldOfSticking) {
-  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Model::sticking), std::nullopt);
+  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Law::sticking), std::nullopt);
 }
 
 TEST(PolynomialIdentities, DoNotHoldOfASubjectThatReturnsItsInput) {
   const Solver idle = [](const Contact& contact) { return impulse::unchanged(contact); };
-  EXPECT_EQ(false_identity(idle, Model::frictionless), "restitution");
-  EXPECT_EQ(false_identity(idle, Model::reflection), "restitution");
+  EXPECT_EQ(false_identity(idle, Law::frictionless), "restitution");
+  EXPECT_EQ(false_identity(idle, Law::reflection), "restitution");
 }
 
-TEST(PolynomialIdentities, TellTheModelsApart) {
-  EXPECT_EQ(false_identity(impulse::frictionless<Rational>, Model::reflection), "the model's tangential law");
-  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Model::sticking),
-            "the model's tangential law");
-  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Model::reflection),
-            "the model's tangential law");
-  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Model::frictionless),
-            "the model's tangential law");
+TEST(PolynomialIdentities, TellTheLawsApart) {
+  EXPECT_EQ(false_identity(impulse::frictionless<Rational>, Law::reflection), "the law's tangential equation");
+  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Law::sticking),
+            "the law's tangential equation");
+  EXPECT_EQ(false_identity(impulse::sticking<impulse::Ldlt, Rational>, Law::reflection),
+            "the law's tangential equation");
+  EXPECT_EQ(false_identity(impulse::reflection<impulse::Ldlt, Rational>, Law::frictionless),
+            "the law's tangential equation");
 }
 
 /// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. This is a sum of squares, because uᵀJu ≥ 0 for u = J⁻¹(Qx). So λI

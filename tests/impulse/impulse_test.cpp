@@ -8,7 +8,7 @@
 #include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 
 #include "support/exact.hpp"
 
@@ -283,7 +283,7 @@ void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& 
   const auto contact = make_contact<Radical>(
       map_numbers<Radical>(exact_case.collision(), [](double number) { return Radical(number); }));
   const Outcome<Radical> solved = rough<Ldlt, Radical>(contact);
-  exact_case.with_truth(Model::rough, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+  exact_case.with_truth(Law::rough, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     for (const OutcomeVector k : all_outcome_vectors) {
       for (int i = 0; i < 3; ++i) {
         EXPECT_EQ((*vectors(solved)[k])[i], Radical((*vectors(truth.outcome)[k])[i])) << family << ' ' << name_of(k);
@@ -296,10 +296,10 @@ TEST(Solvers, EqualTheOracleExactly) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     const oracles::ExactCase exact_case(one.collision);
     const auto contact = exact_contact(one.collision);
-    EXPECT_TRUE(same(frictionless(contact), exact_case.truth(Model::frictionless).outcome)) << family;
-    EXPECT_TRUE(same(reflection<Ldlt>(contact), exact_case.truth(Model::reflection).outcome)) << family;
-    EXPECT_TRUE(same(reflection<Adjugate>(contact), exact_case.truth(Model::reflection).outcome)) << family;
-    EXPECT_TRUE(same(sticking<Ldlt>(contact), exact_case.truth(Model::sticking).outcome)) << family;
+    EXPECT_TRUE(same(frictionless(contact), exact_case.truth(Law::frictionless).outcome)) << family;
+    EXPECT_TRUE(same(reflection<Ldlt>(contact), exact_case.truth(Law::reflection).outcome)) << family;
+    EXPECT_TRUE(same(reflection<Adjugate>(contact), exact_case.truth(Law::reflection).outcome)) << family;
+    EXPECT_TRUE(same(sticking<Ldlt>(contact), exact_case.truth(Law::sticking).outcome)) << family;
     expect_same_rough(exact_case, std::string(family));
   }
 }

@@ -17,7 +17,7 @@
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 
 #include "support/cases.hpp"
 
@@ -103,38 +103,32 @@ class Slivers : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Slivers, Scalars);
 
-/// A law by name, with the function that computes its outcome.
-struct NamedLaw {
-  std::string_view name;
-  Model model;
-};
-constexpr std::array laws{NamedLaw{"frictionless", Model::frictionless}, NamedLaw{"reflection", Model::reflection},
-                          NamedLaw{"sticking", Model::sticking}};
+constexpr std::array laws{Law::frictionless, Law::reflection, Law::sticking};
 
 template <class S, class Inertia>
-Outcome<S> solved(Model model, const Collision& collision) {
+Outcome<S> solved(Law law, const Collision& collision) {
   const Contact<S, Inertia> contact = make_contact<S, Inertia>(collision);
   Outcome<S> outcome;
-  with_law(model, [&](const auto& law) { outcome = apply_impulse(contact, law(contact)); });
+  with_law(law, [&](const auto& solver) { outcome = apply_impulse(contact, solver(contact)); });
   return outcome;
 }
 
 TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
-  for (const NamedLaw& law : laws) {
+  for (const Law law : laws) {
     for (const double ratio : {8.0, 64.0, 512.0, 8192.0, 131072.0, 1e8}) {
       Missed in_world;
       Missed in_body;
       const std::vector<Collision> cases = slivers(ratio, 300);
       for (const Collision& collision : cases) {
-        in_world.add(missed(collision, solved<TypeParam, WorldInertia<TypeParam>>(law.model, collision)));
-        in_body.add(missed(collision, solved<TypeParam, PrincipalInertia<TypeParam>>(law.model, collision)));
+        in_world.add(missed(collision, solved<TypeParam, WorldInertia<TypeParam>>(law, collision)));
+        in_body.add(missed(collision, solved<TypeParam, PrincipalInertia<TypeParam>>(law, collision)));
       }
-      std::cout << law.name << ", moments 1 : " << ratio << " to twice that, " << cases.size() << " bodies: worst "
+      std::cout << name_of(law) << ", moments 1 : " << ratio << " to twice that, " << cases.size() << " bodies: worst "
                 << in_world.worst << " ulps in world coordinates, beyond 32 in " << in_world.beyond_limit << "; worst "
                 << in_body.worst << " in the body frame\n";
-      EXPECT_LT(in_body.worst, 4) << law.name << ' ' << ratio;
+      EXPECT_LT(in_body.worst, 4) << name_of(law) << ' ' << ratio;
       if (ratio >= 8192) {
-        EXPECT_GT(in_world.beyond_limit, 6) << law.name << ' ' << ratio;
+        EXPECT_GT(in_world.beyond_limit, 6) << name_of(law) << ' ' << ratio;
       }
     }
   }
@@ -157,11 +151,11 @@ Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
 }
 
 template <class S>
-double backward_error(const Collision& c, Model model, const Outcome<S>& outcome) {
+double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
   const auto reported = map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); });
-  return oracles::accuracy(oracles::ExactCase(c), model, oracles::LiftedOutcome(reported), yardstick)
+  return oracles::accuracy(oracles::ExactCase(c), law, oracles::LiftedOutcome(reported), yardstick)
       .backward_error(yardstick.unit_roundoff);
 }
 
@@ -178,23 +172,22 @@ bool is_blind(const Collision& c) {
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
-    for (const NamedLaw& law : laws) {
+    for (const Law law : laws) {
       double worst = 0;
       double worst_in_world = 0;
       bool is_thinner_than_rounding = false;
       for (int i = 0; i < 100; ++i) {
         const Collision c = rod_on_its_tip(stream, ratio);
         is_thinner_than_rounding = is_thinner_than_rounding || is_blind<TypeParam>(c);
-        worst =
-            std::max(worst, backward_error(c, law.model, solved<TypeParam, PrincipalInertia<TypeParam>>(law.model, c)));
-        worst_in_world = std::max(
-            worst_in_world, backward_error(c, law.model, solved<TypeParam, WorldInertia<TypeParam>>(law.model, c)));
+        worst = std::max(worst, backward_error(c, law, solved<TypeParam, PrincipalInertia<TypeParam>>(law, c)));
+        worst_in_world =
+            std::max(worst_in_world, backward_error(c, law, solved<TypeParam, WorldInertia<TypeParam>>(law, c)));
       }
-      std::cout << law.name << ", moments 1 : " << ratio << ": " << worst << " ulps, " << worst_in_world
+      std::cout << name_of(law) << ", moments 1 : " << ratio << ": " << worst << " ulps, " << worst_in_world
                 << " in world coordinates\n";
-      EXPECT_LT(worst, oracles::default_limit_ulps / 4) << law.name << ' ' << ratio;
-      if (ratio > 1e5 && law.model != Model::sticking && !is_thinner_than_rounding) {
-        EXPECT_GT(worst_in_world, oracles::default_limit_ulps) << law.name << ' ' << ratio;
+      EXPECT_LT(worst, oracles::default_limit_ulps / 4) << name_of(law) << ' ' << ratio;
+      if (ratio > 1e5 && law != Law::sticking && !is_thinner_than_rounding) {
+        EXPECT_GT(worst_in_world, oracles::default_limit_ulps) << name_of(law) << ' ' << ratio;
       }
     }
   }
@@ -208,10 +201,9 @@ TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   c.b.principal_inertia = {1, 128, 1};
   c.point = {0.001953125, -0.0078125, -0.005859375};
   c.normal = {-0.125, 0.5, 0.375};
-  for (const NamedLaw& law : laws) {
-    EXPECT_EQ(
-        missed(oracles::equation::TotalAngularMomentum{}, c, solved<double, PrincipalInertia<double>>(law.model, c)), 0)
-        << law.name;
+  for (const Law law : laws) {
+    EXPECT_EQ(missed(oracles::equation::TotalAngularMomentum{}, c, solved<double, PrincipalInertia<double>>(law, c)), 0)
+        << name_of(law);
   }
 }
 
@@ -228,8 +220,8 @@ TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   c.b.orientation = {0, 2, 1, -1};
   c.point = {0.0001220703125, 0, 0.0009765625};
   c.normal = {0.125, 0, 1};
-  for (const Model model : {Model::frictionless, Model::reflection}) {
-    EXPECT_LT(backward_error(c, model, solved<double, PrincipalInertia<double>>(model, c)), 4);
+  for (const Law law : {Law::frictionless, Law::reflection}) {
+    EXPECT_LT(backward_error(c, law, solved<double, PrincipalInertia<double>>(law, c)), 4);
   }
 }
 
@@ -250,7 +242,7 @@ TEST(SlenderBodies, AreNotTurnedByRoundingInATangentBasis) {
   c.b.velocity = {-9e7, -8e7, 3e7};
   c.b.angular_velocity = {0.3, 0.1, 0.3};
   c.normal = {-1, 0x1p-30, 0x1p-13};
-  EXPECT_LT(backward_error(c, Model::reflection, reflection_in_stable_basis(make_contact<double>(c))), 4);
+  EXPECT_LT(backward_error(c, Law::reflection, reflection_in_stable_basis(make_contact<double>(c))), 4);
 }
 
 TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
@@ -263,9 +255,9 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);
     const Collision c = properties::convex_bodies(stream).collision;
-    with_law(Model::frictionless, [&](const auto& law) {
-      const Outcome<double> outcome = guaranteed(c, make_contact<double>(c), law);
-      EXPECT_LT(backward_error(c, Model::frictionless, outcome), oracles::default_limit_ulps / 2) << i;
+    with_law(Law::frictionless, [&](const auto& solver) {
+      const Outcome<double> outcome = guaranteed(c, make_contact<double>(c), solver);
+      EXPECT_LT(backward_error(c, Law::frictionless, outcome), oracles::default_limit_ulps / 2) << i;
     });
   }
 }

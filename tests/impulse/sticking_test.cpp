@@ -36,7 +36,7 @@ TEST(Sticking, KeepsTheDigitsOfEachComponentOfV) {
   const auto outcome = map_outcome<long double>(sticking<Ldlt>(make_contact<double>(c)),
                                                 [](double x) { return static_cast<long double>(x); });
   const oracles::Accuracy accuracy =
-      oracles::accuracy(oracles::ExactCase(c), Model::sticking, oracles::LiftedOutcome(outcome), yardstick);
+      oracles::accuracy(oracles::ExactCase(c), Law::sticking, oracles::LiftedOutcome(outcome), yardstick);
   EXPECT_TRUE(accuracy.is_decided);
   EXPECT_LT(accuracy.backward_error(yardstick.unit_roundoff), oracles::default_limit_ulps / 2);
 }

@@ -9,11 +9,11 @@
 namespace carom::mutants {
 namespace {
 
-constexpr Model frictionless = Model::frictionless;
-constexpr Model reflection = Model::reflection;
-constexpr Model sticking = Model::sticking;
-constexpr Model rough = Model::rough;
-constexpr Model coulomb = Model::coulomb;
+constexpr Law frictionless = Law::frictionless;
+constexpr Law reflection = Law::reflection;
+constexpr Law sticking = Law::sticking;
+constexpr Law rough = Law::rough;
+constexpr Law coulomb = Law::coulomb;
 
 const std::array mutants{
     // Validation of the collision.
@@ -738,10 +738,10 @@ const std::array mutants{
 
 std::span<const Mutant> all_mutants() { return mutants; }
 
-Subject subject_of(const Mutant& mutant) { return make_subject(std::string(mutant.name), mutant.model, mutant.defect); }
+Subject subject_of(const Mutant& mutant) { return make_subject(std::string(mutant.name), mutant.law, mutant.defect); }
 
 Subject repaired(const Mutant& mutant) {
-  return make_subject(std::string(mutant.name) + "-repaired", mutant.model, Defect::none);
+  return make_subject(std::string(mutant.name) + "-repaired", mutant.law, Defect::none);
 }
 
 }  // namespace carom::mutants

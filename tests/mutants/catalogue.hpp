@@ -16,7 +16,7 @@ namespace carom::mutants {
 struct Mutant {
   std::string_view name;
   Defect defect;
-  Model model;
+  Law law;
   std::string_view failure_cases;             // in the catalogue of failures of real engines; empty if there are none
   std::string_view sentence;                  // describes the defect
   std::vector<std::string_view> rejected_by;  // at least these

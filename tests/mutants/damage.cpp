@@ -37,8 +37,9 @@ ContactImpulse impulse_on_a(const impulse::RoughImpulse<double>& impulse) {
 /// The law's impulse on another contact with the same N·V⁻, applied to this one.
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
-  impulse::with_law(sound.model, [&](const auto& law) {
-    outcome = impulse::apply_impulse(sound.contact, impulse_on_a(law(other, impulse::normal_velocity(sound.contact))));
+  impulse::with_law(sound.law, [&](const auto& solver) {
+    outcome =
+        impulse::apply_impulse(sound.contact, impulse_on_a(solver(other, impulse::normal_velocity(sound.contact))));
   });
   return outcome;
 }
@@ -123,10 +124,10 @@ std::string_view sentence_of(Damage damage) {
   return "the z component of the spin of A is NaN";
 }
 
-Solution solved(Model model, const Collision& collision) {
-  Solution solution{model, impulse::make_contact<double>(collision), {}, {}};
-  impulse::with_law(model, [&](const auto& law) {
-    const auto impulse = law(solution.contact);
+Solution solved(Law law, const Collision& collision) {
+  Solution solution{law, impulse::make_contact<double>(collision), {}, {}};
+  impulse::with_law(law, [&](const auto& solver) {
+    const auto impulse = solver(solution.contact);
     solution.impulse = impulse_on_a(impulse);
     solution.outcome = impulse::apply_impulse(solution.contact, impulse);
   });

@@ -6,7 +6,7 @@
 
 #include <carom/collision/collision.hpp>
 #include <carom/collision/enum_array.hpp>
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 
 namespace carom::mutants {
@@ -52,14 +52,14 @@ static_assert(counts_from_zero_to(all_damages, Damage::not_a_number));
 
 /// The built-in solver's result for a collision, by a law in binary64.
 struct Solution {
-  Model model;
+  Law law;
   impulse::Contact<double> contact;
   impulse::ContactImpulse<double> impulse;
   Outcome<double> outcome;
 };
 
-/// Preconditions: the collision is valid, and the model is one of `models_with_truth`.
-[[nodiscard]] Solution solved(Model model, const Collision& collision);
+/// Preconditions: the collision is valid, and the law is one of `laws_with_truth`.
+[[nodiscard]] Solution solved(Law law, const Collision& collision);
 
 /// The damaged outcome. `last` is the previous answer.
 [[nodiscard]] Outcome<double> damaged(Damage damage, const Solution& sound, const Outcome<double>& last);

@@ -26,9 +26,9 @@ struct Claims {
   properties::Claim laws;
 };
 
-Claims claims_of(Model model) {
+Claims claims_of(Law law) {
   Subject subject;
-  subject.model = model;
+  subject.law = law;
   Claims claims{properties::claim_of(subject, {}), {}};
   claims.laws = claims.truth;
   std::erase_if(claims.truth.invariants, [](const properties::Invariant* invariant) {
@@ -65,8 +65,8 @@ Judged judged(const JudgedCase& one, const Claims& claims, const Outcome<double>
   return {false, backward_error};
 }
 
-std::size_t place_of(std::size_t model, Damage damage) {
-  return model * all_damages.size() + static_cast<std::size_t>(damage);
+std::size_t place_of(std::size_t law, Damage damage) {
+  return law * all_damages.size() + static_cast<std::size_t>(damage);
 }
 
 /// The index of a pair x ≤ y among all pairs and single features.
@@ -107,11 +107,11 @@ Seen& Seen::operator+=(const Seen& other) {
   return *this;
 }
 
-Detection::Detection(std::vector<Model> models)
-    : models_(std::move(models)), seen_(models_.size() * all_damages.size() * places()) {}
+Detection::Detection(std::vector<Law> laws)
+    : laws_(std::move(laws)), seen_(laws_.size() * all_damages.size() * places()) {}
 
-const Seen& Detection::seen(Model model, Damage damage, std::size_t x, std::size_t y) const {
-  const auto index = static_cast<std::size_t>(std::find(models_.begin(), models_.end(), model) - models_.begin());
+const Seen& Detection::seen(Law law, Damage damage, std::size_t x, std::size_t y) const {
+  const auto index = static_cast<std::size_t>(std::find(laws_.begin(), laws_.end(), law) - laws_.begin());
   return seen_[place_of(index, damage) * places() + place_of(x, y)];
 }
 
@@ -129,15 +129,15 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++judged_;
   const std::vector<std::size_t> present = features_present(collision);
   const oracles::ExactCase read(as_read(collision));
-  for (std::size_t m = 0; m < models_.size(); ++m) {
-    const Claims claims = claims_of(models_[m]);
-    const Solution sound = solved(models_[m], collision);
+  for (std::size_t m = 0; m < laws_.size(); ++m) {
+    const Claims claims = claims_of(laws_[m]);
+    const Solution sound = solved(laws_[m], collision);
     const Judged of_sound = mutants::judged(one, claims, sound.outcome);
     if (of_sound.is_rejected) {
       ++sound_rejected_;
       continue;
     }
-    const Outcome<double> last = solved(models_[m], previous).outcome;
+    const Outcome<double> last = solved(laws_[m], previous).outcome;
     for (const Damage damage : all_damages) {
       Seen* const seen = &seen_[place_of(m, damage) * places()];
       bool is_open = false;
@@ -150,7 +150,7 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
       Seen of_case;
       if (judgement.is_rejected) {
         of_case.sight = Sight::killed;
-      } else if (leaves_truth(damage, read, models_[m])) {
+      } else if (leaves_truth(damage, read, laws_[m])) {
         of_case.sight = Sight::leaves_truth;
       } else {
         of_case = {static_cast<float>(judgement.backward_error), 1, Sight::within_rounding};
@@ -201,7 +201,7 @@ Detection detect(const DetectionOptions& options) {
       }
     }
   };
-  std::vector<Detection> of_threads(std::max(1U, options.jobs), Detection(options.models));
+  std::vector<Detection> of_threads(std::max(1U, options.jobs), Detection(options.laws));
   {
     std::vector<std::jthread> threads;
     for (std::size_t i = 1; i < of_threads.size(); ++i) {

@@ -17,7 +17,7 @@ struct DetectionOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;  // for each family, times its weight
   unsigned jobs = 1;           // threads
-  std::vector<Model> models{models_with_truth.begin(), models_with_truth.end()};
+  std::vector<Law> laws{laws_with_truth.begin(), laws_with_truth.end()};
 };
 
 /// The result of the cases for a conditional mutant. The case that shows most decides.
@@ -41,17 +41,17 @@ struct Seen {
 /// all_features().
 class Detection {
  public:
-  explicit Detection(std::vector<Model> models);
+  explicit Detection(std::vector<Law> laws);
 
   /// Records a colliding case; `previous` is the collision before it.
   void add(const properties::JudgedCase& one, const Collision& previous);
 
   Detection& operator+=(const Detection& other);
 
-  /// The result for a pair, or for a single feature if x = y. Preconditions: x ≤ y, and the model is one of models().
-  [[nodiscard]] const Seen& seen(Model model, Damage damage, std::size_t x, std::size_t y) const;
+  /// The result for a pair, or for a single feature if x = y. Preconditions: x ≤ y, and the law is one of laws().
+  [[nodiscard]] const Seen& seen(Law law, Damage damage, std::size_t x, std::size_t y) const;
 
-  [[nodiscard]] const std::vector<Model>& models() const { return models_; }
+  [[nodiscard]] const std::vector<Law>& laws() const { return laws_; }
 
   /// The number of recorded cases, of those that can be judged in binary64, and of sound outcomes that were rejected.
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
@@ -59,7 +59,7 @@ class Detection {
   [[nodiscard]] std::uint64_t sound_rejected() const { return sound_rejected_; }
 
  private:
-  std::vector<Model> models_;
+  std::vector<Law> laws_;
   std::vector<Seen> seen_;
   std::uint64_t cases_ = 0;
   std::uint64_t judged_ = 0;

@@ -38,13 +38,13 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (!laws.empty()) {
-      options.models.clear();
-      for (const std::string& law : laws) {
-        const std::optional<Model> model = model_named(law);
-        if (!model || !determines_outcome(*model)) {
-          throw CLI::ValidationError("--law", "there is no law \"" + law + "\" that determines an outcome");
+      options.laws.clear();
+      for (const std::string& name : laws) {
+        const std::optional<Law> law = law_named(name);
+        if (!law || !determines_outcome(*law)) {
+          throw CLI::ValidationError("--law", "there is no law \"" + name + "\" that determines an outcome");
         }
-        options.models.push_back(*model);
+        options.laws.push_back(*law);
       }
     }
   } catch (const CLI::ParseError& error) {

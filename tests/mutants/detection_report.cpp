@@ -42,10 +42,10 @@ void for_each_condition(const Visit& visit) {
   }
 }
 
-bool is_explained_by_one(const Detection& detection, Model model, Damage damage, std::size_t x, std::size_t y) {
-  const Sight sight = detection.seen(model, damage, x, y).sight;
+bool is_explained_by_one(const Detection& detection, Law law, Damage damage, std::size_t x, std::size_t y) {
+  const Sight sight = detection.seen(law, damage, x, y).sight;
   return x != y &&
-         (detection.seen(model, damage, x, x).sight == sight || detection.seen(model, damage, y, y).sight == sight);
+         (detection.seen(law, damage, x, x).sight == sight || detection.seen(law, damage, y, y).sight == sight);
 }
 
 std::string condition_of(const Survivor& survivor) {
@@ -138,19 +138,19 @@ double Score::percent() const {
   return visible() == 0 ? all : all * static_cast<double>(killed) / static_cast<double>(visible());
 }
 
-Scores scores_of(const Detection& detection, Model model, Damage damage) {
+Scores scores_of(const Detection& detection, Law law, Damage damage) {
   Scores scores;
   for_each_condition([&](std::size_t x, std::size_t y) {
-    (x == y ? scores.singles : scores.pairs).add(detection.seen(model, damage, x, y).sight);
+    (x == y ? scores.singles : scores.pairs).add(detection.seen(law, damage, x, y).sight);
   });
   return scores;
 }
 
 Scores scores_of(const Detection& detection) {
   Scores sum;
-  for (const Model model : detection.models()) {
+  for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
-      const Scores scores = scores_of(detection, model, damage);
+      const Scores scores = scores_of(detection, law, damage);
       sum.singles += scores.singles;
       sum.pairs += scores.pairs;
     }
@@ -160,12 +160,12 @@ Scores scores_of(const Detection& detection) {
 
 std::vector<Survivor> survivors_of(const Detection& detection) {
   std::vector<Survivor> survivors;
-  for (const Model model : detection.models()) {
+  for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
       for_each_condition([&](std::size_t x, std::size_t y) {
-        const Seen& seen = detection.seen(model, damage, x, y);
-        if (seen.sight != Sight::killed && !is_explained_by_one(detection, model, damage, x, y)) {
-          survivors.push_back({model, damage, x, y, seen});
+        const Seen& seen = detection.seen(law, damage, x, y);
+        if (seen.sight != Sight::killed && !is_explained_by_one(detection, law, damage, x, y)) {
+          survivors.push_back({law, damage, x, y, seen});
         }
       });
     }
@@ -188,9 +188,9 @@ std::string to_text(const Detection& detection, bool markdown) {
                                           "| {11} |\n"
                                         : "{0:<13}{1:<28}{2:>10} / {3:>4} {4:>8.2f} %{5:>10}{6:>10}{7:>12} / {8:>6} "
                                           "{9:>7.2f} %{10:>10}{11:>10}\n";
-  for (const Model model : detection.models()) {
+  for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
-      print_score(out, row, name_of(model), name_of(damage), scores_of(detection, model, damage));
+      print_score(out, row, name_of(law), name_of(damage), scores_of(detection, law, damage));
     }
   }
   print_score(out, row, "all", "all", scores_of(detection));
@@ -202,7 +202,7 @@ std::string to_text(const Detection& detection, bool markdown) {
   }
   fmt::format_to(out, "\nnot killed (pairs: where neither feature alone is the reason)\n");
   for (const Survivor& survivor : survivors_of(detection)) {
-    fmt::format_to(out, "{:<13}{:<28}{:<16}{:<70}", name_of(survivor.model), name_of(survivor.damage),
+    fmt::format_to(out, "{:<13}{:<28}{:<16}{:<70}", name_of(survivor.law), name_of(survivor.damage),
                    in_words(survivor.seen.sight), condition_of(survivor));
     if (survivor.seen.sight == Sight::within_rounding) {
       fmt::format_to(out, "{:>8} cases, at most {:.3g} ulps", survivor.seen.changed, survivor.seen.backward_error);

@@ -31,12 +31,12 @@ struct Scores {
   Score pairs;
 };
 
-[[nodiscard]] Scores scores_of(const Detection& detection, Model model, Damage damage);
+[[nodiscard]] Scores scores_of(const Detection& detection, Law law, Damage damage);
 [[nodiscard]] Scores scores_of(const Detection& detection);
 
 /// A conditional mutant that was not killed.
 struct Survivor {
-  Model model;
+  Law law;
   Damage damage;
   std::size_t x;  // equals y if the condition is one feature
   std::size_t y;

@@ -29,10 +29,10 @@ class Damages : public testing::TestWithParam<Damage> {};
 TEST_P(Damages, ChangeTheOutcomeOfAGeneralCollision) {
   const Collision collision = general_collision();
   const oracles::ExactCase read(as_read(collision));
-  for (const Model model : models_with_truth) {
-    const Solution sound = solved(model, collision);
-    EXPECT_TRUE(differ(damaged(GetParam(), sound, {}), sound.outcome)) << name_of(model);
-    EXPECT_FALSE(leaves_truth(GetParam(), read, model)) << name_of(model);
+  for (const Law law : laws_with_truth) {
+    const Solution sound = solved(law, collision);
+    EXPECT_TRUE(differ(damaged(GetParam(), sound, {}), sound.outcome)) << name_of(law);
+    EXPECT_FALSE(leaves_truth(GetParam(), read, law)) << name_of(law);
   }
 }
 
@@ -49,11 +49,11 @@ TEST(LeavesTruth, SaysWhatNoJudgeCanSee) {
   spheres.b.angular_velocity = {1, 0, 0};
   const oracles::ExactCase read(as_read(spheres));
   for (const Damage damage : {Damage::torque_of_a_dropped, Damage::turning_left_out_of_k}) {
-    EXPECT_TRUE(leaves_truth(damage, read, Model::frictionless)) << name_of(damage);
+    EXPECT_TRUE(leaves_truth(damage, read, Law::frictionless)) << name_of(damage);
   }
   for (const Damage damage : {Damage::restitution_ignored, Damage::nothing_happens, Damage::reaction_dropped,
                               Damage::sign_of_impulse_component, Damage::spin_along_normal_lost}) {
-    EXPECT_FALSE(leaves_truth(damage, read, Model::frictionless)) << name_of(damage);
+    EXPECT_FALSE(leaves_truth(damage, read, Law::frictionless)) << name_of(damage);
   }
 }
 
@@ -64,14 +64,14 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
   EXPECT_EQ(detection.sound_rejected(), 0U);
   const auto& [singles, pairs] = scores_of(detection);
   EXPECT_EQ(singles.no_case_judged, 0U);
-  for (const Model model : detection.models()) {
+  for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
-      const auto& [single, pair] = scores_of(detection, model, damage);
+      const auto& [single, pair] = scores_of(detection, law, damage);
       // An impulse with an error of 10⁻⁹ stays within 32 ulps if the inputs are about 10⁵ times its effect. A few
       // rare features have only such cases.
       const bool is_slight = damage == Damage::impulse_off;
-      EXPECT_GE(single.percent(), is_slight ? 99 : 100) << name_of(model) << ' ' << name_of(damage);
-      EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(model) << ' ' << name_of(damage);
+      EXPECT_GE(single.percent(), is_slight ? 99 : 100) << name_of(law) << ' ' << name_of(damage);
+      EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(law) << ' ' << name_of(damage);
     }
   }
   // Most mutants that no judge can find are damages that their feature rules out. A pass that kills few mutants fails

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   }
   const properties::GateReport report = run_gate(subjects, options);
   for (std::size_t s = 0; s < planted.size(); ++s) {
-    std::printf("%s (%s): %s\n", std::string(planted[s]->name).c_str(), std::string(name_of(planted[s]->model)).c_str(),
+    std::printf("%s (%s): %s\n", std::string(planted[s]->name).c_str(), std::string(name_of(planted[s]->law)).c_str(),
                 std::string(planted[s]->sentence).c_str());
     if (report.results[s].violated_invariants().empty()) {
       std::printf("  nothing is violated\n");

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::mutants {
 namespace {
@@ -26,7 +26,7 @@ bool is_binary32(const T& number) {
 
 /// Decides in the field of the truth.
 template <class T>
-bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Model model) {
+bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Law law) {
   const Outcome<T>& truth = exact.outcome;
   const auto keeps_spin = [&](auto body, auto of_outcome) {
     return (c.*body).immovable || are_equal<T>((truth.*of_outcome).angular_velocity, (c.*body).angular_velocity);
@@ -43,7 +43,7 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
       // K − λI is a sum of squares, so K F = λF if and only if the impulse turns neither body. F of `rough` combines
       // two impulses, and neither may turn a body.
       return a_keeps_spin && b_keeps_spin &&
-             (model != Model::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
+             (law != Law::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
               (is_at_centre(c.a) && is_at_centre(c.b)));
     case Damage::restitution_ignored:
       return c.restitution == 0;
@@ -79,9 +79,9 @@ Collision as_read(const Collision& collision) {
   return read;
 }
 
-bool leaves_truth(Damage damage, const oracles::ExactCase& read, Model model) {
-  return read.with_truth(model, oracles::Approach::colliding, [&]<class T>(const oracles::Truth<T>& truth) {
-    return leaves<T>(damage, map_numbers<T>(read.collision(), [](double number) { return T(number); }), truth, model);
+bool leaves_truth(Damage damage, const oracles::ExactCase& read, Law law) {
+  return read.with_truth(law, oracles::Approach::colliding, [&]<class T>(const oracles::Truth<T>& truth) {
+    return leaves<T>(damage, map_numbers<T>(read.collision(), [](double number) { return T(number); }), truth, law);
   });
 }
 

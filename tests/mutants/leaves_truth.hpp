@@ -12,6 +12,6 @@ namespace carom::mutants {
 
 /// Whether the damage leaves the exact outcome of a colliding contact unchanged. Then no judge can find it that
 /// allows a solver the rounding of its lever arms. `read` is the collision as solvers read it.
-[[nodiscard]] bool leaves_truth(Damage damage, const oracles::ExactCase& read, Model model);
+[[nodiscard]] bool leaves_truth(Damage damage, const oracles::ExactCase& read, Law law);
 
 }  // namespace carom::mutants

@@ -70,7 +70,7 @@ void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
 
 class Solver {
  public:
-  Solver(Model model, Defect defect) : model_(model), defect_(defect) {}
+  Solver(Law law, Defect defect) : law_(law), defect_(defect) {}
 
   [[nodiscard]] Answer answer(const Collision& collision) {
     std::vector<carom::Defect> refusal = validate(collision);
@@ -468,10 +468,10 @@ class Solver {
     }
     const double squared_length = has(Defect::normal_length_ignored) ? 1 : n.dot(n);
     const Vector along = n * (change / squared_length);
-    switch (model_) {
-      case Model::reflection:
+    switch (law_) {
+      case Law::reflection:
         return solve(collision_matrix(contact), along);
-      case Model::sticking:
+      case Law::sticking:
         if (has(Defect::slip_stopped_as_of_spheres)) {
           constexpr double share_of_solid_sphere = 2.0 / 7;
           const Vector slip = across_normal(contact, relative_velocity(contact));
@@ -479,14 +479,14 @@ class Solver {
         }
         return solve(collision_matrix(contact), -(relative_velocity(contact) + slip_added(contact) +
                                                   n * (restitution * normal_velocity / squared_length)));
-      case Model::rough:
+      case Law::rough:
         return as_frictionless + friction_impulse(contact, as_frictionless, normal_velocity);
-      case Model::coulomb:
+      case Law::coulomb:
         return has(Defect::rough_for_coulomb)
                    ? as_frictionless + friction_impulse(contact, as_frictionless, normal_velocity)
                    : coulomb_impulse(contact, normal_velocity, as_frictionless);
-      case Model::frictionless:
-      case Model::any:  // no mutant claims it
+      case Law::frictionless:
+      case Law::any:  // no mutant claims it
         break;
     }
     return as_frictionless;
@@ -658,7 +658,7 @@ class Solver {
 
   static constexpr double regularisation = 1e-3;  // [1/kg]
 
-  Model model_;
+  Law law_;
   Defect defect_;
   Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // from before the session
   double previous_approach_ = -1;                                             // [m/s], times the length of the normal
@@ -671,13 +671,13 @@ class Solver {
 
 }  // namespace
 
-Subject make_subject(std::string name, Model model, Defect defect) {
+Subject make_subject(std::string name, Law law, Defect defect) {
   Subject subject;
   subject.name = std::move(name);
-  subject.model = model;
+  subject.law = law;
   subject.precision = Precision::binary64;
-  subject.open = [model, defect]() -> Session {
-    return [solver = Solver(model, defect)](std::span<const Collision> collisions) mutable {
+  subject.open = [law, defect]() -> Session {
+    return [solver = Solver(law, defect)](std::span<const Collision> collisions) mutable {
       std::vector<Answer> answers;
       for (const Collision& collision : collisions) {
         answers.push_back(solver.answer(collision));
@@ -685,7 +685,7 @@ Subject make_subject(std::string name, Model model, Defect defect) {
       return answers;
     };
   };
-  subject.shows_collision_matrix = model != Model::frictionless;
+  subject.shows_collision_matrix = law != Law::frictionless;
   return subject;
 }
 

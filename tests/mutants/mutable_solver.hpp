@@ -11,6 +11,6 @@ namespace carom::mutants {
 
 /// One solver for the laws, in binary64, with one planted defect. With Defect::none it is sound, so a mutant fails
 /// only because of its defect.
-[[nodiscard]] Subject make_subject(std::string name, Model model, Defect defect);
+[[nodiscard]] Subject make_subject(std::string name, Law law, Defect defect);
 
 }  // namespace carom::mutants

@@ -82,13 +82,13 @@ TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
 INSTANTIATE_TEST_SUITE_P(Each, Mutants, testing::ValuesIn(all_mutants().begin(), all_mutants().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// All mutants share one solver, so repaired mutants differ only by their model.
-class Repaired : public testing::TestWithParam<Model> {
+/// All mutants share one solver, so repaired mutants differ only by their law.
+class Repaired : public testing::TestWithParam<Law> {
  protected:
   static void SetUpTestSuite() {
     std::map<std::string, Subject> subjects;
     for (const Mutant& mutant : all_mutants()) {
-      subjects.try_emplace(std::string(name_of(mutant.model)), repaired(mutant));
+      subjects.try_emplace(std::string(name_of(mutant.law)), repaired(mutant));
     }
     pass.emplace(subjects);
   }
@@ -98,17 +98,16 @@ class Repaired : public testing::TestWithParam<Model> {
 
 TEST_P(Repaired, MutantIsSound) { EXPECT_EQ(joined(pass->rejecting(name_of(GetParam()))), ""); }
 
-INSTANTIATE_TEST_SUITE_P(Models, Repaired,
-                         testing::Values(Model::frictionless, Model::reflection, Model::sticking, Model::rough,
-                                         Model::coulomb),
+INSTANTIATE_TEST_SUITE_P(Laws, Repaired,
+                         testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 TEST(MutantCatalogue, NamesEachDefectOfALawOnce) {
   std::set<std::string_view> names;
-  std::set<std::pair<Model, Defect>> defects;
+  std::set<std::pair<Law, Defect>> defects;
   for (const Mutant& mutant : all_mutants()) {
     EXPECT_TRUE(names.insert(mutant.name).second) << mutant.name;
-    EXPECT_TRUE(defects.insert({mutant.model, mutant.defect}).second) << mutant.name;
+    EXPECT_TRUE(defects.insert({mutant.law, mutant.defect}).second) << mutant.name;
     EXPECT_NE(mutant.defect, Defect::none) << mutant.name;
   }
 }
@@ -119,7 +118,7 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
     for (const std::string_view name : mutant.rejected_by) {
       const properties::Invariant* invariant = properties::invariant_named(name);
       ASSERT_NE(invariant, nullptr) << mutant.name << ": " << name;
-      EXPECT_TRUE(invariant->claimed_for(mutant.model)) << mutant.name << ": " << name;
+      EXPECT_TRUE(invariant->claimed_for(mutant.law)) << mutant.name << ": " << name;
     }
   }
 }

@@ -24,7 +24,7 @@ using Solved = SolvedOutcome<double>;
 Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const Contact&)) {
   Subject subject;
   subject.name = std::move(name);
-  subject.model = Model::any;
+  subject.law = Law::any;
   subject.precision = Precision::binary64;
   subject.shows_collision_matrix = shows_matrix;
   subject.open = [solve] {

@@ -64,7 +64,7 @@ std::vector<Share> shares_of(const std::vector<Rejected>& rejected) {
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     Share share{invariant.name, 0, {}, {}, {}};
     for (const auto& [mutant, by] : rejected) {
-      if (!invariant.claimed_for(mutant->model)) {
+      if (!invariant.claimed_for(mutant->law)) {
         continue;
       }
       if (!by.contains(invariant.name)) {
@@ -136,10 +136,9 @@ std::string to_markdown(const std::vector<Rejected>& rejected) {
   }
   fmt::format_to(out, "\n");
   for (const auto& [mutant, by] : rejected) {
-    fmt::format_to(out, "| `{}` | {} |", mutant->name, name_of(mutant->model));
+    fmt::format_to(out, "| `{}` | {} |", mutant->name, name_of(mutant->law));
     for (const properties::Invariant& invariant : invariants) {
-      fmt::format_to(out, "{}|",
-                     by.contains(invariant.name) ? "●" : (invariant.claimed_for(mutant->model) ? "·" : " "));
+      fmt::format_to(out, "{}|", by.contains(invariant.name) ? "●" : (invariant.claimed_for(mutant->law) ? "·" : " "));
     }
     fmt::format_to(out, "\n");
   }

@@ -47,7 +47,7 @@ TEST_P(OnePropertyBroken, ViolatesTheseInvariantsAlone) {
 }
 
 TEST_P(OnePropertyBroken, ClaimsNoLaw) {
-  EXPECT_EQ(GetParam().subject().model, Model::any);
+  EXPECT_EQ(GetParam().subject().law, Law::any);
   const Property& property = property_named(GetParam().property);
   for (const std::string_view invariant : GetParam().violates) {
     EXPECT_NE(std::find(property.invariants.begin(), property.invariants.end(), invariant), property.invariants.end())

@@ -21,7 +21,7 @@ Subject idle_subject() {
   Subject subject;
   subject.name = "idle";
   subject.summary = "leaves everything as it is";
-  subject.model = Model::frictionless;
+  subject.law = Law::frictionless;
   subject.open = [] {
     return Session([](std::span<const Collision> collisions) {
       std::vector<Answer> answers;

@@ -162,10 +162,10 @@ TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
   // With an error of the position, it finds the same root, not the one at 0.
-  const Crossing placed = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
-  ASSERT_EQ(placed.decision, Decision::bounded);
-  EXPECT_NEAR(placed.s, 3, placed.error);
-  EXPECT_GE(placed.error, 0x1p-50 / 3);
+  const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
+  ASSERT_EQ(state_at.decision, Decision::bounded);
+  EXPECT_NEAR(state_at.s, 3, state_at.error);
+  EXPECT_GE(state_at.error, 0x1p-50 / 3);
 }
 
 TEST(Crossing, AsBoundsOfTimeContainsTheSum) {

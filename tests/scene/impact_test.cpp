@@ -44,29 +44,29 @@ Collision random_collision(properties::Stream& stream) {
   return on_plane ? collision_with_plane(a, normal * stream.between(0.5, 2), pair) : collision_of(a, b, pair);
 }
 
-Outcome<double> generic(Model law, const Collision& collision) {
+Outcome<double> generic(Law law, const Collision& collision) {
   using impulse::Ldlt;
   Collision changed = collision;
   switch (law) {
-    case Model::frictionless:
+    case Law::frictionless:
       return impulse::frictionless<double>(impulse::make_contact<double>(changed));
-    case Model::reflection:
+    case Law::reflection:
       return impulse::reflection<Ldlt, double>(impulse::make_contact<double>(changed));
-    case Model::sticking:
+    case Law::sticking:
       return impulse::sticking<Ldlt, double>(impulse::make_contact<double>(changed));
-    case Model::coulomb:
+    case Law::coulomb:
       return impulse::coulomb<double>(impulse::make_contact<double>(changed));
-    case Model::rough:
-    case Model::any:
+    case Law::rough:
+    case Law::any:
       break;
   }
   return impulse::rough<Ldlt, double>(impulse::make_contact<double>(changed));
 }
 
-constexpr std::array all_laws{Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb};
+constexpr std::array laws{Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb};
 
 TEST(Impact, AgreesWithTheGenericSolversWithinUlps) {
-  for (const Model law : all_laws) {
+  for (const Law law : laws) {
     properties::Stream stream = properties::stream_from(1);
     for (int i = 0; i < 300; ++i) {
       const Collision collision = random_collision(stream);
@@ -92,7 +92,7 @@ TEST(Impact, WithoutFrictionLeavesTheBitsOfTheSpins) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 300; ++i) {
     const Collision collision = random_collision(stream);
-    for (const Model law : {Model::frictionless, Model::reflection}) {
+    for (const Law law : {Law::frictionless, Law::reflection}) {
       for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
         const Outcome<double> found = struck(law, precision, collision);
         for (int axis = 0; axis < 3; ++axis) {
@@ -111,7 +111,7 @@ TEST(Impact, LeavesAPlaneWhereItIs) {
   StruckSphere falling = sphere;
   falling.velocity.z() = -1;
   const Collision collision = collision_with_plane(falling, {0, 0, 2}, {0.5, 0.25, 0.5, 0, 0});
-  for (const Model law : all_laws) {
+  for (const Law law : laws) {
     const Outcome<double> found = struck(law, Precision::binary32, collision);
     EXPECT_EQ(found.b.velocity, Vector(0, 0, 0));
     EXPECT_EQ(found.b.angular_velocity, Vector(0, 0, 0));

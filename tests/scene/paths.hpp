@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <carom/properties/draws/stream.hpp>
-#include <carom/scene/motion.hpp>
+#include <carom/scene/arc.hpp>
 
 #include "support/exact.hpp"
 

@@ -64,8 +64,8 @@ TEST(Quartic, BoundsContainTheExactTime) {
     properties::Stream stream = properties::stream_from(seed);
     const Pair pair = random_pair(stream);
     const double horizon = stream.integer(1, 32) / 8.0;
-    const Beside beside(placed(pair.a, 0), placed(pair.b, 0), pair.a.radius + pair.b.radius);
-    const TimeBounds found = contact_between(pair.a, pair.b, beside, 0, horizon, counts);
+    const RelativeState relative(state_at(pair.a, 0), state_at(pair.b, 0), pair.a.radius + pair.b.radius);
+    const TimeBounds found = contact_between(pair.a, pair.b, relative, 0, horizon, counts);
     ++(found.earliest < never ? contacts : misses);
     const std::string wrong = wrong_with(found, exact_contact(pair.a, pair.b, 0), horizon);
     if (!wrong.empty()) {
@@ -73,7 +73,7 @@ TEST(Quartic, BoundsContainTheExactTime) {
     }
     wide += found.earliest < never && found.latest - found.earliest > 1e-6 ? 1 : 0;
     // The quick answer does not miss a contact either.
-    const bool is_apart = stay_apart(pair.a, pair.b, beside, 0, horizon);
+    const bool is_apart = stay_apart(pair.a, pair.b, relative, 0, horizon);
     ASSERT_TRUE(!is_apart || found.earliest == never) << seed;
   }
   EXPECT_GT(contacts, 100);
@@ -97,14 +97,14 @@ TEST(Quadratic, BoundsContainTheExactTime) {
     if (sign_of_gap(pair.a, pair.b, 0) < 0) {
       continue;
     }
-    const Beside beside(placed(pair.a, 0), placed(pair.b, 0), pair.a.radius + pair.b.radius);
-    const TimeBounds found = contact_between(pair.a, pair.b, beside, 0, horizon, counts);
+    const RelativeState relative(state_at(pair.a, 0), state_at(pair.b, 0), pair.a.radius + pair.b.radius);
+    const TimeBounds found = contact_between(pair.a, pair.b, relative, 0, horizon, counts);
     contacts += found.earliest < never ? 1 : 0;
     const std::string wrong = wrong_with(found, exact_contact(pair.a, pair.b, 0), horizon);
     if (!wrong.empty()) {
       FAIL() << wrong << ", seed " << seed;
     }
-    ASSERT_TRUE(!stay_apart(pair.a, pair.b, beside, 0, horizon) || found.earliest == never) << seed;
+    ASSERT_TRUE(!stay_apart(pair.a, pair.b, relative, 0, horizon) || found.earliest == never) << seed;
   }
   EXPECT_GT(contacts, 50);
 }
@@ -180,8 +180,8 @@ TEST(Quartic, BoundsAContactInTheMiddleOfTheSpanNarrowly) {
   const Path waiting = unit::resting({0, 0, 0}, 0.5);
   ExactCounts counts;
   for (const double horizon : {1.0, 1.1}) {
-    const Beside beside(placed(rolling, 0), placed(waiting, 0), 1);
-    const TimeBounds found = contact_between(rolling, waiting, beside, 0, horizon, counts);
+    const RelativeState relative(state_at(rolling, 0), state_at(waiting, 0), 1);
+    const TimeBounds found = contact_between(rolling, waiting, relative, 0, horizon, counts);
     EXPECT_LE(found.earliest, 0.5);
     EXPECT_GE(found.latest, 0.5);
     EXPECT_LE(found.latest - found.earliest, 1e-11) << "up to " << horizon;

@@ -49,7 +49,7 @@ struct Flight {
     const double s = now + ahead - start;
     Arc arc;
     arc.path = unit::path_of(target - s * velocity + 0.5 * s * s * gravity, velocity - s * gravity, gravity,
-                             store.make(sphere).radius, start);
+                             store.type(sphere).radius, start);
     store.set_arc(sphere, arc);
   }
 };
@@ -68,7 +68,7 @@ TEST(QuickLook, RejectsNothingThatTouches) {
     const double horizon = contact ? contact->bounds().latest : now + stream.between(0, 4);
     const auto look_until = [&](double own, double its) {
       flight.store.set_until(1, its);
-      return QuickLook(placed(a, now), a.radius, flight.gravity, flight.store.extent(now), now, own)
+      return QuickLook(state_at(a, now), a.radius, flight.gravity, flight.store.extent(now), now, own)
           .stays_apart(flight.store.track(1), b.radius);
     };
     if (sign < 0 || contact) {
@@ -81,7 +81,7 @@ TEST(QuickLook, RejectsNothingThatTouches) {
     const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
     if (look_until(before, never)) {
       ++rejected;
-      const Beside pair(placed(a, now), placed(b, now), a.radius + b.radius);
+      const RelativeState pair(state_at(a, now), state_at(b, now), a.radius + b.radius);
       ASSERT_TRUE(pair.squared_gap() > pair.squared_gap_error()) << seed;
       ASSERT_TRUE(stay_apart(a, b, pair, now, before)) << seed;
       ASSERT_TRUE(sign >= 0) << seed;

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include <carom/properties/draws/stream.hpp>
-#include <carom/scene/simulation.hpp>
+#include <carom/scene/sphere_simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 /// Scenes for the tests.
 namespace carom::unit {
 
 /// A scene without bodies, with one material.
-[[nodiscard]] inline scene::Scene empty_scene(Model law, const scene::MaterialPair& pair, double duration) {
+[[nodiscard]] inline scene::Scene empty_scene(Law law, const scene::MaterialPair& pair, double duration) {
   scene::Scene scene;
   scene.law = law;
   scene.duration = duration;
@@ -79,7 +79,7 @@ inline void add_box(scene::Scene& scene, double size) {
 }
 
 /// side³ spheres of mixed radii in a cube of as many cells with edge 1, each in its own cell.
-[[nodiscard]] inline scene::Scene box_of_spheres(Model law, const scene::MaterialPair& pair, int side, double duration,
+[[nodiscard]] inline scene::Scene box_of_spheres(Law law, const scene::MaterialPair& pair, int side, double duration,
                                                  std::uint64_t gas_seed) {
   properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
@@ -102,7 +102,7 @@ inline void add_box(scene::Scene& scene, double size) {
 
 /// side³ boxes and tetrahedra, and optionally balls, in a cube of as many cells with edge 1. Each has a random
 /// orientation within its own cell.
-[[nodiscard]] inline scene::Scene box_of_bodies(Model law, const scene::MaterialPair& pair, int side, double duration,
+[[nodiscard]] inline scene::Scene box_of_bodies(Law law, const scene::MaterialPair& pair, int side, double duration,
                                                 std::uint64_t gas_seed, bool has_balls) {
   properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
@@ -131,7 +131,7 @@ inline void add_box(scene::Scene& scene, double size) {
 }
 
 /// Up to `most` events of a scene, unchanged.
-template <class Loop = scene::Simulation>
+template <class Loop = scene::SphereSimulation>
 [[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
   Loop simulation(std::move(scene));
   std::vector<scene::Event> events;

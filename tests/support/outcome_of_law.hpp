@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/oracles/exact/radical.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 
 namespace carom::unit {
@@ -12,12 +12,12 @@ namespace carom::unit {
 
 /// The outcome of the law. An irrational square root is rounded far beyond any judged precision. For `coulomb` it is
 /// the first answer.
-[[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Model model) {
+[[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Law law) {
   const auto rational = []<class T>(const oracles::Truth<T>& truth) {
     return map_outcome<oracles::Rational>(truth.outcome, [](const T& x) { return nearly(x); });
   };
-  return model == Model::coulomb ? rational(oracles::coulomb_answers(exact_case).front().truth)
-                                 : exact_case.with_truth(model, exact_case.approach(), rational);
+  return law == Law::coulomb ? rational(oracles::coulomb_answers(exact_case).front().truth)
+                             : exact_case.with_truth(law, exact_case.approach(), rational);
 }
 
 }  // namespace carom::unit

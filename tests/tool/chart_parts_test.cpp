@@ -72,7 +72,7 @@ MethodMeasurement method(const std::string& name, double nanoseconds, const std:
   }
   return {name,
           {},
-          Model::frictionless,
+          Law::frictionless,
           Precision::binary64,
           {{"family", builder.built(), {nanoseconds, nanoseconds, nanoseconds}}}};
 }
@@ -105,12 +105,12 @@ TEST(ChartParts, LabelsDoNotCoverEachOther) {
   constexpr double letter = 15;
   const Panel panel{{0, 1, false, 0, 1000}, {0, 1, false, 0, 1000}};
   std::vector<Label> labels;
-  std::vector<Pixel> places;
+  std::vector<Pixel> positions;
   for (int i = 0; i < 12; ++i) {  // marks that nearly coincide
-    places.push_back({500 + 3.0 * i, 500});
-    labels.push_back({std::to_string(i + 1), places.back(), "#000000"});
+    positions.push_back({500 + 3.0 * i, 500});
+    labels.push_back({std::to_string(i + 1), positions.back(), "#000000"});
   }
-  place_labels(labels, places, letter, panel);
+  place_labels(labels, positions, letter, panel);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     EXPECT_LT(std::hypot(labels[i].at.x - labels[i].names.x, labels[i].at.y - labels[i].names.y), 5 * letter);
     for (std::size_t j = 0; j < i; ++j) {

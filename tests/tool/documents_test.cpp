@@ -52,7 +52,7 @@ TEST(Documents, EveryInvariantSaysWhatItClaims) {
     EXPECT_FALSE(invariant.formula.empty()) << invariant.name;
     EXPECT_FALSE(invariant.source.empty()) << invariant.name;
     EXPECT_FALSE(invariant.domain.empty()) << invariant.name;
-    EXPECT_FALSE(invariant.models.empty()) << invariant.name;
+    EXPECT_FALSE(invariant.laws.empty()) << invariant.name;
     EXPECT_EQ(properties::invariant_named(invariant.name), &invariant) << "the name stands twice";
   }
 }
@@ -88,7 +88,7 @@ std::string section(const std::string& text, const std::string& begin, const std
   return at == std::string::npos ? "" : text.substr(at, text.find(end, at + begin.size()) - at);
 }
 
-/// The models for which an invariant is proved, if it is claimed for more.
+/// The laws for which an invariant is proved, if it is claimed for more.
 std::string proved_of(std::string_view invariant) {
   static const std::map<std::string_view, std::string> some{
       {"restitution", " of frictionless, reflection, sticking, rough"},
@@ -126,8 +126,8 @@ TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
     const nlohmann::json& proved = record[i].at("proved_models");
     EXPECT_EQ(proved.empty(), !is_proved) << name;
     EXPECT_EQ(is_proved && proved != record[i].at("models"), !of.empty()) << name;
-    const auto models = proved.get<std::vector<std::string>>();
-    EXPECT_TRUE(of.empty() || of == fmt::format(" of {}", fmt::join(models, ", "))) << name << of;
+    const auto laws = proved.get<std::vector<std::string>>();
+    EXPECT_TRUE(of.empty() || of == fmt::format(" of {}", fmt::join(laws, ", "))) << name << of;
     ASSERT_LT(4 * i + 3, lines.size());
     EXPECT_EQ(lines[4 * i], name);
     EXPECT_EQ(lines[4 * i + 3], is_proved ? fmt::format("    proved{}: {}", of, in_text) : "    tested, not proved")

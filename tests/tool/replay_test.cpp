@@ -23,7 +23,7 @@ json cube_on_floor() {
     "point": [0, 0, 0], "normal": [0, 1, 0], "restitution": 1})");
 }
 
-TEST(Replay, ShowsTheExactTruthOfEachModel) {
+TEST(Replay, ShowsTheExactTruthOfEachLaw) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("cube.json", cube_on_floor().dump());
   const RunResult result = run_carom({"replay", file, "--format", "json"});

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 
 #include "support/program.hpp"
 
@@ -69,9 +69,9 @@ TEST(ReportSchema, DescribesARealReport) {
 TEST(ReportSchema, KnowsEveryLaw) {
   const TemporaryDirectory directory;
   std::vector<std::string> arguments{"gate", "--families", "head_on", "--cases", "2", "--format", "json"};
-  for (const Model model : all_models) {
-    if (model != Model::any) {
-      arguments.push_back(std::string(name_of(model)) + "-double");
+  for (const Law law : all_laws) {
+    if (law != Law::any) {
+      arguments.push_back(std::string(name_of(law)) + "-double");
     }
   }
   const RunResult result = validate(directory.write("report.json", run_carom(arguments).output));

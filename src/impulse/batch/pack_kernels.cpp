@@ -13,15 +13,15 @@ namespace carom::impulse::CAROM_INSTRUCTION_SET {
 namespace {
 
 template <class S>
-void solve_by_law(const PackTask<S>& task, Model model) {
-  with_law(model, [&](const auto& law) { impulse::solve_packs<Pack<S>>(task, law); });
+void solve_by_law(const PackTask<S>& task, Law law) {
+  with_law(law, [&](const auto& solver) { impulse::solve_packs<Pack<S>>(task, solver); });
 }
 
 }  // namespace
 
 // Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower instruction
 // set.
-[[gnu::flatten]] void solve_packs(const PackTask<float>& task, Model model) { solve_by_law(task, model); }
-[[gnu::flatten]] void solve_packs(const PackTask<double>& task, Model model) { solve_by_law(task, model); }
+[[gnu::flatten]] void solve_packs(const PackTask<float>& task, Law law) { solve_by_law(task, law); }
+[[gnu::flatten]] void solve_packs(const PackTask<double>& task, Law law) { solve_by_law(task, law); }
 
 }  // namespace carom::impulse::CAROM_INSTRUCTION_SET

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 
 /// The units that pack_kernels.cpp compiles to, with one namespace for each instruction set. These declarations take
 /// only pointers and enumerators. A unit of a wide instruction set must not define anything that the linker could use
 /// in another unit (tests/impulse/batch/isolation.cmake).
-#define CAROM_DECLARE_PACK_KERNELS(SET)                        \
-  namespace carom::impulse::SET {                              \
-  void solve_packs(const PackTask<float>& task, Model model);  \
-  void solve_packs(const PackTask<double>& task, Model model); \
+#define CAROM_DECLARE_PACK_KERNELS(SET)                    \
+  namespace carom::impulse::SET {                          \
+  void solve_packs(const PackTask<float>& task, Law law);  \
+  void solve_packs(const PackTask<double>& task, Law law); \
   }
 
 CAROM_DECLARE_PACK_KERNELS(baseline)

@@ -37,44 +37,44 @@ bool are_made_of_valid(const PackTask<S>& task) {
 }
 
 template <class S>
-void solve_task(const PackTask<S>& task, Model model, InstructionSet set) {
+void solve_task(const PackTask<S>& task, Law law, InstructionSet set) {
   if (!is_available(set)) {
     throw std::invalid_argument("carom::impulse::solve: this machine does not support " + std::string(name_of(set)));
   }
-  if (!determines_outcome(model)) {
-    throw std::invalid_argument("carom::impulse::solve: batches do not support the law `" +
-                                std::string(name_of(model)) + "`; use frictionless, reflection, sticking or rough");
+  if (!determines_outcome(law)) {
+    throw std::invalid_argument("carom::impulse::solve: batches do not support the outcome `" +
+                                std::string(name_of(law)) + "`; use frictionless, reflection, sticking or rough");
   }
   CAROM_EXPECTS(are_made_of_valid(task), task.count);
 #ifdef CAROM_BATCH_HAS_avx512
   if (set == InstructionSet::avx512) {
-    avx512::solve_packs(task, model);
+    avx512::solve_packs(task, law);
     return;
   }
 #endif
 #ifdef CAROM_BATCH_HAS_avx2
   if (set == InstructionSet::avx2) {
-    avx2::solve_packs(task, model);
+    avx2::solve_packs(task, law);
     return;
   }
 #endif
-  baseline::solve_packs(task, model);
+  baseline::solve_packs(task, law);
 }
 
 }  // namespace
 
-void solve(const PackTask<float>& task, Model model, InstructionSet set) { solve_task(task, model, set); }
+void solve(const PackTask<float>& task, Law law, InstructionSet set) { solve_task(task, law, set); }
 
-void solve(const PackTask<double>& task, Model model, InstructionSet set) { solve_task(task, model, set); }
+void solve(const PackTask<double>& task, Law law, InstructionSet set) { solve_task(task, law, set); }
 
-void solve(const ContactArrays<const float>& contacts, Model model, const OutcomeArrays<float>& outcomes,
+void solve(const ContactArrays<const float>& contacts, Law law, const OutcomeArrays<float>& outcomes,
            InstructionSet set) {
-  solve_task(task_of(contacts, outcomes), model, set);
+  solve_task(task_of(contacts, outcomes), law, set);
 }
 
-void solve(const ContactArrays<const double>& contacts, Model model, const OutcomeArrays<double>& outcomes,
+void solve(const ContactArrays<const double>& contacts, Law law, const OutcomeArrays<double>& outcomes,
            InstructionSet set) {
-  solve_task(task_of(contacts, outcomes), model, set);
+  solve_task(task_of(contacts, outcomes), law, set);
 }
 
 }  // namespace carom::impulse

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/impulse/batch/contact_arrays.hpp>
 #include <carom/impulse/batch/contact_batch.hpp>
 #include <carom/impulse/batch/instruction_set.hpp>
@@ -17,22 +17,22 @@ namespace carom::impulse {
 
 /// Solves every contact. The contacts do not affect each other. An array of outcomes may be the array of the velocities
 /// that it replaces; otherwise no two arrays overlap. Preconditions: each contact was made from a valid collision; the
-/// law is one of `models_with_truth`. Throws std::invalid_argument for any other law, for arrays of different lengths,
+/// law is one of `laws_with_truth`. Throws std::invalid_argument for any other law, for arrays of different lengths,
 /// and for an instruction set that is not available.
-void solve(const ContactArrays<const float>& contacts, Model model, const OutcomeArrays<float>& outcomes,
+void solve(const ContactArrays<const float>& contacts, Law law, const OutcomeArrays<float>& outcomes,
            InstructionSet set = best_instruction_set());
-void solve(const ContactArrays<const double>& contacts, Model model, const OutcomeArrays<double>& outcomes,
+void solve(const ContactArrays<const double>& contacts, Law law, const OutcomeArrays<double>& outcomes,
            InstructionSet set = best_instruction_set());
 
 /// Solves arrays that are known to have one length, `task.count`. Conditions and errors are those of the functions for
 /// arrays, except for the lengths.
-void solve(const PackTask<float>& task, Model model, InstructionSet set = best_instruction_set());
-void solve(const PackTask<double>& task, Model model, InstructionSet set = best_instruction_set());
+void solve(const PackTask<float>& task, Law law, InstructionSet set = best_instruction_set());
+void solve(const PackTask<double>& task, Law law, InstructionSet set = best_instruction_set());
 
 /// Solves a batch. Its arrays need no check of their lengths, so a call takes a quarter of the time. Throws
 /// std::invalid_argument if the sizes of the batches differ.
 template <class S>
-void solve(const ContactBatch<S>& contacts, Model model, OutcomeBatch<S>& outcomes,
+void solve(const ContactBatch<S>& contacts, Law law, OutcomeBatch<S>& outcomes,
            InstructionSet set = best_instruction_set()) {
   if (contacts.size() != outcomes.size()) {
     throw std::invalid_argument("carom::impulse::solve: the batches have different sizes");
@@ -45,7 +45,7 @@ void solve(const ContactBatch<S>& contacts, Model model, OutcomeBatch<S>& outcom
     task.outcomes[k] = outcomes.begin_of(k);
   }
   task.count = contacts.size();
-  solve(task, model, set);
+  solve(task, law, set);
 }
 
 }  // namespace carom::impulse

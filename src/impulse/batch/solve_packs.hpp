@@ -112,12 +112,12 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
 
 /// Solves `Packs` packs of contacts from i on, and finds all impulses first. Each impulse is a long chain of dependent
 /// operations. A processor that runs ahead into the next chain uses the waiting time.
-template <class P, class Inertia, std::size_t Packs, class Law>
-void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
-  std::array<std::invoke_result_t<const Law&, const Contact<P, Inertia>&>, Packs> answers;
+template <class P, class Inertia, std::size_t Packs, class Solver>
+void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
+  std::array<std::invoke_result_t<const Solver&, const Contact<P, Inertia>&>, Packs> answers;
 #pragma GCC unroll 2
   for (std::size_t pack = 0; pack < Packs; ++pack) {
-    answers[pack] = law(read_contact<P, Inertia>(task, i + pack * P::size()));
+    answers[pack] = solver(read_contact<P, Inertia>(task, i + pack * P::size()));
   }
 #pragma GCC unroll 2
   for (std::size_t pack = 0; pack < Packs; ++pack) {
@@ -127,29 +127,29 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
 
 /// Not inlined, so that it takes no registers from the usual case. Other functions of this unit must be inlined. This
 /// one is safe because P names the instruction set that it is compiled for.
-template <class P, class Law>
+template <class P, class Solver>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
-                                                   const Law& law) {
-  solve_as<P, PrincipalInertia<P>, 1>(task, i, law);
+                                                   const Solver& solver) {
+  solve_as<P, PrincipalInertia<P>, 1>(task, i, solver);
 }
 
-/// If no body is slender, reads the contacts as a type that says so, provided that the law accepts this type.
-template <class P, std::size_t Packs, class Law>
-void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Law& law) {
+/// If no body is slender, reads the contacts as a type that says so, provided that the solver accepts this type.
+template <class P, std::size_t Packs, class Solver>
+void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   using NotSlender = PrincipalInertia<P, false>;
-  if constexpr (std::is_invocable_v<const Law&, const Contact<P, NotSlender>&>) {
+  if constexpr (std::is_invocable_v<const Solver&, const Contact<P, NotSlender>&>) {
     bool is_any_slender = false;
 #pragma GCC unroll 2
     for (std::size_t pack = 0; pack < Packs; ++pack) {
       is_any_slender = is_any_slender || !none_of(has_slender(read_contact<P>(task, i + pack * P::size())));
     }
     if (!is_any_slender) {
-      solve_as<P, NotSlender, Packs>(task, i, law);
+      solve_as<P, NotSlender, Packs>(task, i, solver);
       return;
     }
   }
   for (std::size_t pack = 0; pack < Packs; ++pack) {
-    solve_slender<P>(task, i + pack * P::size(), law);
+    solve_slender<P>(task, i + pack * P::size(), solver);
   }
 }
 
@@ -191,29 +191,29 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `law` to all contacts: two packs P at a time, or one if the arrays come from memory. The law returns a
+/// Applies `solver` to all contacts: two packs P at a time, or one if the arrays come from memory. The solver returns a
 /// ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> for a Contact<P>; or an Outcome<P>, which takes longer. The
 /// numbers of a body are read before its outcome is written. So an array of outcomes may be the array of the velocities
 /// that it replaces; otherwise no two arrays overlap.
-template <class P, class Law>
-void solve_packs(const PackTask<typename P::value_type>& task, const Law& law) {
+template <class P, class Solver>
+void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
   // If the arrays come from memory, two packs at a time are slower by an eighth than one.
   for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
-    detail::solve_from<P, 2>(task, i, law);
+    detail::solve_from<P, 2>(task, i, solver);
   }
   for (; i + width <= task.count; i += width) {
     if (is_large) {
       prefetch.ask(i, width);
     }
-    detail::solve_from<P, 1>(task, i, law);
+    detail::solve_from<P, 1>(task, i, solver);
   }
   if (i < task.count) {
     detail::OnePack<P> rest(task, i);
-    detail::solve_from<P, 1>(rest.task(), 0, law);
+    detail::solve_from<P, 1>(rest.task(), 0, solver);
     rest.write_to(task, i);
   }
 }

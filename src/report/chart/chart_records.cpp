@@ -69,13 +69,13 @@ Table methods_table(std::span<const MethodMeasurement> methods) {
   return table;
 }
 
-Table leaving_table(const Measurements& measurements, Model model) {
+Table leaving_table(const Measurements& measurements, Law law) {
   Table table{"", {{"method"}}, {}};
   for (const SweepMeasurement& sweep : measurements.sweeps) {
     table.columns.push_back({sweep.label});
   }
   for (std::size_t i = 0; i < measurements.methods.size(); ++i) {
-    if (measurements.methods[i].model != model) {
+    if (measurements.methods[i].law != law) {
       continue;
     }
     Row row{{measurements.methods[i].name}};
@@ -97,7 +97,7 @@ std::string work_precision_csv(const Measurements& measurements) {
   for (const MethodMeasurement& method : measurements.methods) {
     for (const FamilyMeasurement& family : method.families) {
       text +=
-          fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{}\n", name_of(method.model), method.name,
+          fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{}\n", name_of(method.law), method.name,
                       name_of(method.precision), family.family, family.nanoseconds.median, family.nanoseconds.lowest,
                       family.nanoseconds.highest, family.exactness.cases, family.exactness.failures,
                       csv_of(family.exactness.digits), csv_of_backward_error(family.exactness));
@@ -114,7 +114,7 @@ std::string stability_csv(const Measurements& measurements) {
     for (const SweepLine& line : sweep.lines) {
       for (std::size_t i = 0; i < line.quantity.size(); ++i) {
         text +=
-            fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.model), line.method,
+            fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.law), line.method,
                         line.exactness[i].cases, line.exactness[i].failures, csv_of_backward_error(line.exactness[i]));
       }
     }
@@ -124,12 +124,12 @@ std::string stability_csv(const Measurements& measurements) {
 
 std::string deadline_csv(const Measurements& measurements) {
   std::string text = "model,digits,ns,share,method\n";
-  for (const Model model : charted_models()) {
-    const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
+  for (const Law law : charted_laws()) {
+    const std::vector<MethodMeasurement> methods = of_law(measurements.methods, law);
     for (const int digits : deadline_digits) {
       for (const DeadlineStep& step : deadline_steps(methods, digits)) {
         text +=
-            fmt::format("{},{},{:.4g},{:.4f},{}\n", name_of(model), digits, step.nanoseconds, step.share, step.method);
+            fmt::format("{},{},{:.4g},{:.4f},{}\n", name_of(law), digits, step.nanoseconds, step.share, step.method);
       }
     }
   }
@@ -152,7 +152,7 @@ json chart_record(const Measurements& measurements) {
     }
     record["methods"].push_back({{"name", method.name},
                                  {"summary", method.summary},
-                                 {"model", name_of(method.model)},
+                                 {"model", name_of(method.law)},
                                  {"precision", name_of(method.precision)},
                                  {"families", families}});
   }
@@ -166,7 +166,7 @@ json chart_record(const Measurements& measurements) {
       }
       const std::optional<double> at = line.leaves_limit_at();
       lines.push_back({{"method", line.method},
-                       {"model", name_of(line.model)},
+                       {"model", name_of(line.law)},
                        {"leaves_limit_at", at ? json(*at) : json()},
                        {"points", points}});
     }
@@ -178,13 +178,13 @@ json chart_record(const Measurements& measurements) {
 
 std::string tables_markdown(const Measurements& measurements) {
   Document document;
-  for (const Model model : charted_models()) {
-    const std::vector<MethodMeasurement> methods = of_model(measurements.methods, model);
+  for (const Law law : charted_laws()) {
+    const std::vector<MethodMeasurement> methods = of_law(measurements.methods, law);
     if (!methods.empty()) {
-      document.emplace_back(Section{fmt::format("{}: all families", name_of(model)), {methods_table(methods)}});
+      document.emplace_back(Section{fmt::format("{}: all families", name_of(law)), {methods_table(methods)}});
       document.emplace_back(Section{
-          fmt::format("{}: where each method leaves the limit of {:g} ulps", name_of(model), measurements.limit_ulps),
-          {leaving_table(measurements, model)}});
+          fmt::format("{}: where each method leaves the limit of {:g} ulps", name_of(law), measurements.limit_ulps),
+          {leaving_table(measurements, law)}});
     }
   }
   return in_markdown(document);

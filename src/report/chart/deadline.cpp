@@ -38,8 +38,8 @@ std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> meth
 }
 
 Plot deadline(std::span<const MethodMeasurement> methods) {
-  const std::string model(name_of(methods.front().model));
-  Plot picture("deadline-" + model, 1320, 680, 17);
+  const std::string law(name_of(methods.front().law));
+  Plot picture("deadline-" + law, 1320, 680, 17);
   double longest = 0;
   double shortest = 1e9;
   for (const MethodMeasurement& method : methods) {
@@ -47,7 +47,7 @@ Plot deadline(std::span<const MethodMeasurement> methods) {
     shortest = std::min(shortest, method.nanoseconds_over_all_families().median);
   }
   const Panel panel{{shortest / 1.5, longest * 1.5, true, 80, 880}, {0, 1.04, false, 75, 620}};
-  picture.begin(panel, fmt::format("{}: what a deadline allows", model), "nanoseconds for each contact, at most",
+  picture.begin(panel, fmt::format("{}: what a deadline allows", law), "nanoseconds for each contact, at most",
                 "share of the cases of all families");
   picture.add(time_tics(panel.x) + "\nset ytics 0.2");
   constexpr std::array<std::string_view, deadline_digits.size()> colours{sky_blue, orange,     purple,

@@ -15,20 +15,20 @@
 namespace carom::report {
 
 /// The measurements of the methods of one law, in the order of their numbers.
-[[nodiscard]] std::vector<MethodMeasurement> of_model(std::span<const MethodMeasurement> methods, Model model);
+[[nodiscard]] std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods, Law law);
 
 /// Time against correct digits, over all families: a mark for each method, a bar down to its worst case, and the Pareto
 /// line.
-[[nodiscard]] Plot work_precision(std::span<const MethodMeasurement> of_one_model);
+[[nodiscard]] Plot work_precision(std::span<const MethodMeasurement> of_one_law);
 
 /// Time against correct digits, in one small diagram for each family.
-[[nodiscard]] Plot work_precision_of_families(std::span<const MethodMeasurement> of_one_model);
+[[nodiscard]] Plot work_precision_of_families(std::span<const MethodMeasurement> of_one_law);
 
 /// The worst backward error along a sweep, with one line for each method of the law.
-[[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Model model, double limit_ulps);
+[[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps);
 
 /// The share of cases that the best method solves to a number of digits within a time.
-[[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_model);
+[[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_law);
 
 /// One step of a deadline curve: from this time on, the method solves this share of the cases.
 struct DeadlineStep {
@@ -40,7 +40,7 @@ struct DeadlineStep {
 /// The numbers of digits in the deadline diagram.
 inline constexpr std::array deadline_digits{3, 6, 9, 12, 15, 18};
 
-[[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_model, double digits);
+[[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_law, double digits);
 
 /// The methods that no method beats in both time and digits, the quickest first. Only methods with `is_sound` are
 /// considered.

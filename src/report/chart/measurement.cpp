@@ -26,13 +26,13 @@ Quantiles quantiles_where_large_is_good(std::vector<double> values) {
 
 }  // namespace
 
-std::span<const Model> charted_models() {
-  static const std::vector<Model> models = [] {
-    std::vector<Model> all(models_with_truth.begin(), models_with_truth.end());
-    all.push_back(Model::coulomb);
+std::span<const Law> charted_laws() {
+  static const std::vector<Law> laws = [] {
+    std::vector<Law> all(laws_with_truth.begin(), laws_with_truth.end());
+    all.push_back(Law::coulomb);
     return all;
   }();
-  return models;
+  return laws;
 }
 
 double quantile(const std::vector<double>& sorted, double share) {

@@ -45,7 +45,7 @@ struct FamilyMeasurement {
 struct MethodMeasurement {
   std::string name;
   std::string summary;
-  Model model;
+  Law law;
   Precision precision;
   std::vector<FamilyMeasurement> families;
 
@@ -60,7 +60,7 @@ struct MethodMeasurement {
 /// One method along one sweep.
 struct SweepLine {
   std::string method;
-  Model model;
+  Law law;
   Precision precision;
   std::vector<double> quantity;
   std::vector<Exactness> exactness;  // at each quantity
@@ -96,7 +96,7 @@ class ExactnessBuilder {
 
 /// The laws whose methods are charted: the laws with a truth, and `coulomb`. The digits of `coulomb` are those of its
 /// nearest answer.
-[[nodiscard]] std::span<const Model> charted_models();
+[[nodiscard]] std::span<const Law> charted_laws();
 
 /// The value of rank ⌈share · n⌉ among n sorted values (nearest rank). Precondition: `sorted` is not empty.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);

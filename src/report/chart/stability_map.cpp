@@ -45,17 +45,17 @@ std::vector<std::vector<double>> points_of(const SweepLine& line) {
 
 }  // namespace
 
-Plot stability_map(const SweepMeasurement& sweep, Model model, double limit_ulps) {
-  Plot picture(fmt::format("stability-{}-{}", name_of(model), sweep.name), 1400, 760, 17);
+Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps) {
+  Plot picture(fmt::format("stability-{}-{}", name_of(law), sweep.name), 1400, 760, 17);
   std::vector<SweepLine> lines;
   for (const SweepLine& line : sweep.lines) {
-    if (line.model == model) {
+    if (line.law == law) {
       lines.push_back(line);
     }
   }
   const std::vector<double>& quantity = lines.front().quantity;
   const Panel panel{{quantity.front(), quantity.back(), true, 100, 830}, {least_error, most_error, true, 80, 700}};
-  picture.begin(panel, fmt::format("{}: {}", name_of(model), sweep.summary), sweep.label,
+  picture.begin(panel, fmt::format("{}: {}", name_of(law), sweep.summary), sweep.label,
                 "worst backward error [ulps of the method's precision]");
   picture.add(power_tics(panel.x, 'x') + '\n' + power_tics(panel.y, 'y'));
   picture.curve({{quantity.front(), limit_ulps}, {quantity.back(), limit_ulps}},

@@ -59,7 +59,7 @@ void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, dou
   }
   picture.curve(on_line, "using 1:2 with steps lw 2 lc rgb '#bbbbbb'");
   std::vector<Label> labels;
-  std::vector<Pixel> places;
+  std::vector<Pixel> positions;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Mark& mark = marks[i];
     const double x = mark.nanoseconds.median;
@@ -73,13 +73,14 @@ void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, dou
     } else {
       picture.curve({{x, median}}, fmt::format("using 1:2 with points pt 7 ps {} lc rgb '{}'", mark_size, colour));
     }
-    places.push_back(panel.place_of(x, median));
+    positions.push_back(panel.place_of(x, median));
     const bool is_on_line = std::find(line.begin(), line.end(), i) != line.end();
     if (is_labelled(mark, is_on_line)) {
-      labels.push_back({std::to_string(mark.number + 1), places.back(), mark.fails ? std::string(vermillion) : colour});
+      labels.push_back(
+          {std::to_string(mark.number + 1), positions.back(), mark.fails ? std::string(vermillion) : colour});
     }
   }
-  place_labels(labels, places, letter, panel);
+  place_labels(labels, positions, letter, panel);
   picture.write(labels, letter);
 }
 
@@ -129,10 +130,10 @@ void write_key(Plot& picture, std::span<const MethodMeasurement> methods, Pixel 
 
 }  // namespace
 
-std::vector<MethodMeasurement> of_model(std::span<const MethodMeasurement> methods, Model model) {
+std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods, Law law) {
   std::vector<MethodMeasurement> result;
   for (const MethodMeasurement& method : methods) {
-    if (method.model == model) {
+    if (method.law == law) {
       result.push_back(method);
     }
   }
@@ -140,10 +141,10 @@ std::vector<MethodMeasurement> of_model(std::span<const MethodMeasurement> metho
 }
 
 Plot work_precision(std::span<const MethodMeasurement> methods) {
-  const std::string model(name_of(methods.front().model));
-  Plot picture("work-precision-" + model, 1500, 900, 17);
+  const std::string law(name_of(methods.front().law));
+  Plot picture("work-precision-" + law, 1500, 900, 17);
   const Panel panel{time_axis(methods, 80, 830), {least_digits, most_digits + 0.5, false, 80, 840}};
-  picture.begin(panel, fmt::format("{}: time against accuracy, all families", model), "nanoseconds for each contact",
+  picture.begin(panel, fmt::format("{}: time against accuracy, all families", law), "nanoseconds for each contact",
                 "correct digits of the change of velocities");
   picture.add(time_tics(panel.x));
   picture.add("set ytics 3");
@@ -159,14 +160,14 @@ Plot work_precision(std::span<const MethodMeasurement> methods) {
 }
 
 Plot work_precision_of_families(std::span<const MethodMeasurement> methods) {
-  const std::string model(name_of(methods.front().model));
+  const std::string law(name_of(methods.front().law));
   const std::size_t count = methods.front().families.size();
   constexpr std::size_t columns = 3;
   const std::size_t rows = (count + columns - 1) / columns;
   constexpr double cell_width = 500;
   constexpr double cell_height = 370;
   const double height = cell_height * static_cast<double>(rows) + 110;
-  Plot picture("work-precision-" + model + "-families", columns * cell_width, height, 20);
+  Plot picture("work-precision-" + law + "-families", columns * cell_width, height, 20);
   for (std::size_t f = 0; f < count; ++f) {
     const double left = cell_width * static_cast<double>(f % columns);
     const std::size_t row = f / columns;
@@ -185,7 +186,7 @@ Plot work_precision_of_families(std::span<const MethodMeasurement> methods) {
     }
     if (f == 0) {
       picture.write(
-          fmt::format("{}: time against accuracy, family by family; numbers as in work-precision-{}.svg", model, model),
+          fmt::format("{}: time against accuracy, family by family; numbers as in work-precision-{}.svg", law, law),
           {20, height - 25}, black);
       double x = 20;
       for (const auto& [text, colour] : key_of_colours) {

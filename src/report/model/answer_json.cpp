@@ -209,8 +209,8 @@ json nearest_record(const Outcome<T>& outcome) {
 
 }  // namespace
 
-json truth_record(const oracles::ExactCase& exact_case, Model model) {
-  return exact_case.with_truth(model, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
+json truth_record(const oracles::ExactCase& exact_case, Law law) {
+  return exact_case.with_truth(law, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
     json record = velocities_and_impulse(truth);
     record["nearest"] = nearest_record(truth.outcome);
     return record;

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include <carom/oracles/judge/coulomb_case.hpp>
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/model/archive.hpp>
 
 /// Answers, truths and verdicts as JSON.
@@ -40,7 +40,7 @@ struct Json<properties::UnjudgedCounts> {
 };
 
 /// The exact truth of one law: velocities and impulse as strings "p/q", and the velocities as binary64 under `nearest`.
-[[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Model model);
+[[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Law law);
 
 /// All answers of the law `coulomb`: the kind of each, whether it is exact, and its velocities as binary64 under
 /// `nearest`. An exact answer also has the fields of a truth.

@@ -38,7 +38,7 @@ SubjectSummary summary_of(const Subject& subject, const std::string& status, con
   summary.status = shown(status);
   summary.error = shown(error);
   summary.version = shown(subject.version);
-  summary.model = name_of(subject.model);
+  summary.law = name_of(subject.law);
   summary.precision = name_of(subject.precision);
   summary.deviates = all_shown(subject.deviates);
   return summary;
@@ -54,7 +54,7 @@ SubjectSummary summary_of(const JudgedSubject& judged_subject) {
   for (const Violation& violation : judged_subject.violations) {
     summary.violated.push_back(shown(violation.invariant));
   }
-  if (determines_outcome(result.subject.model)) {
+  if (determines_outcome(result.subject.law)) {
     summary.worst_backward_error = judged_subject.worst.backward_error;
     summary.worst_family = shown(judged_subject.worst.family);
   }

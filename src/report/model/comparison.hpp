@@ -32,7 +32,7 @@ struct SubjectSummary {
   std::string status;   // "sound", "violated", "error", "not judged" or "absent"
   std::string error;    // the reason why it was not judged to the end
   std::string version;  // empty if it states none
-  std::string model;
+  std::string law;
   std::string precision;
   std::uint64_t cases = 0;
   std::uint64_t violated_cases = 0;            // cases that violated any invariant

@@ -82,7 +82,7 @@ std::vector<ChangedNumber> changed_numbers(const ComparedSubject& subject) {
     }
   };
   note("version", before.version, now.version);
-  note("law", before.model, now.model);
+  note("law", before.law, now.law);
   note("precision", before.precision, now.precision);
   note("cases", std::to_string(before.cases), std::to_string(now.cases));
   note("cases violated", std::to_string(before.violated_cases), std::to_string(now.violated_cases));

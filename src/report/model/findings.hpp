@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/model/field.hpp>
 
 namespace carom::report {

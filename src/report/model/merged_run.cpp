@@ -54,7 +54,7 @@ std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& s
     const std::string of = " of " + subject.name;
     facts.emplace_back("specification" + of, subject.specification);
     facts.emplace_back("version" + of, subject.version);
-    facts.emplace_back("law" + of, std::string(name_of(subject.model)));
+    facts.emplace_back("law" + of, std::string(name_of(subject.law)));
     facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
     facts.emplace_back("deviates" + of, listed(subject.deviates));
     facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");

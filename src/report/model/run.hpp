@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <carom/properties/diagnosis/diagnosis.hpp>
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/model/comparison.hpp>
 
 /// The results of a run of the gate, as one value. report.json contains it (run_json.hpp), and all forms of a report

@@ -43,9 +43,9 @@ E named(const Field& field, const std::array<E, count>& all, const char* what) {
 }
 
 template <>
-struct Json<Model> {
-  static json write(Model model) { return name_of(model); }
-  static Model read(const Field& field, Reading /*reading*/) { return named(field, all_models, "the name of a law"); }
+struct Json<Law> {
+  static json write(Law law) { return name_of(law); }
+  static Law read(const Field& field, Reading /*reading*/) { return named(field, all_laws, "the name of a law"); }
 };
 
 template <>
@@ -257,7 +257,7 @@ template <class A>
 void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive("name", subject.name);
   archive.detail("summary", subject.summary);
-  archive("model", subject.model);
+  archive("model", subject.law);
   archive("precision", subject.precision);
   archive.detail("expected_to_pass", subject.expected_to_pass);
   archive("deviates", subject.deviates);
@@ -591,12 +591,12 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["replay"] = replay_command(witness_file, subject, settings.yardstick);
   const properties::JudgedCase judged_case(witness.shrunk);
   if (judged_case.is_valid()) {
-    for (const Model model : models_with_truth) {
-      if (subject.model == model || subject.model == Model::any) {
-        record["truth"][std::string(name_of(model))] = truth_record(judged_case.exact(), model);
+    for (const Law law : laws_with_truth) {
+      if (subject.law == law || subject.law == Law::any) {
+        record["truth"][std::string(name_of(law))] = truth_record(judged_case.exact(), law);
       }
     }
-    if (subject.model == Model::coulomb) {
+    if (subject.law == Law::coulomb) {
       record["answers"]["coulomb"] = answers_record(oracles::coulomb_answers(judged_case.exact()));
     }
   }

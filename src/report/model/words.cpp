@@ -77,8 +77,8 @@ std::string verdict_in_words(const JudgedSubject& subject) {
 }
 
 std::string worst_in_words(const JudgedSubject& subject) {
-  return determines_outcome(subject.result.subject.model) ? fmt::format("{:.3g}", subject.worst.backward_error)
-                                                          : no_number;
+  return determines_outcome(subject.result.subject.law) ? fmt::format("{:.3g}", subject.worst.backward_error)
+                                                        : no_number;
 }
 
 std::string violated_of_judged(const properties::Count& count) {

@@ -34,7 +34,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   for (std::size_t i = 0; i < std::min(shares.size(), most_named); ++i) {
     const auto& [f, percent] = shares[i];
     text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", run.families[f].name, percent);
-    if (determines_outcome(result.subject.model)) {
+    if (determines_outcome(result.subject.law)) {
       text += fmt::format(" ({:.2g})", result.families[f].worst_backward_error);
     }
   }

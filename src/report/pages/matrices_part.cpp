@@ -107,7 +107,7 @@ void draw_shades(pugi::xml_node section, double limit) {
 }
 
 Cell family_cell(const SubjectResult& result, const FamilyResult& family, double limit) {
-  if (family.cases == family.skipped || !determines_outcome(result.subject.model)) {
+  if (family.cases == family.skipped || !determines_outcome(result.subject.law)) {
     return signed_cell("unclaimed", no_number, "no outcome to compare with");
   }
   const double error = family.worst_backward_error;

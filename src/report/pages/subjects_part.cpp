@@ -70,14 +70,14 @@ Row subject_row(const Run& run, std::size_t s) {
            Cell(subject.worst.family.empty() ? no_number : subject.worst.family, "word"),
            Cell(in_words(subject.digits), "number"),
            Cell(result.cases() > 0 ? fmt::format("{:.0f}", result.nanoseconds_per_solve) : no_number, "number"),
-           Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.model)), "word"),
+           Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.law)), "word"),
            Cell(std::string(name_of(result.subject.precision)), "word")},
           subject.counts ? notes_on(subject, run) : std::vector<std::string>{}};
 }
 
 std::string in_two_digits(const JudgedSubject& subject) {
-  return determines_outcome(subject.result.subject.model) ? fmt::format("{:.2g}", subject.worst.backward_error)
-                                                          : no_number;
+  return determines_outcome(subject.result.subject.law) ? fmt::format("{:.2g}", subject.worst.backward_error)
+                                                        : no_number;
 }
 
 /// "family (violated cases)", the family with the most violated cases first.
@@ -171,10 +171,10 @@ std::string subjects_markdown(const Run& run) {
       invariants.push_back(violation.invariant);
     }
     const std::string violated = invariants.empty() ? no_number : listed(invariants);
-    table.rows.push_back({{subject.name + ' ' + subject.version,
-                           fmt::format("{}, {}", name_of(subject.precision), name_of(subject.model)), one.status,
-                           in_two_digits(one), in_words(one.digits), violated, violated_families(run, result),
-                           fmt::format("{:.0f}", result.nanoseconds_per_solve)}});
+    table.rows.push_back(
+        {{subject.name + ' ' + subject.version, fmt::format("{}, {}", name_of(subject.precision), name_of(subject.law)),
+          one.status, in_two_digits(one), in_words(one.digits), violated, violated_families(run, result),
+          fmt::format("{:.0f}", result.nanoseconds_per_solve)}});
   }
   for (const Subject& subject : run.absent) {
     table.rows.push_back({{subject.name, "absent: " + subject.absent}});

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/report/document/markup.hpp>
@@ -77,26 +77,26 @@ struct Velocities {
 
 /// The exact velocities for a subject that claims a law. A law that may have several answers has a column for each
 /// answer. If the subject claims no law, there is a column for the truth of each law.
-std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Model claimed) {
+std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Law claimed) {
   std::vector<Velocities> columns;
-  if (claimed == Model::coulomb) {
+  if (claimed == Law::coulomb) {
     for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(exact_case)) {
       columns.push_back({fmt::format("answer, {}", name_of(answer.kind)), velocities_in_words(answer.truth.outcome)});
     }
     return columns;
   }
-  for (const Model model : models_with_truth) {
-    if (claimed == model || claimed == Model::any) {
-      exact_case.with_truth(model, exact_case.approach(), [&](const auto& truth) {
-        columns.push_back({claimed == model ? "exact" : fmt::format("exact, {}", name_of(model)),
-                           velocities_in_words(truth.outcome)});
+  for (const Law law : laws_with_truth) {
+    if (claimed == law || claimed == Law::any) {
+      exact_case.with_truth(law, exact_case.approach(), [&](const auto& truth) {
+        columns.push_back(
+            {claimed == law ? "exact" : fmt::format("exact, {}", name_of(law)), velocities_in_words(truth.outcome)});
       });
     }
   }
   return columns;
 }
 
-void add_outcome(Document& document, const Witness& witness, const properties::JudgedCase& judged_case, Model claimed) {
+void add_outcome(Document& document, const Witness& witness, const properties::JudgedCase& judged_case, Law claimed) {
   if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
     document.emplace_back(Paragraph{"The subject refused it:"});
     document.emplace_back(Code{refused->why});
@@ -161,8 +161,8 @@ Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
   return motion;
 }
 
-void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case,
-                 Model claimed, const std::string& anchor, const std::string& title) {
+void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case, Law claimed,
+                 const std::string& anchor, const std::string& title) {
   if (!judged_case.is_valid()) {
     add(section, "p", {}, "The collision is invalid, so there is no drawing.");
     return;
@@ -174,7 +174,7 @@ void add_drawing(pugi::xml_node section, const Witness& witness, const propertie
   if (computed != nullptr && oracles::is_finite(*computed)) {
     picture.computed = motion_of(collision, oracles::lift(*computed));
   }
-  if (claimed == Model::coulomb) {
+  if (claimed == Law::coulomb) {
     const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
     const bool is_finite = computed != nullptr && oracles::is_finite(*computed);
     const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
@@ -207,10 +207,10 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   add_collision(numbers, witness.shrunk.collision);
   // The picture refers to the witness, so the page must be written while the run exists.
   const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk);
-  add_outcome(numbers, witness, *judged_case, result.subject.model);
+  add_outcome(numbers, witness, *judged_case, result.subject.law);
   add_sides(numbers, witness.verdict);
-  Picture picture{[&witness, judged_case, model = result.subject.model, anchor, title](pugi::xml_node node) {
-    add_drawing(node, witness, *judged_case, model, anchor, title);
+  Picture picture{[&witness, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
+    add_drawing(node, witness, *judged_case, law, anchor, title);
   }};
   Document content{
       Paragraph{fmt::format("{} The subject violates this in {} cases. This witness comes from the family {}.",

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <carom/collision/expects.hpp>
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/scene/json/fields.hpp>
 #include <carom/scene/json/materials.hpp>
@@ -47,7 +47,7 @@ class SceneReader {
  private:
   void read_settings() {
     read_optional(root_, "title", scene_.title);
-    scene_.law = Model::rough;
+    scene_.law = Law::rough;
     if (root_.has("law")) {
       scene_.law = law_of(root_.required("law"));
     }
@@ -59,10 +59,9 @@ class SceneReader {
     read_optional(root_, "capture_height", scene_.capture_height);
   }
 
-  [[nodiscard]] static Model law_of(const json& value) {
-    const std::optional<Model> law =
-        value.is_string() ? model_named(value.get_ref<const std::string&>()) : std::nullopt;
-    if (!law || *law == Model::any) {
+  [[nodiscard]] static Law law_of(const json& value) {
+    const std::optional<Law> law = value.is_string() ? law_named(value.get_ref<const std::string&>()) : std::nullopt;
+    if (!law || *law == Law::any) {
       throw FormatError("/law", "expected frictionless, reflection, sticking, rough or coulomb" + found(value));
     }
     return *law;

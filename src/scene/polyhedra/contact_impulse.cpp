@@ -19,23 +19,23 @@ Outcome<double> in_double(const Outcome<S>& outcome) {
 }
 
 template <class S>
-Outcome<double> struck_in(Model law, const Collision& collision) {
+Outcome<double> struck_in(Law law, const Collision& collision) {
   using impulse::Ldlt;
   const impulse::Contact<S> contact = impulse::make_contact<S>(collision);
   switch (law) {
-    case Model::frictionless:
+    case Law::frictionless:
       return in_double(impulse::frictionless<S>(contact));
-    case Model::reflection:
+    case Law::reflection:
       return in_double(impulse::reflection<Ldlt, S>(contact));
-    case Model::sticking:
+    case Law::sticking:
       return in_double(impulse::sticking<Ldlt, S>(contact));
-    case Model::coulomb: {
+    case Law::coulomb: {
       // The search for the slip needs the elementary functions of a built-in type.
       using Searched = std::conditional_t<std::is_floating_point_v<S>, S, long double>;
       return in_double(impulse::coulomb(impulse::make_contact<Searched>(collision)));
     }
-    case Model::rough:
-    case Model::any:
+    case Law::rough:
+    case Law::any:
       break;
   }
   return in_double(impulse::rough<Ldlt, S>(contact));
@@ -56,9 +56,9 @@ Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& co
 
 }  // namespace
 
-Outcome<double> struck_bodies(Model law, Precision precision, const Collision& collision) {
+Outcome<double> struck_bodies(Law law, Precision precision, const Collision& collision) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
-  CAROM_EXPECTS(law != Model::any);
+  CAROM_EXPECTS(law != Law::any);
   switch (precision) {
     case Precision::binary32:
       return with_immovable_kept(struck_in<float>(law, collision), collision);

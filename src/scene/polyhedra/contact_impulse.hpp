@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/collision/collision.hpp>
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/outcome.hpp>
 #include <carom/collision/precision.hpp>
 
@@ -10,7 +10,7 @@ namespace carom::scene {
 
 /// The outcome of a law, in a precision, for bodies of any shape. Preconditions: the collision is valid; the law is not
 /// `any`.
-[[nodiscard]] Outcome<double> struck_bodies(Model law, Precision precision, const Collision& collision);
+[[nodiscard]] Outcome<double> struck_bodies(Law law, Precision precision, const Collision& collision);
 
 /// The outcome of an impulse along the normal that makes N·V/‖N‖ equal to `speed` [m/s]. If N·V/‖N‖ is not less than
 /// the speed already, the velocities are unchanged. Precondition: the collision is valid.

@@ -44,12 +44,12 @@ constexpr double feature_tolerance = 1e-9;
 constexpr double share_that_is_failure = 1e-6;
 
 /// A placed polyhedron, relative to the position of B.
-struct Placed {
+struct PlacedPolyhedron {
   const ConvexPolyhedron& shape;
   Points points;
 };
 
-Vector face_normal(const Placed& body, const std::vector<std::size_t>& face) {
+Vector face_normal(const PlacedPolyhedron& body, const std::vector<std::size_t>& face) {
   // Newell's sum over all corners, so that a short side cannot spoil it.
   Vector normal = Vector::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
@@ -58,7 +58,7 @@ Vector face_normal(const Placed& body, const std::vector<std::size_t>& face) {
   return normal;
 }
 
-Vector along(const Placed& body, const std::array<std::size_t, 2>& edge) {
+Vector along(const PlacedPolyhedron& body, const std::array<std::size_t, 2>& edge) {
   return body.points[edge[1]] - body.points[edge[0]];
 }
 
@@ -113,7 +113,7 @@ Vector nearest_of_segment(const Vector& point, const Vector& start, const Vector
   return start + std::clamp((point - start).dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge;
 }
 
-Features features_at(const Placed& body, const Vector& point, double within) {
+Features features_at(const PlacedPolyhedron& body, const Vector& point, double within) {
   Features features;
   for (const auto& face : body.shape.faces) {
     const Vector normal = face_normal(body, face);
@@ -129,7 +129,7 @@ Features features_at(const Placed& body, const Vector& point, double within) {
   return features;
 }
 
-Features all_features(const Placed& body) {
+Features all_features(const PlacedPolyhedron& body) {
   Features features;
   for (const auto& face : body.shape.faces) {
     features.normals.push_back(face_normal(body, face));
@@ -182,7 +182,7 @@ Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, co
 }
 
 /// The direction to an outside point from the nearest point of a polyhedron's surface.
-Vector direction_from_surface(const Placed& body, const Vector& point) {
+Vector direction_from_surface(const PlacedPolyhedron& body, const Vector& point) {
   Vector best = Vector::Zero();
   double least = std::numeric_limits<double>::infinity();
   for (const auto& face : body.shape.faces) {
@@ -200,7 +200,7 @@ Vector direction_from_surface(const Placed& body, const Vector& point) {
 }
 
 /// If the centre of the ball lies within the polyhedron, only the faces give directions.
-void search_ball(Search& search, const Placed& body, const Vector& point, bool ball_is_a) {
+void search_ball(Search& search, const PlacedPolyhedron& body, const Vector& point, bool ball_is_a) {
   const Vector direction = direction_from_surface(body, point);
   search.try_direction(ball_is_a ? direction : Vector(-direction));
   if (search.gap() <= 0) {
@@ -284,8 +284,8 @@ std::optional<Separation> ShapePair::quick_separation(const Placement& a, const 
 }
 
 std::optional<Separation> ShapePair::searched(const Placement& a, const Placement& b, Effort effort) const {
-  const Placed placed_a{a_.core, placed_vertices(a_, a, b.position)};
-  const Placed placed_b{b_.core, placed_vertices(b_, b, b.position)};
+  const PlacedPolyhedron placed_a{a_.core, placed_vertices(a_, a, b.position)};
+  const PlacedPolyhedron placed_b{b_.core, placed_vertices(b_, b, b.position)};
   Search search(placed_a.points, placed_b.points);
   const Vector between = a.position - b.position;
   if (geometry_) {

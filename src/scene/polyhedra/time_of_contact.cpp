@@ -8,7 +8,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
-#include <carom/scene/polyhedra/open_gap.hpp>
+#include <carom/scene/polyhedra/gap_bound.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 
 namespace carom::scene {
@@ -31,7 +31,7 @@ struct Moving {
   std::vector<Vector> velocities;  // of the vertices, by rotation alone [m/s]
 };
 
-Moving moving(const ConvexShape& shape, const Motion& motion, double time) {
+Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   const BoundedRotation rotation = rotation_at(motion, time);
   const double elapsed = time - motion.start;
   Moving m;
@@ -147,17 +147,17 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
       // The step before this one left the gap open. The growth of the errors since then closes it.
-      result.approach = result.time == begin ? Approach::overlaps : Approach::undecided;
+      result.status = result.time == begin ? ContactStatus::overlaps : ContactStatus::undecided;
       return result;
     }
     const double limit = horizon - result.time;
     const bool within = separation.gap <= tolerance;
     if (within && !opens(result.time, separation)) {
-      result.approach = Approach::touches;
+      result.status = ContactStatus::touches;
       return result;
     }
     if (limit <= 0) {
-      result.approach = Approach::misses;
+      result.status = ContactStatus::misses;
       return result;
     }
     // For a gap that opens, half the time for which it is certain to stay open. At the end of the whole time, only half
@@ -167,25 +167,25 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     // Rounded down, so that the sum does not exceed the step.
     const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
-      result.approach = Approach::undecided;
+      result.status = ContactStatus::undecided;
       return result;
     }
     result.time = next;
   }
-  result.approach = Approach::undecided;
+  result.status = ContactStatus::undecided;
   return result;
 }
 
 /// For bodies that do not move relative to each other: their gap stays the same.
 TimeOfContact at_rest(const Separation& separation, double begin, double horizon) {
   const bool is_apart = separation.certified > 0;
-  return {is_apart ? Approach::misses : Approach::overlaps, is_apart ? horizon : begin, separation, 1};
+  return {is_apart ? ContactStatus::misses : ContactStatus::overlaps, is_apart ? horizon : begin, separation, 1};
 }
 
 }  // namespace
 
-TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin, double horizon,
-                              double tolerance) {
+TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b, double begin,
+                              double horizon, double tolerance) {
   CAROM_EXPECTS(a.start <= begin && b.start <= begin && horizon <= a.end() && horizon <= b.end(), begin, horizon,
                 a.start, a.end(), b.start, b.end());
   CAROM_EXPECTS(tolerance > 0, tolerance);
@@ -255,7 +255,7 @@ TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Moti
   return advance(separation_at, open_for, opens, begin, horizon, tolerance);
 }
 
-TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b, double begin,
+TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b, double begin,
                               double horizon, double tolerance) {
   CAROM_EXPECTS(motion.start <= begin && horizon <= motion.end(), begin, horizon, motion.start, motion.end());
   CAROM_EXPECTS(tolerance > 0, tolerance);

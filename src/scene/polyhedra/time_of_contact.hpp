@@ -2,11 +2,12 @@
 #pragma once
 
 #include <carom/scene/polyhedra/distance.hpp>
-#include <carom/scene/polyhedra/motion.hpp>
+#include <carom/scene/polyhedra/free_flight.hpp>
 
 namespace carom::scene {
 
-enum class Approach {
+/// How the search for a contact ended.
+enum class ContactStatus {
   touches,    // within the tolerance at the returned time, and not before
   misses,     // certain to stay apart up to the horizon
   overlaps,   // not certain to be apart at the beginning
@@ -15,7 +16,7 @@ enum class Approach {
 };
 
 struct TimeOfContact {
-  Approach approach = Approach::misses;
+  ContactStatus status = ContactStatus::misses;
   double time = 0;        // [s]
   Separation separation;  // at the returned time
   int advances = 0;       // the number of separations that were computed
@@ -45,11 +46,11 @@ struct TimeOfContact {
 /// both motions start at `begin` or before, and end at the horizon or later; the tolerance is positive. The tolerance
 /// is always reached only if it exceeds about 2⁻⁴⁴ of sizes and distance, and the errors of the placements. Otherwise
 /// the answer may be `undecided`, with the last time up to which the shapes are certain to be apart.
-[[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const Motion& a, const Motion& b, double begin,
-                                            double horizon, double tolerance);
+[[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
+                                            double begin, double horizon, double tolerance);
 
 /// The first time of contact of a shape with a half-space, which does not move, as for two shapes.
-[[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const Motion& motion, const HalfSpace& b,
+[[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b,
                                             double begin, double horizon, double tolerance);
 
 }  // namespace carom::scene

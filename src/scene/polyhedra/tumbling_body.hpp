@@ -2,8 +2,8 @@
 #pragma once
 
 #include <carom/collision/outcome.hpp>
-#include <carom/scene/motion.hpp>
-#include <carom/scene/polyhedra/motion.hpp>
+#include <carom/scene/arc.hpp>
+#include <carom/scene/polyhedra/free_flight.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::scene {
@@ -34,7 +34,7 @@ class TumblingBody {
   [[nodiscard]] double renewal() const { return renewal_; }
 
   [[nodiscard]] const RigidBody& body() const { return body_; }
-  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const FreeFlight& motion() const { return motion_; }
   [[nodiscard]] const Quaternion<double>& orientation_at_start() const { return orientation_; }
   /// The path of the ball around the body. The ball is slightly too wide, so that the paths of balls that stay apart
   /// prove, in spite of rounding, that the bodies do.
@@ -49,7 +49,7 @@ class TumblingBody {
  private:
   RigidBody body_;
   bool is_ball_;
-  Motion motion_;
+  FreeFlight motion_;
   Quaternion<double> orientation_;
   Vector3<double> angular_velocity_;  // at the motion's start, world
   double known_until_ = 0;

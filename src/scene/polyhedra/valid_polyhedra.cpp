@@ -19,7 +19,7 @@ using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
 /// In radii from the origin. Up to this distance a position is a hundred times more accurate than the tolerance of a
-/// contact (tumbling_body.hpp, `contact_tolerance`; motion.cpp: 2⁻⁴⁹ of all terms).
+/// contact (tumbling_body.hpp, `contact_tolerance`; free_flight.cpp: 2⁻⁴⁹ of all terms).
 constexpr double farthest = 0x1p12;
 
 /// The greatest angle by which a body may turn within the duration [rad].

@@ -38,7 +38,7 @@ struct Settings {
 /// turns.
 inline Settings settings_of(const EngineSetting& setting) {
   Settings settings;
-  settings.friction = setting.model == Model::coulomb;
+  settings.friction = setting.law == Law::coulomb;
   if (setting.configured) {
     settings.solver.m_restitutionVelocityThreshold = 0;
     settings.gyroscopic = false;

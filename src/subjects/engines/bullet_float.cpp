@@ -19,7 +19,7 @@ int serve(const carom::subjects::EngineSetting& setting) {
   carom::Subject subject;
   subject.name = "bullet-float";
   subject.version = bullet::version();
-  subject.model = setting.model;
+  subject.law = setting.law;
   subject.precision = carom::Precision::binary32;
   subject.open = [&setting] { return bullet::session_with(bullet::settings_of(setting)); };
   return carom::subjects::protocol::serve(subject, std::cin, std::cout);

@@ -11,18 +11,18 @@ namespace carom::subjects {
 
 /// The law and the settings of an engine's subject.
 struct EngineSetting {
-  Model model;  // frictionless, or coulomb
+  Law law;  // frictionless, or coulomb
   bool configured;
 
   /// The arguments of the programs that run engines.
   [[nodiscard]] std::vector<std::string> words() const {
-    return {configured ? "configured" : "as-shipped", std::string(name_of(model))};
+    return {configured ? "configured" : "as-shipped", std::string(name_of(law))};
   }
 };
 
 /// The settings of an engine's subjects, in the order of the subjects.
 inline constexpr std::array<EngineSetting, 4> engine_settings{
-    {{Model::frictionless, true}, {Model::frictionless, false}, {Model::coulomb, true}, {Model::coulomb, false}}};
+    {{Law::frictionless, true}, {Law::frictionless, false}, {Law::coulomb, true}, {Law::coulomb, false}}};
 
 /// The names and descriptions of an engine's subjects.
 struct EngineSummary {
@@ -38,13 +38,13 @@ struct EngineSummary {
 [[nodiscard]] inline std::vector<Subject> engine_claims(const EngineSummary& summary, Precision precision) {
   std::vector<Subject> claims;
   for (const EngineSetting& setting : engine_settings) {
-    const bool has_friction = setting.model == Model::coulomb;
+    const bool has_friction = setting.law == Law::coulomb;
     Subject claim;
     claim.name = summary.name + (has_friction ? "-coulomb" : "") + (setting.configured ? "" : "-as-shipped");
     claim.summary = summary.engine + ": " + (setting.configured ? summary.configured : "the engine's defaults");
     claim.summary += has_friction ? "; " + summary.friction : setting.configured ? "; fails on slender bodies" : "";
     claim.expected_to_pass = false;
-    claim.model = setting.model;
+    claim.law = setting.law;
     claim.precision = precision;
     claims.push_back(claim);
   }

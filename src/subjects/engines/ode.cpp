@@ -75,7 +75,7 @@ dContact make_contact(const Collision& collision, const EngineSetting& setting) 
   contact.surface.bounce = collision.restitution;
   Eigen::Map<Vector3<double>>(contact.geom.pos) = collision.point;
   Eigen::Map<Vector3<double>>(contact.geom.normal) = n;  // points into the first body, A
-  if (setting.model == Model::coulomb) {
+  if (setting.law == Law::coulomb) {
     add_friction(contact, collision, n, setting.configured);
   }
   return contact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/impulse/batch/solve.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
@@ -17,54 +17,54 @@ impulse::ContactBatch<S> batch_of(std::span<const Collision> collisions) {
 
 /// The answers to the collisions of one call, which are solved as one batch. Invalid collisions are refused.
 template <class S>
-std::vector<Answer> answers_of(std::span<const Collision> collisions, Model model) {
+std::vector<Answer> answers_of(std::span<const Collision> collisions, Law law) {
   std::vector<Answer> answers(collisions.size());
   std::vector<Collision> valid;
-  std::vector<Answer*> places;
+  std::vector<Answer*> answers_of_valid;
   for (std::size_t i = 0; i < collisions.size(); ++i) {
     const std::vector<Defect> defects = validate(collisions[i]);
     if (defects.empty()) {
       valid.push_back(collisions[i]);
-      places.push_back(&answers[i]);
+      answers_of_valid.push_back(&answers[i]);
     } else {
       answers[i] = Refused{describe(defects)};
     }
   }
   impulse::OutcomeBatch<S> outcomes(valid.size());
-  impulse::solve(batch_of<S>(valid), model, outcomes);
+  impulse::solve(batch_of<S>(valid), law, outcomes);
   for (std::size_t i = 0; i < valid.size(); ++i) {
-    *places[i] = reported<S>(outcomes.at(i));
+    *answers_of_valid[i] = reported<S>(outcomes.at(i));
   }
   return answers;
 }
 
 template <class S>
-Method batch_method(Model model) {
+Method batch_method(Law law) {
   Method method;
   Subject& subject = method.subject;
-  subject.name = std::string(name_of(model)) + "-batch-" + std::string(scalar_type<S>.in_name);
+  subject.name = std::string(name_of(law)) + "-batch-" + std::string(scalar_type<S>.in_name);
   method.form = MethodForm::batch;
   method.scalar = scalar_type<S>;
-  const std::string source(impulse::description_of(model).source);
+  const std::string source(impulse::description_of(law).source);
   subject.summary =
-      description_in_words(model) + (source.empty() ? "" : ", " + source) + ", in packs with one contact per lane";
-  subject.model = model;
+      description_in_words(law) + (source.empty() ? "" : ", " + source) + ", in packs with one contact per lane";
+  subject.law = law;
   subject.precision = precision_of<S>;
-  subject.open = [model] {
-    return [model](std::span<const Collision> collisions) { return answers_of<S>(collisions, model); };
+  subject.open = [law] {
+    return [law](std::span<const Collision> collisions) { return answers_of<S>(collisions, law); };
   };
-  method.prepare = [model](std::span<const Collision> collisions) -> Kernel {
+  method.prepare = [law](std::span<const Collision> collisions) -> Kernel {
     auto contacts = std::make_shared<const impulse::ContactBatch<S>>(batch_of<S>(collisions));
     auto outcomes = std::make_shared<impulse::OutcomeBatch<S>>(collisions.size());
-    return [model, contacts, outcomes] { impulse::solve(*contacts, model, *outcomes); };
+    return [law, contacts, outcomes] { impulse::solve(*contacts, law, *outcomes); };
   };
   return method;
 }
 
 template <class S>
 void add_batch_methods(std::vector<Method>& methods) {
-  for (const Model model : models_with_truth) {
-    methods.push_back(batch_method<S>(model));
+  for (const Law law : laws_with_truth) {
+    methods.push_back(batch_method<S>(law));
   }
 }
 

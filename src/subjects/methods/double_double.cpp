@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/impulse/numbers/double_double.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/scalar_methods.hpp>
 
 namespace carom::subjects {

@@ -3,7 +3,7 @@
 
 #include <carom/impulse/guaranteed.hpp>
 #include <carom/impulse/laws.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
@@ -14,24 +14,24 @@ struct Posed {
   impulse::Contact<double> contact;
 };
 
-Method guaranteed_method(Model model) {
+Method guaranteed_method(Law law) {
   Method method;
-  impulse::with_law(model, [&](const auto& law) {
+  impulse::with_law(law, [&](const auto& solver) {
     method = method_of<double>(
-        {std::string(name_of(model)) + "-guaranteed",
-         description_in_words(model) + "; the exact N·V⁺ is never negative", model, model != Model::frictionless},
+        {std::string(name_of(law)) + "-guaranteed",
+         description_in_words(law) + "; the exact N·V⁺ is never negative", law, law != Law::frictionless},
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
-        [law](const Posed& posed, const auto& see) {
-          const auto seen_law = [&](const impulse::Contact<double>& contact, const auto&... approach) {
+        [solver](const Posed& posed, const auto& see) {
+          const auto seen_solver = [&](const impulse::Contact<double>& contact, const auto&... approach) {
             if constexpr (sizeof...(approach) == 0) {
-              return law(contact, impulse::normal_velocity(contact), see);
+              return solver(contact, impulse::normal_velocity(contact), see);
             } else {
-              return law(contact, approach..., see);
+              return solver(contact, approach..., see);
             }
           };
-          return impulse::guaranteed(posed.collision, posed.contact, seen_law);
+          return impulse::guaranteed(posed.collision, posed.contact, seen_solver);
         });
   });
   method.form = MethodForm::guaranteed;
@@ -42,10 +42,10 @@ Method guaranteed_method(Model model) {
 
 std::vector<Method> guaranteed_methods() {
   std::vector<Method> methods;
-  for (const Model model : models_with_truth) {
-    Method method = guaranteed_method(model);
+  for (const Law law : laws_with_truth) {
+    Method method = guaranteed_method(law);
     methods.push_back(
-        model == Model::sticking
+        law == Law::sticking
             ? expected_to_fail(
                   std::move(method),
                   "removing the last ulp of approach loses small momenta, in about one of 10⁴ cases of `structured`")

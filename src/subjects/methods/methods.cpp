@@ -4,7 +4,7 @@
 
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/methods.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 
 namespace carom::subjects {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/pivoting_methods.hpp>
 
 namespace carom::subjects {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/impulse/refined.hpp>
-#include <carom/subjects/methods/groups.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/solver_method.hpp>
 
 namespace carom::subjects {
@@ -16,12 +16,12 @@ std::vector<Method> refined_methods() {
       solver_method<double>({"frictionless-float-refined",
                              "frictionless law in float with one step of refinement in double; 13 digits, but more "
                              "than 32 ulps of binary64",
-                             Model::frictionless, false},
+                             Law::frictionless, false},
                             frictionless),
       solver_method<double>({"reflection-float-refined",
                              "basis-free reflection with LDLᵀ in float and one step of refinement in double; 13 "
                              "digits, but more than 32 ulps of binary64",
-                             Model::reflection},
+                             Law::reflection},
                             reflection)};
   for (Method& method : methods) {
     method.form = MethodForm::refined;

@@ -14,8 +14,8 @@ namespace carom::subjects {
 
 /// The method that applies a law of laws.hpp.
 template <class S, class Inertia = impulse::PrincipalInertia<S>>
-[[nodiscard]] Method law_method(Model model, const std::string& suffix = "") {
-  const impulse::Description description = impulse::description_of(model);
+[[nodiscard]] Method law_method(Law law, const std::string& suffix = "") {
+  const impulse::Description description = impulse::description_of(law);
   std::string summary(description.law);
   if (!description.solve.empty()) {
     summary += ", 3×3 solve by " + std::string(description.solve);
@@ -24,12 +24,12 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
     summary += ", " + std::string(description.source);
   }
   Method method;
-  impulse::with_law(model, [&](const auto& law) {
-    method = solver_method<S, Inertia>(
-        {std::string(name_of(model)) + suffix, summary, model, model != Model::frictionless},
-        [law](const impulse::Contact<S, Inertia>& contact, const auto& see) {
-          return impulse::apply_impulse(contact, law(contact, impulse::normal_velocity(contact), see));
-        });
+  impulse::with_law(law, [&](const auto& solver) {
+    method = solver_method<S, Inertia>({std::string(name_of(law)) + suffix, summary, law, law != Law::frictionless},
+                                       [solver](const impulse::Contact<S, Inertia>& contact, const auto& see) {
+                                         return impulse::apply_impulse(
+                                             contact, solver(contact, impulse::normal_velocity(contact), see));
+                                       });
   });
   method.keeps_inertia_in_world = !std::is_same_v<Inertia, impulse::PrincipalInertia<S>>;
   return method;
@@ -39,8 +39,8 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
 template <class S>
 [[nodiscard]] std::vector<Method> law_methods() {
   std::vector<Method> methods;
-  for (const Model model : models_with_truth) {
-    methods.push_back(law_method<S>(model));
+  for (const Law law : laws_with_truth) {
+    methods.push_back(law_method<S>(law));
   }
   return methods;
 }
@@ -49,8 +49,8 @@ template <class S>
 template <class S>
 [[nodiscard]] std::vector<Method> world_methods() {
   std::vector<Method> methods;
-  for (const Model model : models_with_truth) {
-    methods.push_back(expected_to_fail(law_method<S, impulse::WorldInertia<S>>(model, "-world"),
+  for (const Law law : laws_with_truth) {
+    methods.push_back(expected_to_fail(law_method<S, impulse::WorldInertia<S>>(law, "-world"),
                                        "J⁻¹ in world coordinates: loses the angular momentum of slender bodies"));
   }
   return methods;
@@ -69,7 +69,7 @@ inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt",
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(
-      {name, "basis-free reflection, 3×3 solve by " + solve, Model::reflection},
+      {name, "basis-free reflection, 3×3 solve by " + solve, Law::reflection},
       [](const impulse::Contact<S>& contact, const auto& see) {
         return impulse::apply_impulse(
             contact, impulse::reflection_impulse<Solve>(contact, impulse::normal_velocity(contact), see));
@@ -82,7 +82,7 @@ template <class S>
 [[nodiscard]] Method reflection_in_basis_method() {
   return expected_to_fail(
       with_form(
-          solver_method<S>({"reflection-in-basis", "reflection in the basis {N, T0, T1} of note §2", Model::reflection},
+          solver_method<S>({"reflection-in-basis", "reflection in the basis {N, T0, T1} of note §2", Law::reflection},
                            [](const impulse::Contact<S>& contact, const auto& see) {
                              return impulse::reflection_in_basis(contact, see);
                            }),
@@ -93,7 +93,7 @@ template <class S>
 template <class S>
 [[nodiscard]] Method reflection_in_stable_basis_method() {
   return with_form(solver_method<S>({"reflection-in-stable-basis",
-                                     "reflection in a basis {N, T0, T1} that does not depend on V⁻", Model::reflection},
+                                     "reflection in a basis {N, T0, T1} that does not depend on V⁻", Law::reflection},
                                     [](const impulse::Contact<S>& contact, const auto& see) {
                                       return impulse::reflection_in_stable_basis(contact, see);
                                     }),
@@ -103,7 +103,7 @@ template <class S>
 template <class S>
 [[nodiscard]] Method coulomb_method() {
   return solver_method<S>(
-      {"coulomb", "Coulomb friction that opposes the slip after the impulse, by bisection", Model::coulomb},
+      {"coulomb", "Coulomb friction that opposes the slip after the impulse, by bisection", Law::coulomb},
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 

@@ -63,8 +63,8 @@ template <class S, class Input, class Solve>
 }
 
 /// The solver of a law in words: "basis-free reflection by LDLᵀ".
-[[nodiscard]] inline std::string description_in_words(Model model) {
-  const impulse::Description description = impulse::description_of(model);
+[[nodiscard]] inline std::string description_in_words(Law law) {
+  const impulse::Description description = impulse::description_of(law);
   return std::string(description.law) +
          (description.solve.empty() ? std::string() : " by " + std::string(description.solve));
 }
@@ -73,7 +73,7 @@ template <class S, class Input, class Solve>
 struct MethodFacts {
   std::string name;
   std::string summary;
-  Model model = Model::any;
+  Law law = Law::any;
   bool forms_matrix = true;  // whether it forms the collision matrix if the contact collides
 };
 
@@ -86,7 +86,7 @@ template <class S, class LayOut, class Solve>
   subject.name = std::move(facts.name) + '-' + std::string(scalar_type<S>.in_name);
   method.scalar = scalar_type<S>;
   subject.summary = std::move(facts.summary);
-  subject.model = facts.model;
+  subject.law = facts.law;
   subject.precision = claimed_precision<S>;
   subject.open = [lay_out, solve] {
     return session_of(

@@ -24,7 +24,7 @@ class Conversation {
   Conversation(const std::vector<std::string>& words, const ExecOptions& options)
       : process_(words, options.limits, options.stop), spelling_(options.spelling) {
     request_ = start_request();
-    guarded("start", [&] {
+    run_with_described_failure("start", [&] {
       process_.exchange(request_, 1, [&](std::string_view line) { introduction_ = introduction_from(line); });
     });
   }
@@ -54,7 +54,7 @@ class Conversation {
 
   void stop() {
     request_ = stop_request();
-    guarded("stop", [&] { process_.finish(request_); });
+    run_with_described_failure("stop", [&] { process_.finish(request_); });
   }
 
  private:
@@ -83,7 +83,7 @@ class Conversation {
   }
 
   template <class F>
-  void guarded(const std::string& request, const F& f) {
+  void run_with_described_failure(const std::string& request, const F& f) {
     try {
       f();
     } catch (const std::exception& error) {
@@ -159,7 +159,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     const Introduction introduction = conversation->introduction();
     subject.name = introduction.name;
     subject.version = introduction.version;
-    subject.model = introduction.model;
+    subject.law = introduction.law;
     subject.precision = introduction.precision;
     subject.deviates = introduction.deviates;
     subject.shows_collision_matrix = introduction.matrix;

@@ -57,9 +57,9 @@ Precision precision_named(const std::string& name) {
   throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
 }
 
-Model model_claimed(const std::string& name) {
-  if (const std::optional<Model> model = model_named(name)) {
-    return *model;
+Law law_claimed(const std::string& name) {
+  if (const std::optional<Law> law = law_named(name)) {
+    return *law;
   }
   throw FormatError("/model", "expected frictionless, reflection, sticking, rough, coulomb or any, found " + name);
 }
@@ -131,7 +131,7 @@ Introduction introduction_from(std::string_view line) {
     introduction.version = required_text(reply, "version", longest_name);
   }
   introduction.precision = precision_named(required_text(reply, "precision", longest_name));
-  introduction.model = model_claimed(required_text(reply, "model", longest_name));
+  introduction.law = law_claimed(required_text(reply, "model", longest_name));
   if (reply.contains("deviates")) {
     const json& deviates = reply.at("deviates");
     if (!deviates.is_array()) {
@@ -200,7 +200,7 @@ std::string introduction_reply(const Introduction& introduction) {
              {"name", introduction.name},
              {"version", introduction.version},
              {"precision", name_of(introduction.precision)},
-             {"model", name_of(introduction.model)},
+             {"model", name_of(introduction.law)},
              {"deviates", introduction.deviates}};
   if (introduction.matrix) {
     reply["matrix"] = true;

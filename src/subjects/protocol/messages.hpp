@@ -18,7 +18,7 @@ struct Introduction {
   std::string name;
   std::string version;
   Precision precision = Precision::binary64;
-  Model model = Model::any;
+  Law law = Law::any;
   std::vector<std::string> deviates;
   bool matrix = false;  // whether each outcome of a colliding contact includes the collision matrix
 

@@ -27,7 +27,7 @@ int serve(const Subject& subject, std::istream& input, std::ostream& output) {
       const nlohmann::json request = parse_json(line);
       const std::string command = request.value("cmd", "");
       if (command == "start") {
-        output << introduction_reply({subject.name, subject.version, subject.precision, subject.model, subject.deviates,
+        output << introduction_reply({subject.name, subject.version, subject.precision, subject.law, subject.deviates,
                                       subject.shows_collision_matrix});
       } else if (command == "solve") {
         const Collision collision = collision_from_json(request.at("collision"), "/collision");

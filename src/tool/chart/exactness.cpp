@@ -10,7 +10,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/trial.hpp>
 #include <carom/properties/trial/unjudged.hpp>
@@ -52,11 +52,11 @@ void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exa
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
   }
-  if (exact_case.is_open(subject.model, yardstick.allowance())) {
+  if (exact_case.is_open(subject.law, yardstick.allowance())) {
     return;
   }
   const oracles::Accuracy accuracy =
-      oracles::accuracy(exact_case, subject.model, oracles::LiftedOutcome(*outcome), yardstick);
+      oracles::accuracy(exact_case, subject.law, oracles::LiftedOutcome(*outcome), yardstick);
   if (!accuracy.is_decided) {  // an undecided outcome counts as a failure
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
@@ -149,7 +149,7 @@ std::vector<report::Exactness> measured_exactness(std::span<const subjects::Meth
       std::optional<CoulombCase> coulomb_case;
       for (std::size_t m = 0; m < methods.size(); ++m) {
         const Subject& subject = methods[m].subject;
-        if (subject.model == Model::coulomb) {
+        if (subject.law == Law::coulomb) {
           if (!coulomb_case) {
             coulomb_case.emplace(collisions[i], answers_of_coulomb);
           }
@@ -166,7 +166,7 @@ std::vector<report::Exactness> measured_exactness(std::span<const subjects::Meth
       parts[0][m] += parts[part][m];
     }
     result.push_back(parts[0][m].built());
-    result.back().has_backward_error = determines_outcome(methods[m].subject.model);
+    result.back().has_backward_error = determines_outcome(methods[m].subject.law);
   }
   return result;
 }

@@ -95,7 +95,7 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
 
   std::vector<MethodMeasurement> result;
   for (const Method& method : methods) {
-    result.push_back({method.subject.name, method.subject.summary, method.subject.model, method.subject.precision, {}});
+    result.push_back({method.subject.name, method.subject.summary, method.subject.law, method.subject.precision, {}});
   }
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::vector<Exactness> exactness = chart::measured_exactness(
@@ -123,7 +123,7 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
     for (const Method& method : methods) {
       measurement.lines.push_back(
-          {method.subject.name, method.subject.model, method.subject.precision, sweep.quantities(), {}});
+          {method.subject.name, method.subject.law, method.subject.precision, sweep.quantities(), {}});
     }
     for (const double quantity : sweep.quantities()) {
       const std::vector<Collision> collisions =
@@ -144,19 +144,19 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
 
 std::vector<report::Plot> pictures_of(const report::Measurements& measurements) {
   std::vector<report::Plot> pictures;
-  for (const Model model : report::charted_models()) {
-    const std::vector<MethodMeasurement> methods = report::of_model(measurements.methods, model);
+  for (const Law law : report::charted_laws()) {
+    const std::vector<MethodMeasurement> methods = report::of_law(measurements.methods, law);
     if (methods.empty()) {
       continue;
     }
     pictures.push_back(report::work_precision(methods));
     pictures.push_back(report::work_precision_of_families(methods));
     pictures.push_back(report::deadline(methods));
-    if (!determines_outcome(model)) {
+    if (!determines_outcome(law)) {
       continue;  // stability maps show backward errors
     }
     for (const report::SweepMeasurement& sweep : measurements.sweeps) {
-      pictures.push_back(report::stability_map(sweep, model, measurements.limit_ulps));
+      pictures.push_back(report::stability_map(sweep, law, measurements.limit_ulps));
     }
   }
   return pictures;

@@ -19,18 +19,18 @@ namespace {
 using nlohmann::json;
 using properties::in_words;
 
-std::string joined(const std::vector<Model>& models) {
+std::string joined(const std::vector<Law>& laws) {
   std::string text;
-  for (const Model model : models) {
-    text += (text.empty() ? "" : ", ") + std::string(name_of(model));
+  for (const Law law : laws) {
+    text += (text.empty() ? "" : ", ") + std::string(name_of(law));
   }
   return text;
 }
 
-json names_of(const std::vector<Model>& models) {
+json names_of(const std::vector<Law>& laws) {
   json names = json::array();
-  for (const Model model : models) {
-    names.push_back(name_of(model));
+  for (const Law law : laws) {
+    names.push_back(name_of(law));
   }
   return names;
 }
@@ -47,8 +47,8 @@ std::string theorems_in_text(const properties::Invariant& invariant, const Spell
 
 /// The laws that the invariant is proved for, as in " of rough". Empty if these are all laws that it is claimed for.
 std::string proved_of(const properties::Invariant& invariant) {
-  const std::vector<Model> proved = invariant.proved_models();
-  return proved.size() == invariant.models.size() ? "" : " of " + joined(proved);
+  const std::vector<Law> proved = invariant.proved_laws();
+  return proved.size() == invariant.laws.size() ? "" : " of " + joined(proved);
 }
 
 std::string shown_in_text(const properties::Invariant& invariant) {
@@ -92,12 +92,12 @@ void print_markdown() {
       "statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
-               joined(invariant.models), invariant.domain,
-               invariant.proved_models().empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
+               joined(invariant.laws), invariant.domain,
+               invariant.proved_laws().empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n- {}.\n", invariant.name,
-               invariant.statement, invariant.formula, invariant.source, joined(invariant.models), invariant.domain,
+               invariant.statement, invariant.formula, invariant.source, joined(invariant.laws), invariant.domain,
                shown_in_markdown(invariant));
   }
 }
@@ -107,13 +107,13 @@ int list_subjects(const std::string& format) {
   for (const Subject& subject : subjects::known_subjects()) {
     if (format == "json") {
       list.push_back({{"name", subject.name},
-                      {"model", name_of(subject.model)},
+                      {"model", name_of(subject.law)},
                       {"precision", name_of(subject.precision)},
                       {"summary", subject.summary},
                       {"expected_to_pass", subject.expected_to_pass},
                       {"absent", subject.absent}});
     } else {
-      fmt::print("{:40} {:13} {:9} {}\n    {}\n", subject.name, name_of(subject.model), name_of(subject.precision),
+      fmt::print("{:40} {:13} {:9} {}\n    {}\n", subject.name, name_of(subject.law), name_of(subject.precision),
                  expectation(subject), subject.summary);
     }
   }
@@ -136,15 +136,15 @@ int list_invariants(const std::string& format) {
                       {"formula", invariant.formula},
                       {"source", invariant.source},
                       {"domain", invariant.domain},
-                      {"models", names_of(invariant.models)},
-                      {"proved_models", names_of(invariant.proved_models())},
+                      {"models", names_of(invariant.laws)},
+                      {"proved_models", names_of(invariant.proved_laws())},
                       {"theorems", json::array()}});
       for (const properties::Theorem& theorem : invariant.proof.theorems) {
         list.back()["theorems"].push_back({{"name", theorem.name}, {"file", theorem.file}});
       }
     } else {
       fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
-                 joined(invariant.models), invariant.domain, shown_in_text(invariant));
+                 joined(invariant.laws), invariant.domain, shown_in_text(invariant));
     }
   }
   if (format == "json") {

@@ -15,8 +15,8 @@
 #include "io/progress.hpp"
 #include "io/threads.hpp"
 #include "plan/clock.hpp"
+#include "plan/cpp_call.hpp"
 #include "plan/plan_text.hpp"
-#include "plan/spelling.hpp"
 
 namespace carom::tool {
 namespace {
@@ -35,9 +35,9 @@ struct PlanArguments {
 int plan_contacts(const PlanArguments& arguments, const plan::ContactsOfScene& contacts_of_scene) {
   const std::stop_token stop = stop_on_interrupt();
   const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file, contacts_of_scene, stop);
-  const Model law = arguments.law.empty() ? recorded.law.value_or(Model::rough) : *model_named(arguments.law);
+  const Law law = arguments.law.empty() ? recorded.law.value_or(Law::rough) : *law_named(arguments.law);
   std::vector<properties::plan::Candidate> candidates;
-  for (plan::SpelledCandidate& one : plan::spelled_candidates()) {
+  for (plan::CallableCandidate& one : plan::callable_candidates()) {
     candidates.push_back(std::move(one.candidate));
   }
   properties::plan::PlanOptions options;
@@ -62,9 +62,9 @@ int plan_contacts(const PlanArguments& arguments, const plan::ContactsOfScene& c
 void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts_of_scene) {
   const auto arguments = std::make_shared<PlanArguments>();
   std::vector<std::string> laws;
-  for (const Model model : all_models) {
-    if (model != Model::any) {
-      laws.emplace_back(name_of(model));
+  for (const Law law : all_laws) {
+    if (law != Law::any) {
+      laws.emplace_back(name_of(law));
     }
   }
   CLI::App* command =

@@ -5,7 +5,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -17,8 +17,8 @@
 #include "io/input_file.hpp"
 #include "io/interrupt.hpp"
 #include "io/json_file.hpp"
-#include "io/open_subjects.hpp"
 #include "io/orphans.hpp"
+#include "io/replay_subjects.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -111,11 +111,11 @@ std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& tru
   return text;
 }
 
-std::string truth_steps(const oracles::ExactCase& exact_case, Model model) {
+std::string truth_steps(const oracles::ExactCase& exact_case, Law law) {
   const Approach approach = exact_case.approach();
   const bool collides = approach == Approach::colliding;
-  return fmt::format("{}, exactly{}\n", carom::name_of(model), collides ? name_of(exact_case.branch(model)) : "") +
-         exact_case.with_truth(model, approach, [&]<class T>(const oracles::Truth<T>& truth) {
+  return fmt::format("{}, exactly{}\n", carom::name_of(law), collides ? name_of(exact_case.branch(law)) : "") +
+         exact_case.with_truth(law, approach, [&]<class T>(const oracles::Truth<T>& truth) {
            const auto lifted = [](double number) { return T(number); };
            return truth_steps<T>(map_numbers<T>(exact_case.collision(), lifted), truth, approach);
          });
@@ -200,9 +200,9 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
     shown.record["features"].push_back(feature->name);
   }
   shown.text += "  features: " + joined(features) + '\n' + contact_steps(exact_case);
-  for (const Model model : models_with_truth) {
-    shown.record["truth"][std::string(carom::name_of(model))] = report::truth_record(exact_case, model);
-    shown.text += truth_steps(exact_case, model);
+  for (const Law law : laws_with_truth) {
+    shown.record["truth"][std::string(carom::name_of(law))] = report::truth_record(exact_case, law);
+    shown.text += truth_steps(exact_case, law);
   }
   std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
   shown.record["answers"]["coulomb"] = report::answers_record(answers);
@@ -211,7 +211,7 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
 }
 
 /// Adds the answer of the subject, and the judgement of the answer.
-void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown& shown) {
+void show_judgement(const ReplaySubject& open, const ReplayedCase& replayed, Shown& shown) {
   const Subject& subject = open.subject();
   const auto& claim = open.claim();
   const properties::Judgement& judgement = replayed.judgement;
@@ -243,7 +243,7 @@ void show_judgement(const OpenSubject& open, const ReplayedCase& replayed, Shown
 }
 
 /// Shows the collision. Returns whether the subject violates an invariant on it.
-bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, OpenSubjects& subjects) {
+bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, ReplaySubjects& subjects) {
   const properties::JudgedCase judged_case(read.one, !arguments.judged.exact);
   Shown shown{{{"place", read.place}, {"collision", collision_to_json(read.one.collision)}},
               fmt::format("{}\n{}", read.place, in_words(read.one.collision, "  "))};
@@ -254,11 +254,11 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Ope
     shown.text += "  an invalid collision: it has no exact outcome, and a subject must refuse it\n";
   }
   bool violated = false;
-  if (OpenSubject* const open = subjects.subject_for(read)) {
+  if (ReplaySubject* const open = subjects.subject_for(read)) {
     const ReplayedCase replayed = open->judge(read.one);
     violated = is_violated(replayed.judgement);
     show_judgement(*open, replayed, shown);
-    if (open->subject().model == Model::coulomb && judged_case.is_valid()) {
+    if (open->subject().law == Law::coulomb && judged_case.is_valid()) {
       shown.text += nearest_answer_text(judged_case.exact(), replayed.answer, answers);
     }
   }
@@ -277,7 +277,7 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Ope
 int replay(const ReplayArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
-  OpenSubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(), stop);
+  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(), stop);
   bool violated = false;
   const auto visit = [&](const ReadCollision& read) {
     if (stop.stop_requested()) {

@@ -33,7 +33,7 @@
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"
-#include "scene/scene_pictures.hpp"
+#include "scene/scene_plots.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"
 
@@ -80,12 +80,12 @@ class LineFile {
   std::ofstream stream_;
 };
 
-std::vector<Model> laws_of(const SceneArguments& arguments, const scene::Scene& scene) {
+std::vector<Law> laws_of(const SceneArguments& arguments, const scene::Scene& scene) {
   const std::vector<std::string> known{"frictionless", "reflection", "sticking", "rough", "coulomb"};
-  std::vector<Model> laws;
+  std::vector<Law> laws;
   for (const std::string& name : arguments.laws) {
-    const std::optional<Model> law = model_named(name);
-    if (!law || *law == Model::any) {
+    const std::optional<Law> law = law_named(name);
+    if (!law || *law == Law::any) {
       throw UsageError(fmt::format("--laws: there is no law '{}'; expected one of {}{}", name, fmt::join(known, ", "),
                                    properties::did_you_mean(name, known)));
     }
@@ -180,8 +180,7 @@ class LawRun {
       }
       write_file(*out_ / "report.html", scene_html(*run_, has_page));
       const std::vector laws{written.sampled};
-      written.undrawn =
-          try_to_draw(std::vector{energy_picture(laws), momentum_picture(laws), spin_picture(laws)}, *out_);
+      written.undrawn = try_to_draw(std::vector{energy_plot(laws), momentum_plot(laws), spin_plot(laws)}, *out_);
     }
     return written;
   }
@@ -219,8 +218,8 @@ void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::ve
     for (const Written& written : all) {
       sampled.push_back(written.sampled);
     }
-    const std::exception_ptr undrawn = try_to_draw(
-        std::vector{energy_picture(sampled), momentum_picture(sampled), spin_picture(sampled)}, staged.stage());
+    const std::exception_ptr undrawn =
+        try_to_draw(std::vector{energy_plot(sampled), momentum_plot(sampled), spin_plot(sampled)}, staged.stage());
     all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
   }
   staged.put_in_place("scene.json");
@@ -244,7 +243,7 @@ void print_laws(const SceneArguments& arguments, const std::vector<Written>& all
 int run_scene_file(const SceneArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   scene::Scene scene = scene_of(content_of_file(arguments.file, stop), arguments.file);
-  const std::vector<Model> laws = laws_of(arguments, scene);
+  const std::vector<Law> laws = laws_of(arguments, scene);
   std::optional<StagedOutput> staged;
   std::optional<fs::path> out;
   if (!arguments.out.empty()) {
@@ -256,7 +255,7 @@ int run_scene_file(const SceneArguments& arguments) {
     }
   }
   std::vector<std::unique_ptr<LawRun>> runs;
-  for (const Model law : laws) {
+  for (const Law law : laws) {
     scene.law = law;
     std::optional<fs::path> own = out;
     if (out && laws.size() > 1) {

@@ -97,20 +97,20 @@ void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_n
 }
 
 /// An abandoned stage, locked so that no other process treats it as abandoned.
-class HeldStage {
+class LockedStage {
  public:
-  explicit HeldStage(const fs::path& path) : descriptor_(opened_directory(path)) {
+  explicit LockedStage(const fs::path& path) : descriptor_(opened_directory(path)) {
     struct stat facts {};
     is_abandoned_ = descriptor_ >= 0 && fstat(descriptor_, &facts) == 0 && facts.st_uid == geteuid() &&
                     flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
   }
-  ~HeldStage() {
+  ~LockedStage() {
     if (descriptor_ >= 0) {
       close(descriptor_);
     }
   }
-  HeldStage(const HeldStage&) = delete;
-  HeldStage& operator=(const HeldStage&) = delete;
+  LockedStage(const LockedStage&) = delete;
+  LockedStage& operator=(const LockedStage&) = delete;
 
   [[nodiscard]] bool is_abandoned() const { return is_abandoned_; }
 
@@ -178,7 +178,7 @@ std::vector<fs::path> abandoned_stages(const fs::path& directory) {
   std::vector<fs::path> stages;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
-    if (is_stage_name(entry.path().filename().string()) && HeldStage(entry.path()).is_abandoned()) {
+    if (is_stage_name(entry.path().filename().string()) && LockedStage(entry.path()).is_abandoned()) {
       stages.push_back(entry.path());
     }
   }
@@ -187,7 +187,7 @@ std::vector<fs::path> abandoned_stages(const fs::path& directory) {
 
 void remove_abandoned_stages(const fs::path& directory) {
   for (const fs::path& stage : abandoned_stages(directory)) {
-    if (const HeldStage held(stage); held.is_abandoned()) {
+    if (const LockedStage locked(stage); locked.is_abandoned()) {
       std::error_code ignored;
       fs::remove_all(stage, ignored);
     }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/collision/model.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/properties/plan/classed_collision.hpp>
 
 namespace carom::tool::plan {
@@ -15,7 +15,7 @@ namespace carom::tool::plan {
 /// The input of a plan.
 struct RecordedContacts {
   std::vector<properties::plan::ClassedCollision> contacts;
-  std::optional<Model> law;  // of a scene
+  std::optional<Law> law;  // of a scene
 };
 
 /// Runs the scene in a text and returns its impacts. The name of the file is for messages.

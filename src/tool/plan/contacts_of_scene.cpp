@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/scene/polyhedra/scene_simulation.hpp>
 
 #include "io/usage_error.hpp"
 #include "scene/scene_file.hpp"
@@ -60,7 +60,7 @@ RecordedContacts contacts_of_scene(const std::string& text, const std::string& f
   const scene::Scene scene = scene_of(text, file);
   Sampled contacts;
   try {
-    scene::SceneLoop simulation(scene);
+    scene::SceneSimulation simulation(scene);
     while (const scene::Event* event = simulation.advance()) {
       if (stop.stop_requested()) {
         throw UsageError(fmt::format("{}: the user stopped the simulation at t = {} s", file, event->time));

@@ -7,7 +7,7 @@
 #include <carom/report/model/version.hpp>
 
 #include "io/this_environment.hpp"
-#include "plan/spelling.hpp"
+#include "plan/cpp_call.hpp"
 
 namespace carom::tool::plan {
 namespace {
@@ -42,7 +42,7 @@ json certificate_record(const properties::plan::Certificate& certificate, const 
 json candidate_record(const JudgedCandidate& one, const Part& part, const Plan& plan) {
   const Candidate& candidate = plan.candidates[one.candidate];
   return {{"subject", candidate.subject.name},
-          {"law", name_of(candidate.subject.model)},
+          {"law", name_of(candidate.subject.law)},
           {"precision", candidate.scalar},
           {"solve", candidate.solve},
           {"frame", candidate.frame == Frame::world ? "world" : "body"},
@@ -58,11 +58,11 @@ json choice_record(const std::optional<std::size_t>& choice, const Part& part, c
     return {};
   }
   const JudgedCandidate& one = part.candidates[*choice];
-  const Spelling spelling = spelled(plan.candidates[one.candidate].subject)->spelling;
+  const CppCall code = callable_candidate(plan.candidates[one.candidate].subject)->code;
   json record = candidate_record(one, part, plan);
-  record["headers"] = spelling.headers;
-  record["reads"] = spelling.reads;
-  record["call"] = spelling.call;
+  record["headers"] = code.headers;
+  record["reads"] = code.reads;
+  record["call"] = code.call;
   return record;
 }
 

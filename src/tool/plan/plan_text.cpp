@@ -8,7 +8,7 @@
 #include <carom/report/chart/measurement.hpp>
 #include <carom/report/document/document.hpp>
 
-#include "plan/spelling.hpp"
+#include "plan/cpp_call.hpp"
 
 namespace carom::tool::plan {
 namespace {
@@ -88,7 +88,7 @@ Table choices(const Plan& plan) {
 }
 
 /// The number of contacts on which each lesser law is the requested law.
-Table laws(const Plan& plan, Model law) {
+Table laws(const Plan& plan, Law law) {
   Table table{
       "", {{"class"}, {"law"}, {"serves on"}, {fmt::format("is {} exactly on", name_of(law))}, {"because"}}, {}};
   for (const Part* part : parts_of(plan)) {
@@ -120,13 +120,13 @@ Table calls(const Plan& plan) {
         continue;
       }
       const Subject& subject = plan.candidates[part->candidates[*choice].candidate].subject;
-      const Spelling spelling = spelled(subject)->spelling;
+      const CppCall code = callable_candidate(subject)->code;
       std::string headers;
-      for (const std::string& header : spelling.headers) {
+      for (const std::string& header : code.headers) {
         headers += fmt::format("{}<{}>", headers.empty() ? "" : ", ", header);
       }
       if (std::ranges::none_of(table.rows, [&](const auto& row) { return row.cells.front().text == subject.name; })) {
-        table.rows.push_back({{subject.name, report::name_cell(headers), report::name_cell(spelling.call)}});
+        table.rows.push_back({{subject.name, report::name_cell(headers), report::name_cell(code.call)}});
       }
     }
   }
@@ -151,7 +151,7 @@ Table failures(const Plan& plan) {
   for (const LawCount& count : plan.whole.laws) {
     std::vector<const JudgedCandidate*> of_law;
     for (const JudgedCandidate& one : plan.whole.candidates) {
-      if (plan.candidates[one.candidate].subject.model == count.law) {
+      if (plan.candidates[one.candidate].subject.law == count.law) {
         of_law.push_back(&one);
       }
     }

@@ -55,9 +55,9 @@ Document impulses_part(const SceneRun& run) {
         fmt::format(" The first at t = {} s violates {}; its collision is in scene.json.", bad->time, bad->invariant);
   }
   Document document{Paragraph{text}};
-  if (!judge.held().empty()) {
+  if (!judge.times_held().empty()) {
     Table table{"Number of impulses for which each invariant holds", {{""}, {"", true}}, {}, "impulses"};
-    for (const auto& [name, count] : judge.held()) {
+    for (const auto& [name, count] : judge.times_held()) {
       table.rows.push_back(number_row(name, std::to_string(count)));
     }
     document.emplace_back(std::move(table));

@@ -175,15 +175,15 @@ json validity_json(const SceneRun& run) {
 }
 
 json impulses_json(const SceneRun& run) {
-  json held;
-  for (const auto& [name, count] : run.judge().held()) {
-    held[std::string(name)] = count;
+  json times_held;
+  for (const auto& [name, count] : run.judge().times_held()) {
+    times_held[std::string(name)] = count;
   }
   json record = {{"all", run.judge().impulses()},
                  {"judged", run.judge().judged()},
                  {"violated", run.judge().violated()},
                  {"worst_backward_error", number_to_json(run.judge().worst_backward_error())},
-                 {"held", held}};
+                 {"held", times_held}};
   if (const auto& bad = run.judge().first_bad()) {
     record["first_violated"] = {
         {"time", bad->time}, {"invariant", bad->invariant}, {"collision", collision_to_json(bad->collision)}};

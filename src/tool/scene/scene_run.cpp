@@ -39,7 +39,7 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
       first_(simulation_.state()),
       ledger_(first_),
       judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
-      series_(first_, sample_count),
+      samples_(first_, sample_count),
       has_turned_(simulation_.size(), false) {
   simulation_.stop_on(options.stop);
   if (options.check) {
@@ -64,7 +64,7 @@ void SceneRun::note_turning(const scene::Change& change) {
 }
 
 void SceneRun::record(const scene::Event& event) {
-  series_.record(event);
+  samples_.record(event);
   ledger_.record(event);
   judge_.record(event);
   note_turning(event.a);
@@ -117,7 +117,7 @@ void SceneRun::run() {
     has_failed_ = true;
   }
   ledger_.close(simulation_.state());
-  series_.close(simulation_.time());
+  samples_.close(simulation_.time());
   check();
   history_.reset();
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -12,9 +12,9 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
-#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/scene/polyhedra/scene_simulation.hpp>
 
-#include "scene/series.hpp"
+#include "scene/scene_samples.hpp"
 
 namespace carom::tool {
 
@@ -43,12 +43,12 @@ class SceneRun {
   void run();
 
   [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }
-  [[nodiscard]] const scene::SceneLoop& simulation() const { return simulation_; }
+  [[nodiscard]] const scene::SceneSimulation& simulation() const { return simulation_; }
   [[nodiscard]] const properties::Ledger& ledger() const { return ledger_; }
   [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
   /// Empty if it was not checked.
   [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
-  [[nodiscard]] const std::vector<Sample>& samples() const { return series_.samples(); }
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_.samples(); }
   /// The state at the start.
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
   /// The events of a replay; empty if there is no replay.
@@ -78,13 +78,13 @@ class SceneRun {
   void check();
 
   SceneOptions options_;
-  scene::SceneLoop simulation_;
+  scene::SceneSimulation simulation_;
   scene::SceneState first_;
   properties::Ledger ledger_;
   properties::ImpulseJudge judge_;
   std::optional<properties::History> history_;
   std::optional<properties::Validity> validity_;
-  Series series_;
+  SceneSamples samples_;
   std::optional<std::vector<scene::Event>> replayed_;
   std::optional<double> cut_;
   std::vector<bool> has_turned_;

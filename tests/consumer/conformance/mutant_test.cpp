@@ -11,5 +11,5 @@ struct Mutant {
   }
 };
 
-CAROM_CONFORMANCE(Mutant, carom::conformance::subject("mutant", carom::Model::frictionless, Mutant{}),
+CAROM_CONFORMANCE(Mutant, carom::conformance::subject("mutant", carom::Law::frictionless, Mutant{}),
                   carom::conformance::Options{.families = {"generic", "inelastic"}});

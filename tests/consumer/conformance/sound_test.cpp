@@ -3,4 +3,4 @@
 
 #include "textbook.hpp"
 
-CAROM_CONFORMANCE(Textbook, carom::conformance::subject("textbook", carom::Model::frictionless, textbook));
+CAROM_CONFORMANCE(Textbook, carom::conformance::subject("textbook", carom::Law::frictionless, textbook));

@@ -45,9 +45,9 @@ std::vector<Contact<S>> mixed_contacts(std::size_t count) {
 }
 
 template <class S>
-Outcome<S> solved_alone(const Contact<S>& contact, Model model) {
+Outcome<S> solved_alone(const Contact<S>& contact, Law law) {
   Outcome<S> outcome;
-  with_law(model, [&](const auto& law) { outcome = apply_impulse(contact, law(contact)); });
+  with_law(law, [&](const auto& solver) { outcome = apply_impulse(contact, solver(contact)); });
   return outcome;
 }
 
@@ -92,13 +92,13 @@ TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
     batch.set(i, contacts[i]);
   }
   for (const InstructionSet set : available_instruction_sets()) {
-    for (const Model model : models_with_truth) {
+    for (const Law law : laws_with_truth) {
       OutcomeBatch<S> outcomes(contacts.size());
-      solve(batch, model, outcomes, set);
+      solve(batch, law, outcomes, set);
       std::size_t changed = 0;
       for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const Outcome<S> alone = solved_alone(contacts[i], model);
-        ASSERT_TRUE(same_bits(outcomes.at(i), alone)) << name_of(set) << ' ' << name_of(model) << " contact " << i;
+        const Outcome<S> alone = solved_alone(contacts[i], law);
+        ASSERT_TRUE(same_bits(outcomes.at(i), alone)) << name_of(set) << ' ' << name_of(law) << " contact " << i;
         changed += same_bits(alone, unchanged(contacts[i])) ? 0 : 1;
       }
       EXPECT_GT(changed, contacts.size() / 2);
@@ -137,7 +137,7 @@ TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
   constexpr std::size_t widest = 64 / sizeof(S);
   const auto contacts = mixed_contacts<S>(2 * widest + 1);
   for (const InstructionSet set : available_instruction_sets()) {
-    for (const Model model : models_with_truth) {
+    for (const Law law : laws_with_truth) {
       for (std::size_t length = 0; length <= contacts.size(); ++length) {
         for (const std::size_t offset : {0U, 1U, 3U, 8U}) {
           Guarded<S> in(contact_number_count, length, offset);
@@ -146,10 +146,10 @@ TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
             write_contact(contacts[i], [&](std::size_t k, const S& number) { in[k][i] = number; });
           }
           const auto arrays = detail::arrays_over<ContactArrays<S>>(in);
-          solve(read_only(arrays), model, detail::arrays_over<OutcomeArrays<S>>(out), set);
+          solve(read_only(arrays), law, detail::arrays_over<OutcomeArrays<S>>(out), set);
           for (std::size_t i = 0; i < length; ++i) {
             const auto outcome = outcome_of<S>([&](std::size_t k) { return out[k][i]; });
-            ASSERT_TRUE(same_bits(outcome, solved_alone(contacts[i], model)))
+            ASSERT_TRUE(same_bits(outcome, solved_alone(contacts[i], law)))
                 << name_of(set) << " length " << length << " offset " << offset << " contact " << i;
           }
           ASSERT_TRUE(in.guards_stand() && out.guards_stand()) << name_of(set) << " length " << length;
@@ -163,16 +163,16 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(101);
   for (const InstructionSet set : available_instruction_sets()) {
-    for (const Model model : models_with_truth) {
+    for (const Law law : laws_with_truth) {
       ContactBatch<S> batch(contacts.size());
       for (std::size_t i = 0; i < contacts.size(); ++i) {
         batch.set(i, contacts[i]);
       }
       const ContactArrays<S> arrays = batch.arrays();
-      solve(read_only(arrays), model,
+      solve(read_only(arrays), law,
             {{arrays.a.velocity, arrays.a.angular_velocity}, {arrays.b.velocity, arrays.b.angular_velocity}}, set);
       for (std::size_t i = 0; i < contacts.size(); ++i) {
-        ASSERT_TRUE(same_bits(unchanged(batch.at(i)), solved_alone(contacts[i], model))) << name_of(set) << ' ' << i;
+        ASSERT_TRUE(same_bits(unchanged(batch.at(i)), solved_alone(contacts[i], law))) << name_of(set) << ' ' << i;
       }
     }
   }
@@ -193,11 +193,11 @@ TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   for (std::size_t k = 0; k < contact_number_count; ++k) {
     task.contacts[k] = std::as_const(batch).begin_of(k);
   }
-  const auto solve_into = [&](OutcomeBatch<S>& outcomes, const auto& law) {
+  const auto solve_into = [&](OutcomeBatch<S>& outcomes, const auto& solver) {
     for (std::size_t k = 0; k < outcome_number_count; ++k) {
       task.outcomes[k] = outcomes.begin_of(k);
     }
-    solve_packs<Pack<S>>(task, law);
+    solve_packs<Pack<S>>(task, solver);
   };
   solve_into(by_impulse, [](const Contact<Pack<S>>& contact) { return frictionless_impulse(contact); });
   solve_into(by_outcome, [](const Contact<Pack<S>>& contact) { return frictionless(contact); });
@@ -272,12 +272,12 @@ TEST(BatchErrors, AreThrown) {
   ContactBatch<double> contacts(3);
   OutcomeBatch<double> outcomes(3);
   OutcomeBatch<double> shorter(2);
-  EXPECT_THROW(solve(contacts, Model::any, outcomes), std::invalid_argument);
-  EXPECT_THROW(solve(contacts, Model::reflection, shorter), std::invalid_argument);
-  EXPECT_THROW(solve(std::as_const(contacts).arrays(), Model::reflection, shorter.arrays()), std::invalid_argument);
+  EXPECT_THROW(solve(contacts, Law::any, outcomes), std::invalid_argument);
+  EXPECT_THROW(solve(contacts, Law::reflection, shorter), std::invalid_argument);
+  EXPECT_THROW(solve(std::as_const(contacts).arrays(), Law::reflection, shorter.arrays()), std::invalid_argument);
   for (const InstructionSet set : all_instruction_sets) {
     if (!is_available(set)) {
-      EXPECT_THROW(solve(contacts, Model::reflection, outcomes, set), std::invalid_argument) << name_of(set);
+      EXPECT_THROW(solve(contacts, Law::reflection, outcomes, set), std::invalid_argument) << name_of(set);
     }
   }
   EXPECT_TRUE(is_available(InstructionSet::baseline));

@@ -129,8 +129,8 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
                                       [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
-/// (1), (3), (4) for the linear laws. `rough` combines two of them, and case_bounds.hpp covers the rest. Masses and
-/// moments occur only in denominators, so the smallest ones suffice.
+/// (1), (3), (4) for the linear laws. `rough` combines two of them, and bounded_case_bounds.hpp covers the rest. Masses
+/// and moments occur only in denominators, so the smallest ones suffice.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -139,12 +139,12 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
       continue;
     }
     const auto inputs = differentiated(collision_at(corner));
-    for (const Model model : oracles::linear_models) {
+    for (const Law law : oracles::linear_laws) {
       Magnitude::forget();
       // (1): N·K N ≥ N·N / M, if one component of N has this size.
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
       const oracles::Truth<MagnitudeDual> truth =
-          oracles::colliding_truth(inputs.collision, model, oracles::Branch::only);
+          oracles::colliding_truth(inputs.collision, law, oracles::Branch::only);
       const Matrix3<MagnitudeDual> k = oracles::response_matrix(inputs.collision);
       largest.note_way();
       const Outcome<MagnitudeDual> at_rest = unchanged(inputs.collision);

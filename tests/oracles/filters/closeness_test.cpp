@@ -17,9 +17,9 @@ namespace carom::oracles {
 namespace {
 
 /// Calls visit(relation, equation) for every equation that is affine in the outcome, applies to this collision and is
-/// satisfied by the truth of the model.
+/// satisfied by the truth of the law.
 template <class Visit>
-void for_each_affine_equation(const ExactCase& exact_case, Model model, const Visit& visit) {
+void for_each_affine_equation(const ExactCase& exact_case, Law law, const Visit& visit) {
   const Collision& c = exact_case.collision();
   const bool collides = exact_case.approach() == Approach::colliding;
   const bool inert = exact_case.approach() == Approach::inert;
@@ -47,7 +47,7 @@ void for_each_affine_equation(const ExactCase& exact_case, Model model, const Vi
   const bool off_a = reads_impulse_off_a(exact_case.collision());
   visit(Relation::at_least, equation::NonPenetration{});
   const auto visit_if_kept = [&](Relation relation, const auto& equation) {
-    if (keeps(model, *equation.name())) {
+    if (keeps(law, *equation.name())) {
       visit(relation, equation);
     }
   };
@@ -83,10 +83,10 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
   for (const auto& [family, one] : unit::valid_cases(4)) {
     const ExactCase exact_case(one.collision);
-    for (const Model model : linear_models) {
-      const Outcome<Rational>& y = exact_case.truth(model).outcome;
+    for (const Law law : linear_laws) {
+      const Outcome<Rational>& y = exact_case.truth(law).outcome;
       const Outcome<Rational> d = small_outcome(stream);
-      for_each_affine_equation(exact_case, model, [&, family = family](Relation relation, const auto& equation) {
+      for_each_affine_equation(exact_case, law, [&, family = family](Relation relation, const auto& equation) {
         const int name = static_cast<int>(*equation.name());
         const auto at_truth = residual(equation(exact_case.exact(), y));
         const auto above = residual(equation(exact_case.exact(), plus(y, d, 1)));
@@ -111,7 +111,7 @@ TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
     if (exact_case.approach() == Approach::inert) {
       continue;
     }
-    const Outcome<Rational>& y = exact_case.truth(Model::frictionless).outcome;
+    const Outcome<Rational>& y = exact_case.truth(Law::frictionless).outcome;
     const Outcome<Rational> d = small_outcome(stream);
     EXPECT_GE(gain(exact_case, plus(y, d, 1)) + gain(exact_case, plus(y, d, -1)), 2 * gain(exact_case, y)) << family;
     EXPECT_LE(gain(exact_case, y), 0) << family;
@@ -149,8 +149,8 @@ TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
       continue;
     }
     ++moderate;
-    for (const Model model : models_with_truth) {
-      for_each_affine_equation(exact_case, model, [&, family = family](Relation, const auto& equation) {
+    for (const Law law : laws_with_truth) {
+      for_each_affine_equation(exact_case, law, [&, family = family](Relation, const auto& equation) {
         const int name = static_cast<int>(*equation.name());
         const PerVector<double> computed = slopes_of(equation, c);
         const PerVector<double> exact = exact_slopes(equation, exact_case);
@@ -184,20 +184,20 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
   exactly.filtered = false;
   for (const auto& [family, one] : unit::valid_cases(8)) {
     const ExactCase exact_case(one.collision);
-    for (const Model model : models_with_truth) {
-      ReportedOutcome reported = map_outcome<long double>(exact_case.nearest_truth(model),
-                                                          [](double x) { return static_cast<long double>(x); });
+    for (const Law law : laws_with_truth) {
+      ReportedOutcome reported =
+          map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
       for (Vector3<long double>* part : vectors(reported)) {
         const Vector3<double> step = stream.direction().normalized() * (stream.unit() * times * yardstick.allowance());
         *part += step.cast<long double>() * part->norm();
       }
       const LiftedOutcome outcome(reported);
-      const Accuracy measured = accuracy(exact_case, model, outcome, yardstick);
+      const Accuracy measured = accuracy(exact_case, law, outcome, yardstick);
       if (!exact_case.bounds().is_moderate() || !outcome.is_moderate() || !measured.is_decided) {
         continue;
       }
-      const Closeness closeness(exact_case.bounds(), model, outcome, measured.error_above, yardstick.allowance());
-      for_each_affine_equation(exact_case, model, [&, family = family](Relation relation, const auto& equation) {
+      const Closeness closeness(exact_case.bounds(), law, outcome, measured.error_above, yardstick.allowance());
+      for_each_affine_equation(exact_case, law, [&, family = family](Relation relation, const auto& equation) {
         ++counts.laws;
         if (closeness.shows(equation)) {
           ++counts.shown;
@@ -236,18 +236,18 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   const ExactCase exact_case(c);
   const PerVector<double> error_above{0, 0x1p-60, 0, 0};
   const LiftedOutcome outcome(map_outcome<long double>(unchanged(c), [](double x) { return x; }));
-  const Closeness closeness(exact_case.bounds(), Model::frictionless, outcome, error_above, 0x1p-48);
+  const Closeness closeness(exact_case.bounds(), Law::frictionless, outcome, error_above, 0x1p-48);
   EXPECT_TRUE(closeness.shows(equation::AngularMomentum{true}));
   EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
 }
 
-/// Closeness does not show an equation that the model's truth violates, even for an outcome close to the truth.
+/// Closeness does not show an equation that the law's truth violates, even for an outcome close to the truth.
 TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   const ExactCase exact_case(unit::case_of("elastic", 0).collision);
   const PerVector<double> no_error{};
   const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()), [](double x) { return x; }));
-  const Closeness frictionless(exact_case.bounds(), Model::frictionless, outcome, no_error, 0x1p-48);
-  const Closeness reflection(exact_case.bounds(), Model::reflection, outcome, no_error, 0x1p-48);
+  const Closeness frictionless(exact_case.bounds(), Law::frictionless, outcome, no_error, 0x1p-48);
+  const Closeness reflection(exact_case.bounds(), Law::reflection, outcome, no_error, 0x1p-48);
   const equation::FrictionlessDirection direction{true};
   EXPECT_TRUE(frictionless.shows(direction));
   EXPECT_FALSE(reflection.shows(direction));
@@ -260,17 +260,17 @@ TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
 /// Compares with the derivatives: an equation involves a vector if its slope is not zero for some collision.
 TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
   for (const Equation& equation : affine_equations) {
-    PerVector<bool> speaks_of{};
+    PerVector<bool> occurs{};
     for (const auto& [family, one] : unit::valid_cases(3)) {
       if (one.collision.a.immovable || one.collision.b.immovable) {
         continue;  // some collisions have no such equation
       }
       const PerVector<double> slopes = slopes_of(equation, one.collision);
       for (const OutcomeVector k : all_outcome_vectors) {
-        speaks_of[k] = speaks_of[k] || slopes[k] != 0;
+        occurs[k] = occurs[k] || slopes[k] != 0;
       }
     }
-    EXPECT_EQ(vectors_in(*name_of(equation)), speaks_of) << static_cast<int>(*name_of(equation));
+    EXPECT_EQ(vectors_in(*name_of(equation)), occurs) << static_cast<int>(*name_of(equation));
   }
 }
 

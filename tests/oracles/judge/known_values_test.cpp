@@ -10,7 +10,7 @@
 
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 
 #include "support/known_collisions.hpp"
 
@@ -101,18 +101,17 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
 /// The sensitivity of each law's answers, which of them are open, and the accuracy of some outcomes.
 void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
-  for (const Model model : models_with_truth) {
-    KnownLine line{name_of_line(known, allowance, std::string(name_of(model))), {}};
-    line.numbers = {exact_case.is_grazing(allowance) ? 1.0 : 0.0,
-                    exact_case.has_two_answers(model, allowance) ? 1.0 : 0.0,
-                    exact_case.is_open(model, allowance) ? 1.0 : 0.0,
-                    static_cast<double>(static_cast<int>(exact_case.branch(model)))};
-    append(line.numbers, exact_case.sensitivity(model, allowance));
-    append(line.numbers, exact_case.sensitivity_as(model, Approach::colliding, allowance));
-    append(line.numbers, exact_case.sensitivity_as(model, Approach::separating, allowance));
+  for (const Law law : laws_with_truth) {
+    KnownLine line{name_of_line(known, allowance, std::string(name_of(law))), {}};
+    line.numbers = {
+        exact_case.is_grazing(allowance) ? 1.0 : 0.0, exact_case.has_two_answers(law, allowance) ? 1.0 : 0.0,
+        exact_case.is_open(law, allowance) ? 1.0 : 0.0, static_cast<double>(static_cast<int>(exact_case.branch(law)))};
+    append(line.numbers, exact_case.sensitivity(law, allowance));
+    append(line.numbers, exact_case.sensitivity_as(law, Approach::colliding, allowance));
+    append(line.numbers, exact_case.sensitivity_as(law, Approach::separating, allowance));
     for (const double times : {0.0, 1.0, 0x1p-12}) {
       const Accuracy result =
-          accuracy(exact_case, model, LiftedOutcome(moved(known.collision, times)), yardstick_of(allowance));
+          accuracy(exact_case, law, LiftedOutcome(moved(known.collision, times)), yardstick_of(allowance));
       append(line.numbers, result.error);
       line.numbers.push_back(result.relative_error);
       line.numbers.push_back(result.digits());
@@ -144,8 +143,8 @@ void add_truths(const KnownCollision& known, std::vector<KnownLine>& lines) {
     }
     lines.push_back(std::move(line));
   };
-  for (const Model model : models_with_truth) {
-    add_outcome("outcome of " + std::string(name_of(model)), exact_case.nearest_truth(model));
+  for (const Law law : laws_with_truth) {
+    add_outcome("outcome of " + std::string(name_of(law)), exact_case.nearest_truth(law));
   }
   for (const CoulombAnswer& answer : coulomb_answers(exact_case)) {
     add_outcome("outcome of coulomb, " + std::string(name_of(answer.kind)),

@@ -43,8 +43,8 @@ std::vector<BasicCollision<Rational>> collisions() {
 /// ΔE = ½ F·(V⁻ + V⁺): the work of any impulse at the mean velocity of the contact.
 TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
   for (const auto& c : collisions()) {
-    for (const Model model : linear_models) {
-      const Truth<Rational> truth = colliding_truth(c, model, Branch::only);
+    for (const Law law : linear_laws) {
+      const Truth<Rational> truth = colliding_truth(c, law, Branch::only);
       const ExactVector sum = unit::velocity_before(c) + relative_velocity<Rational>(c, truth.outcome);
       EXPECT_EQ(energy_change(c, truth.outcome), truth.impulse.dot(sum) / 2);
     }
@@ -54,7 +54,7 @@ TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
 /// ½ m v² + ½ wᵀ J w before and after, by definition.
 TEST(Energy, GainIsTheDifferenceOfTheEnergies) {
   for (const auto& c : collisions()) {
-    const Truth<Rational> truth = colliding_truth(c, Model::reflection, Branch::only);
+    const Truth<Rational> truth = colliding_truth(c, Law::reflection, Branch::only);
     if (c.a.immovable) {
       continue;
     }
@@ -72,7 +72,7 @@ TEST(Energy, IsLostByTheFrictionlessLawAsTheFormulaSays) {
   for (const auto& c : collisions()) {
     const Rational v_n = c.normal.dot(unit::velocity_before(c));
     const ExactMatrix k = response_matrix(c);
-    const Rational change = energy_change(c, colliding_truth(c, Model::frictionless, Branch::only).outcome);
+    const Rational change = energy_change(c, colliding_truth(c, Law::frictionless, Branch::only).outcome);
     EXPECT_EQ(change, -(1 - c.restitution * c.restitution) * v_n * v_n / (2 * c.normal.dot(ExactVector(k * c.normal))));
     EXPECT_LE(change, 0);
   }
@@ -90,7 +90,7 @@ TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
     const ExactVector v_t = v - n * Rational(v_n / length);
     const Rational first = v_n * v_n * n.dot(a_n) / (length * length);
     const Rational second = v_n * v_t.dot(a_n) / length;
-    EXPECT_EQ(energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome),
+    EXPECT_EQ(energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome),
               (1 + c.restitution) / 2 * ((c.restitution - 1) * first - 2 * second));
   }
 }
@@ -101,11 +101,11 @@ TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
   int created = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("elastic", i).collision);
-    const Rational change = energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome);
+    const Rational change = energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome);
     const ExactVector v = unit::velocity_before(c);
     const ExactVector v_t = v - c.normal * Rational(c.normal.dot(v) / c.normal.dot(c.normal));
     c.a.velocity -= v_t * Rational(2);
-    EXPECT_EQ(energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome), -change);
+    EXPECT_EQ(energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome), -change);
     created += change != 0 ? 1 : 0;
   }
   EXPECT_GT(created, 90);  // for general bodies, N is an eigenvector of K, or V_T = 0, only by chance
@@ -115,7 +115,7 @@ int creations(const char* family, int cases) {
   int count = 0;
   for (int i = 0; i < cases; ++i) {
     const BasicCollision<Rational> c = lift(unit::case_of(family, static_cast<std::uint64_t>(i)).collision);
-    count += energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome) > 0 ? 1 : 0;
+    count += energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome) > 0 ? 1 : 0;
   }
   return count;
 }
@@ -131,10 +131,10 @@ TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   int created = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("inelastic", i).collision);
-    if (energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome) > 0) {
+    if (energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome) > 0) {
       ++created;
       c.restitution = 1;
-      EXPECT_GT(energy_change(c, colliding_truth(c, Model::reflection, Branch::only).outcome), 0);
+      EXPECT_GT(energy_change(c, colliding_truth(c, Law::reflection, Branch::only).outcome), 0);
     }
   }
   EXPECT_GT(created, 0);
@@ -151,7 +151,7 @@ TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
 TEST(Energy, IsLostByStickingWithoutRestitution) {
   for (BasicCollision<Rational> c : collisions()) {
     c.restitution = 0;
-    EXPECT_LE(energy_change(c, colliding_truth(c, Model::sticking, Branch::only).outcome), 0);
+    EXPECT_LE(energy_change(c, colliding_truth(c, Law::sticking, Branch::only).outcome), 0);
   }
 }
 
@@ -168,7 +168,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
     // The slip of least energy has V⁻ along K N, the change by the frictionless law.
     const ExactVector least = k * n * Rational(n.dot(v) / n.dot(ExactVector(k * n)));
     (c.a.immovable ? c.b : c.a).velocity += (c.a.immovable ? Rational(-1) : Rational(1)) * ExactVector(least - v);
-    const Rational change = energy_change(c, colliding_truth(c, Model::sticking, Branch::only).outcome);
+    const Rational change = energy_change(c, colliding_truth(c, Law::sticking, Branch::only).outcome);
     const Rational excess = c.restitution * c.restitution * product - length * length;
     EXPECT_EQ(sign_of(change), n.dot(v) == 0 ? 0 : sign_of(excess));
     can_create += change > 0 ? 1 : 0;
@@ -183,7 +183,7 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
     int pulls = 0;
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const BasicCollision<Rational> c = lift(unit::case_of(family, i).collision);
-      const Truth<Rational> truth = colliding_truth(c, Model::sticking, Branch::only);
+      const Truth<Rational> truth = colliding_truth(c, Law::sticking, Branch::only);
       creates += energy_change(c, truth.outcome) > 0 ? 1 : 0;
       pulls += c.normal.dot(truth.impulse) < 0 ? 1 : 0;
     }
@@ -200,7 +200,7 @@ TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);
     c.restitution = ratio(8, 17);
-    EXPECT_LE(energy_change(c, colliding_truth(c, Model::sticking, Branch::only).outcome), 0) << i;
+    EXPECT_LE(energy_change(c, colliding_truth(c, Law::sticking, Branch::only).outcome), 0) << i;
   }
 }
 

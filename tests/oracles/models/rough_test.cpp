@@ -32,8 +32,8 @@ TEST(Rough, SticksWhereFrictionSuffices) {
   c.friction = 0.25;                       // times 6, the normal impulse: 3/2
   c.tangential_restitution = 0.5;
   const ExactCase exact_case(c);
-  EXPECT_EQ(exact_case.branch(Model::rough), Branch::inside_cone);
-  const Truth<Rational>& truth = exact_case.truth(Model::rough);
+  EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
+  const Truth<Rational>& truth = exact_case.truth(Law::rough);
   EXPECT_TRUE(same(truth.impulse, unit::ExactVector(ratio(3, 2), 6, 0)));
   EXPECT_TRUE(same(truth.outcome.a.velocity, unit::ExactVector(ratio(-3, 2), 2, 0)));
   EXPECT_TRUE(same(truth.outcome.a.angular_velocity, unit::ExactVector(0, 0, 3)));
@@ -45,8 +45,8 @@ TEST(Rough, SlidesWhereItDoesNot) {
   c.friction = 0.125;
   c.tangential_restitution = 0.5;
   const ExactCase exact_case(c);
-  EXPECT_EQ(exact_case.branch(Model::rough), Branch::on_cone);
-  const Truth<Radical>& truth = exact_case.truth_on_cone(Model::rough);
+  EXPECT_EQ(exact_case.branch(Law::rough), Branch::on_cone);
+  const Truth<Radical>& truth = exact_case.truth_on_cone(Law::rough);
   EXPECT_EQ(truth.impulse[0], Radical(ratio(3, 4)));
   EXPECT_EQ(truth.impulse[1], Radical(6));
   EXPECT_EQ(truth.outcome.a.velocity[0], Radical(ratio(-9, 4)));
@@ -58,17 +58,17 @@ TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || exact_case.branch(Model::rough) != Branch::inside_cone) {
+    if (exact_case.approach() != Approach::colliding || exact_case.branch(Law::rough) != Branch::inside_cone) {
       continue;
     }
     BasicCollision<Rational> inelastic = lift(one.collision);
     inelastic.restitution = Rational(0);
-    const Vector3<Rational> approach = truth_by_elimination(inelastic, Model::frictionless).impulse;
-    const Vector3<Rational> point = truth_by_elimination(inelastic, Model::sticking).impulse;
+    const Vector3<Rational> approach = truth_by_elimination(inelastic, Law::frictionless).impulse;
+    const Vector3<Rational> point = truth_by_elimination(inelastic, Law::sticking).impulse;
     const Rational whole = 1 + Rational(one.collision.tangential_restitution);
     const Vector3<Rational> expected =
         approach * Rational(1 + Rational(one.collision.restitution)) + Vector3<Rational>(point - approach) * whole;
-    EXPECT_TRUE(same(exact_case.truth(Model::rough).impulse, expected)) << family;
+    EXPECT_TRUE(same(exact_case.truth(Law::rough).impulse, expected)) << family;
     ++inside;
   }
   EXPECT_GT(inside, 100);
@@ -83,11 +83,11 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
     if (exact_case.approach() != Approach::colliding) {
       continue;
     }
-    exact_case.with_truth(Model::rough, Approach::colliding,
+    exact_case.with_truth(Law::rough, Approach::colliding,
                           []<class T>(const Truth<T>& truth) { EXPECT_NO_THROW((void)truth); });
-    if (exact_case.branch(Model::rough) == Branch::on_cone) {
+    if (exact_case.branch(Law::rough) == Branch::on_cone) {
       ++on_cone;
-      irrational += exact_case.truth_on_cone(Model::rough).impulse[0].is_rational() ? 0 : 1;
+      irrational += exact_case.truth_on_cone(Law::rough).impulse[0].is_rational() ? 0 : 1;
     }
   }
   EXPECT_GT(on_cone, 100);
@@ -169,15 +169,15 @@ Yardstick of_binary64() {
 
 Accuracy accuracy_of(const ExactCase& exact_case, const Outcome<double>& outcome) {
   const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
-  return accuracy(exact_case, Model::rough, LiftedOutcome(reported), of_binary64());
+  return accuracy(exact_case, Law::rough, LiftedOutcome(reported), of_binary64());
 }
 
 TEST(Rough, HasTwoAnswersWhereFrictionActsAtOnce) {
   const ExactCase exact_case(approached_by_rounding(2));
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
-  EXPECT_EQ(exact_case.branch(Model::rough), Branch::inside_cone);
-  EXPECT_TRUE(exact_case.has_two_answers(Model::rough, of_binary64().allowance()));
-  Outcome<double> between = exact_case.nearest_truth(Model::rough);
+  EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
+  EXPECT_TRUE(exact_case.has_two_answers(Law::rough, of_binary64().allowance()));
+  Outcome<double> between = exact_case.nearest_truth(Law::rough);
   EXPECT_TRUE(accuracy_of(exact_case, between).is_allowed());
   EXPECT_TRUE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_allowed());
   between.a.velocity = (between.a.velocity + exact_case.collision().a.velocity) / 2;
@@ -186,15 +186,15 @@ TEST(Rough, HasTwoAnswersWhereFrictionActsAtOnce) {
 
 TEST(Rough, HasOneAnswerWhereFrictionVanishesWithTheApproach) {
   const ExactCase exact_case(approached_by_rounding(1));
-  EXPECT_EQ(exact_case.branch(Model::rough), Branch::on_cone);
-  EXPECT_FALSE(exact_case.has_two_answers(Model::rough, of_binary64().allowance()));
+  EXPECT_EQ(exact_case.branch(Law::rough), Branch::on_cone);
+  EXPECT_FALSE(exact_case.has_two_answers(Law::rough, of_binary64().allowance()));
   EXPECT_TRUE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_allowed());
-  EXPECT_FALSE(accuracy_of(exact_case, ExactCase(approached_by_rounding(2)).nearest_truth(Model::rough)).is_allowed());
+  EXPECT_FALSE(accuracy_of(exact_case, ExactCase(approached_by_rounding(2)).nearest_truth(Law::rough)).is_allowed());
 }
 
 TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
   const ExactCase exact_case(approached_by_rounding(5.0 / 3));
-  EXPECT_TRUE(exact_case.is_open(Model::rough, of_binary64().allowance()));
+  EXPECT_TRUE(exact_case.is_open(Law::rough, of_binary64().allowance()));
   EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
 }
 
@@ -205,7 +205,7 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
     c.a.principal_inertia.setConstant(0.5);
     c.friction = friction;
     c.tangential_restitution = 0.5;
-    return ExactCase(c).sensitivity(Model::rough, of_binary64().allowance());
+    return ExactCase(c).sensitivity(Law::rough, of_binary64().allowance());
   };
   constexpr double beside = 0x1p-20;  // larger than rounding, and too small to change the sensitivities
   const Sensitivity inside = sensitivity_at(0.25 * (1 + beside));
@@ -225,12 +225,12 @@ TEST(Rough, IsFrictionlessWithoutFriction) {
   c.friction = 0;
   const ExactCase exact_case(c);
   const double allowance = of_binary64().allowance();
-  EXPECT_EQ(exact_case.branch(Model::rough), Branch::only);
-  EXPECT_TRUE(same(exact_case.truth(Model::rough).impulse, exact_case.truth(Model::frictionless).impulse));
-  EXPECT_EQ(exact_case.sensitivity(Model::rough, allowance), exact_case.sensitivity(Model::frictionless, allowance));
+  EXPECT_EQ(exact_case.branch(Law::rough), Branch::only);
+  EXPECT_TRUE(same(exact_case.truth(Law::rough).impulse, exact_case.truth(Law::frictionless).impulse));
+  EXPECT_EQ(exact_case.sensitivity(Law::rough, allowance), exact_case.sensitivity(Law::frictionless, allowance));
   Collision grazing = approached_by_rounding(2);
   grazing.friction = 0;
-  EXPECT_FALSE(ExactCase(grazing).has_two_answers(Model::rough, allowance));
+  EXPECT_FALSE(ExactCase(grazing).has_two_answers(Law::rough, allowance));
 }
 
 /// F = (3/2, 6, 0) with κ = 1 + e_t, μ = 1/8.

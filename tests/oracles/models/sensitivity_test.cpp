@@ -25,14 +25,14 @@ namespace {
 using ExactDual = Dual<Radical, collision_inputs>;
 
 /// The branch that the law takes, as if the contact collided.
-Branch branch_of(const Collision& collision, Model model) { return ExactCase(collision).branch(model); }
+Branch branch_of(const Collision& collision, Law law) { return ExactCase(collision).branch(law); }
 
 /// The law's answer with its exact derivatives, and their inputs.
 struct Differentiated {
-  Differentiated(const Collision& collision, Model model)
+  Differentiated(const Collision& collision, Law law)
       : truth(colliding_truth(
-            dual_inputs<Radical, collision_inputs>(collision, [](double x) { return Radical(x); }).collision, model,
-            branch_of(collision, model))) {
+            dual_inputs<Radical, collision_inputs>(collision, [](double x) { return Radical(x); }).collision, law,
+            branch_of(collision, law))) {
     for_each_number(
         [&](const FieldPath& path, const double& x) {
           paths.push_back(path);
@@ -72,8 +72,8 @@ std::vector<Collision> binary64_collisions() {
 template <class Degree>
 void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_velocity) {
   for (const Collision& collision : binary64_collisions()) {
-    for (const Model model : models_with_truth) {
-      const Differentiated differentiated(collision, model);
+    for (const Law law : laws_with_truth) {
+      const Differentiated differentiated(collision, law);
       const auto parts = vectors(differentiated.truth.outcome);
       for (const OutcomeVector k : all_outcome_vectors) {
         for (int i = 0; i < 3; ++i) {
@@ -82,7 +82,7 @@ void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_ve
                                    ? of_velocity
                                    : of_angular_velocity;
           EXPECT_EQ(differentiated.euler_sum(y, degree), Radical(expected) * y.value)
-              << name_of(model) << ' ' << name_of(k) << '[' << i << ']';
+              << name_of(law) << ' ' << name_of(k) << '[' << i << ']';
         }
       }
     }
@@ -137,8 +137,8 @@ double length_by_definition(const Collision& collision, const FieldPath& of, con
 }
 
 /// The sensitivity by definition: exact derivatives, with each norm and the sum rounded.
-Sensitivity sensitivity_by_definition(const Collision& collision, Model model) {
-  const Differentiated differentiated(collision, model);
+Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
+  const Differentiated differentiated(collision, law);
   const Outcome<double> before = unchanged(collision);
   Sensitivity result{};
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -177,11 +177,11 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
       continue;
     }
     ++colliding;
-    for (const Model model : models_with_truth) {
-      const Sensitivity expected = sensitivity_by_definition(collision, model);
-      const Sensitivity& actual = exact_case.sensitivity(model, 0);
+    for (const Law law : laws_with_truth) {
+      const Sensitivity expected = sensitivity_by_definition(collision, law);
+      const Sensitivity& actual = exact_case.sensitivity(law, 0);
       for (const OutcomeVector k : all_outcome_vectors) {
-        EXPECT_NEAR(actual[k], expected[k], relative * expected[k]) << name_of(model) << ' ' << name_of(k);
+        EXPECT_NEAR(actual[k], expected[k], relative * expected[k]) << name_of(law) << ' ' << name_of(k);
       }
     }
   }
@@ -189,9 +189,9 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
 }
 
 /// By forward differentiation of the whole law, in enclosures.
-Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, Model model, Branch branch) {
+Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, Law law, Branch branch) {
   const auto inputs = unit::enclosed_inputs(collision);
-  const auto truth = colliding_truth(inputs.collision, model, branch);
+  const auto truth = colliding_truth(inputs.collision, law, branch);
   Sensitivity result = norms_before(collision);
   for (const OutcomeVector k : all_outcome_vectors) {
     const auto& y = *vectors(truth.outcome)[k];
@@ -215,21 +215,21 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
     if (k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant()) {
       continue;
     }
-    for (const Model model : models_with_truth) {
-      const Branch branch = exact_case.branch(model);
+    for (const Law law : laws_with_truth) {
+      const Branch branch = exact_case.branch(law);
       if (branch == Branch::on_cone && !exact_case.bounds().has_clear_divisor()) {
         continue;
       }
-      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, model, branch);
-      const std::optional<Sensitivity> enclosed = enclosed_sensitivity(one.collision, model, branch, true);
-      const Sensitivity whole = sensitivity_by_forward_differentiation(one.collision, model, branch);
+      const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, law, branch);
+      const std::optional<Sensitivity> enclosed = enclosed_sensitivity(one.collision, law, branch, true);
+      const Sensitivity whole = sensitivity_by_forward_differentiation(one.collision, law, branch);
       ASSERT_TRUE(quick && enclosed) << family;
       ++compared;
       for (const OutcomeVector vector : all_outcome_vectors) {
         EXPECT_NEAR((*quick)[vector], whole[vector], relative * whole[vector])
-            << family << ' ' << name_of(model) << ' ' << name_of(vector);
+            << family << ' ' << name_of(law) << ' ' << name_of(vector);
         EXPECT_NEAR((*enclosed)[vector], whole[vector], 0x1p-45 * whole[vector])  // sums of fewer than 2^8 roundings
-            << family << ' ' << name_of(model) << ' ' << name_of(vector);
+            << family << ' ' << name_of(law) << ' ' << name_of(vector);
       }
     }
   }
@@ -261,15 +261,15 @@ TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
       if (exact_case.approach() != Approach::colliding || growth(collision) > 0x1p+82) {
         continue;
       }
-      for (const Model model : linear_models) {
-        const std::optional<Sensitivity> enclosed = enclosed_sensitivity(collision, model, Branch::only, true);
-        ASSERT_TRUE(enclosed) << family << ' ' << i << ' ' << name_of(model);
-        unknown_by_radii += enclosed_sensitivity(collision, model, Branch::only, false) ? 0 : 1;
-        const Sensitivity expected = exact_sensitivity(collision, model, Branch::only);
+      for (const Law law : linear_laws) {
+        const std::optional<Sensitivity> enclosed = enclosed_sensitivity(collision, law, Branch::only, true);
+        ASSERT_TRUE(enclosed) << family << ' ' << i << ' ' << name_of(law);
+        unknown_by_radii += enclosed_sensitivity(collision, law, Branch::only, false) ? 0 : 1;
+        const Sensitivity expected = exact_sensitivity(collision, law, Branch::only);
         ++compared;
         for (const OutcomeVector vector : all_outcome_vectors) {
           EXPECT_NEAR((*enclosed)[vector], expected[vector], (0x1p-49 + growth(collision) * 0x1p-93) * expected[vector])
-              << family << ' ' << i << ' ' << name_of(model) << ' ' << name_of(vector);
+              << family << ' ' << i << ' ' << name_of(law) << ' ' << name_of(vector);
         }
       }
     }
@@ -287,7 +287,7 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   c.b.immovable = true;
   for (const int exponent : {-60, -76, -92, -100}) {
     c.a.principal_inertia = {1, std::ldexp(1.0, exponent), 1};
-    EXPECT_EQ(enclosed_sensitivity(c, Model::reflection, Branch::only, true).has_value(), growth(c) <= 0x1p+83)
+    EXPECT_EQ(enclosed_sensitivity(c, Law::reflection, Branch::only, true).has_value(), growth(c) <= 0x1p+83)
         << exponent;
   }
 }
@@ -306,9 +306,9 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   c.restitution = 0.5;
   c.friction = 4.967053818694609e-10;
   c.tangential_restitution = 0.75;
-  ASSERT_EQ(ExactCase(c).branch(Model::rough), Branch::on_cone);
+  ASSERT_EQ(ExactCase(c).branch(Law::rough), Branch::on_cone);
   ASSERT_LT(growth(c), 0x1p+66);
-  EXPECT_FALSE(enclosed_sensitivity(c, Model::rough, Branch::on_cone, true));
+  EXPECT_FALSE(enclosed_sensitivity(c, Law::rough, Branch::on_cone, true));
 }
 
 /// Masses times 2⁶⁰⁰ and velocities times 2³⁰⁰ correspond to other units.
@@ -323,14 +323,14 @@ TEST(Sensitivity, HasNoUnits) {
   };
   const ExactCase plain(named("plain"));
   const ExactCase huge(named("huge"));
-  for (const Model model : models_with_truth) {
+  for (const Law law : laws_with_truth) {
     for (const double allowance : {0x1p-48, 0x1p-19, 0x1p-6}) {
-      const Sensitivity of_plain = plain.sensitivity(model, allowance);
-      const Sensitivity of_huge = huge.sensitivity(model, allowance);
+      const Sensitivity of_plain = plain.sensitivity(law, allowance);
+      const Sensitivity of_huge = huge.sensitivity(law, allowance);
       for (const OutcomeVector k : all_outcome_vectors) {
         // A sensitivity must be accurate to a thousandth.
         EXPECT_NEAR(of_huge[k], std::ldexp(of_plain[k], 300), 0x1p-10 * of_huge[k])
-            << name_of(model) << ' ' << allowance << ' ' << name_of(k);
+            << name_of(law) << ' ' << allowance << ' ' << name_of(k);
       }
     }
   }
@@ -351,8 +351,8 @@ TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
     c.b.immovable = true;
     const ExactCase exact_case(c);
     ASSERT_EQ(exact_case.approach(), Approach::colliding);
-    const Sensitivity expected = sensitivity_by_definition(c, Model::frictionless);
-    const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0);
+    const Sensitivity expected = sensitivity_by_definition(c, Law::frictionless);
+    const Sensitivity& actual = exact_case.sensitivity(Law::frictionless, 0);
     for (const OutcomeVector k : all_outcome_vectors) {
       EXPECT_NEAR(actual[k], expected[k], 0x1p-26 * expected[k]) << length << ' ' << name_of(k);
     }
@@ -369,8 +369,8 @@ TEST(Sensitivity, IsKnownForThinBodiesToo) {
   c.b.immovable = true;
   const ExactCase exact_case(c);
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
-  const Sensitivity expected = sensitivity_by_definition(c, Model::reflection);
-  const Sensitivity& actual = exact_case.sensitivity(Model::reflection, 0);
+  const Sensitivity expected = sensitivity_by_definition(c, Law::reflection);
+  const Sensitivity& actual = exact_case.sensitivity(Law::reflection, 0);
   for (const OutcomeVector k : all_outcome_vectors) {
     EXPECT_NEAR(actual[k], expected[k], 0x1p-45 * expected[k]);  // fewer than 2^8 roundings of positive terms
   }
@@ -380,13 +380,13 @@ TEST(Sensitivity, IsAtLeastItsLowerBound) {
   int moderate = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const ExactCase exact_case(one.collision);
-    for (const Model model : models_with_truth) {
-      if (!exact_case.is_moderate(model)) {
+    for (const Law law : laws_with_truth) {
+      if (!exact_case.is_moderate(law)) {
         continue;
       }
       ++moderate;
-      const Sensitivity below = exact_case.sensitivity_below(model);
-      const Sensitivity& all = exact_case.sensitivity(model, 0x1p-48);
+      const Sensitivity below = exact_case.sensitivity_below(law);
+      const Sensitivity& all = exact_case.sensitivity(law, 0x1p-48);
       for (const OutcomeVector k : all_outcome_vectors) {
         EXPECT_LE(below[k], all[k]) << family << ' ' << name_of(k);
       }
@@ -400,7 +400,7 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Collision c = unit::case_of("separating", 0).collision;
   const ExactCase exact_case(c);
   ASSERT_FALSE(exact_case.is_grazing(0x1p-48));
-  const Sensitivity& actual = exact_case.sensitivity(Model::frictionless, 0x1p-48);
+  const Sensitivity& actual = exact_case.sensitivity(Law::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = (std::sqrt(3.0) + 1) * std::sqrt(v.dot(v));
   // At most eight roundings of positive terms. The second order adds the allowance times the possible change by an
@@ -464,8 +464,8 @@ TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   c.normal = {1, 1, 0};
   c.a.velocity = {1, -1 + 0x1p-40, 0};
   const ExactCase exact_case(c);
-  const double colliding = exact_case.sensitivity(Model::frictionless, 0x1p-41)[OutcomeVector::velocity_of_b];
-  const double untouched = exact_case.sensitivity(Model::frictionless, 0)[OutcomeVector::velocity_of_b];
+  const double colliding = exact_case.sensitivity(Law::frictionless, 0x1p-41)[OutcomeVector::velocity_of_b];
+  const double untouched = exact_case.sensitivity(Law::frictionless, 0)[OutcomeVector::velocity_of_b];
   EXPECT_EQ(untouched, 0);  // B is at rest and stays so
   EXPECT_GT(colliding, 1);  // of order ‖V‖
 }

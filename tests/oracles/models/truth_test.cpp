@@ -20,11 +20,11 @@ using unit::same;
 
 void expect_same_truth(const Collision& collision, const std::string& what) {
   const BasicCollision<Rational> exact = lift(collision);
-  for (const Model model : linear_models) {
-    const Truth<Rational> fast = colliding_truth(exact, model, Branch::only);
-    const Truth<Rational> slow = truth_by_elimination(exact, model);
-    EXPECT_TRUE(same(fast.impulse, slow.impulse)) << what << ", " << name_of(model);
-    EXPECT_TRUE(same(fast.outcome, slow.outcome)) << what << ", " << name_of(model);
+  for (const Law law : linear_laws) {
+    const Truth<Rational> fast = colliding_truth(exact, law, Branch::only);
+    const Truth<Rational> slow = truth_by_elimination(exact, law);
+    EXPECT_TRUE(same(fast.impulse, slow.impulse)) << what << ", " << name_of(law);
+    EXPECT_TRUE(same(fast.outcome, slow.outcome)) << what << ", " << name_of(law);
   }
 }
 
@@ -44,10 +44,10 @@ TEST(Truth, EqualsEliminationOnEveryFamily) {
   }
 }
 
-TEST(Truth, RefusesTheModelThatDeterminesNoOutcome) {
+TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
   const BasicCollision<Rational> exact = lift(unit::case_of("generic", 0).collision);
-  EXPECT_THROW((void)colliding_truth(exact, Model::any, Branch::only), std::invalid_argument);
-  EXPECT_THROW((void)truth_by_elimination(exact, Model::any), std::invalid_argument);
+  EXPECT_THROW((void)colliding_truth(exact, Law::any, Branch::only), std::invalid_argument);
+  EXPECT_THROW((void)truth_by_elimination(exact, Law::any), std::invalid_argument);
 }
 
 /// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction the impulse is
@@ -60,13 +60,13 @@ TEST(Truth, IsWhatATextbookSays) {
   c.b.immovable = true;
   c.restitution = 0.5;
   const ExactCase exact_case(c);
-  for (const Model model : {Model::frictionless, Model::reflection}) {
-    const Truth<Rational>& truth = exact_case.truth(model);
-    EXPECT_TRUE(same(truth.impulse, unit::ExactVector(0, 12, 0))) << name_of(model);
+  for (const Law law : {Law::frictionless, Law::reflection}) {
+    const Truth<Rational>& truth = exact_case.truth(law);
+    EXPECT_TRUE(same(truth.impulse, unit::ExactVector(0, 12, 0))) << name_of(law);
     EXPECT_TRUE(same(truth.outcome.a.velocity, unit::ExactVector(1, 2, 0)));
     EXPECT_TRUE(same(truth.outcome.a.angular_velocity, unit::ExactVector(0, 0, 0)));
   }
-  const Truth<Rational>& sticking = exact_case.truth(Model::sticking);
+  const Truth<Rational>& sticking = exact_case.truth(Law::sticking);
   EXPECT_TRUE(same(sticking.impulse, unit::ExactVector(ratio(-2, 3), 12, 0)));
   EXPECT_TRUE(same(sticking.outcome.a.velocity, unit::ExactVector(ratio(2, 3), 2, 0)));
   EXPECT_TRUE(same(sticking.outcome.a.angular_velocity, unit::ExactVector(0, 0, ratio(-2, 3))));
@@ -76,9 +76,9 @@ TEST(Truth, IsTheVelocitiesBeforeWhereTheContactDoesNotCollide) {
   for (const char* family : {"separating", "resting", "both_immovable"}) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const ExactCase exact_case(unit::case_of(family, i).collision);
-      for (const Model model : linear_models) {
-        EXPECT_TRUE(same(exact_case.truth(model).outcome, unchanged(exact_case.exact()))) << family;
-        EXPECT_TRUE(same(exact_case.truth(model).impulse, unit::ExactVector(0, 0, 0))) << family;
+      for (const Law law : linear_laws) {
+        EXPECT_TRUE(same(exact_case.truth(law).outcome, unchanged(exact_case.exact()))) << family;
+        EXPECT_TRUE(same(exact_case.truth(law).impulse, unit::ExactVector(0, 0, 0))) << family;
       }
     }
   }
@@ -120,15 +120,15 @@ std::vector<Collision> contacts_to_certify() {
   return contacts;
 }
 
-void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Model model, Approach approach,
+void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Law law, Approach approach,
                                      const Outcome<Rational>& outcome) {
-  EXPECT_NO_THROW(certify(exact, model, approach, outcome));
+  EXPECT_NO_THROW(certify(exact, law, approach, outcome));
   for (const int exponent : {-200, 0, 100}) {
     for (const OutcomeVector k : all_outcome_vectors) {
       for (int i = 0; i < 3; ++i) {
         Outcome<Rational> corrupted = outcome;
         (*vectors(corrupted)[k])[i] += Rational(std::ldexp(1.0, exponent));
-        EXPECT_THROW(certify(exact, model, approach, corrupted), std::logic_error)
+        EXPECT_THROW(certify(exact, law, approach, corrupted), std::logic_error)
             << name_of(k) << '[' << i << "] by 2^" << exponent;
       }
     }
@@ -139,8 +139,8 @@ TEST(Certify, NoticesEachCorruptedComponent) {
   for (const Collision& collision : contacts_to_certify()) {
     const ExactCase exact_case(collision);
     ASSERT_EQ(exact_case.approach(), Approach::colliding);
-    for (const Model model : linear_models) {
-      expect_every_corruption_noticed(exact_case.exact(), model, Approach::colliding, exact_case.truth(model).outcome);
+    for (const Law law : linear_laws) {
+      expect_every_corruption_noticed(exact_case.exact(), law, Approach::colliding, exact_case.truth(law).outcome);
     }
   }
 }
@@ -148,15 +148,15 @@ TEST(Certify, NoticesEachCorruptedComponent) {
 TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
   for (const char* family : {"separating", "resting", "both_immovable"}) {
     const ExactCase exact_case(unit::case_of(family, 1).collision);
-    expect_every_corruption_noticed(exact_case.exact(), Model::reflection, exact_case.approach(),
+    expect_every_corruption_noticed(exact_case.exact(), Law::reflection, exact_case.approach(),
                                     unchanged(exact_case.exact()));
   }
 }
 
 /// The error that certify reports; "" if there is none.
-std::string reproach(const BasicCollision<Rational>& exact, Model model, const Outcome<Rational>& outcome) {
+std::string reproach(const BasicCollision<Rational>& exact, Law law, const Outcome<Rational>& outcome) {
   try {
-    certify(exact, model, Approach::colliding, outcome);
+    certify(exact, law, Approach::colliding, outcome);
   } catch (const std::logic_error& error) {
     return error.what();
   }
@@ -165,15 +165,15 @@ std::string reproach(const BasicCollision<Rational>& exact, Model model, const O
 
 /// A spin about the lever arm does not move the contact point, so all other equations hold.
 TEST(Certify, NeedsTheAngularMomentumOfEachBody) {
-  for (const Model model : linear_models) {
+  for (const Law law : linear_laws) {
     const ExactCase exact_case(unit::case_of("elastic", 0).collision);
     const BasicCollision<Rational>& c = exact_case.exact();
-    Outcome<Rational> outcome = exact_case.truth(model).outcome;
+    Outcome<Rational> outcome = exact_case.truth(law).outcome;
     outcome.a.angular_velocity += lever_arm(c.a, c.point);
-    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy the angular momentum of A");
-    outcome = exact_case.truth(model).outcome;
+    EXPECT_EQ(reproach(c, law, outcome), "the truth does not satisfy the angular momentum of A");
+    outcome = exact_case.truth(law).outcome;
     outcome.b.angular_velocity += lever_arm(c.b, c.point);
-    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy the angular momentum of B");
+    EXPECT_EQ(reproach(c, law, outcome), "the truth does not satisfy the angular momentum of B");
   }
 }
 
@@ -182,12 +182,12 @@ TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
     const bool a_is_fixed = std::string(family) == "immovable_a";
     const ExactCase exact_case(unit::case_of(family, 0).collision);
     const BasicCollision<Rational>& c = exact_case.exact();
-    for (const Model model : linear_models) {
-      Outcome<Rational> outcome = exact_case.truth(model).outcome;
+    for (const Law law : linear_laws) {
+      Outcome<Rational> outcome = exact_case.truth(law).outcome;
       BodyVelocity<Rational>& wall = a_is_fixed ? outcome.a : outcome.b;
       wall.angular_velocity += lever_arm(a_is_fixed ? c.a : c.b, c.point);
-      EXPECT_EQ(reproach(c, model, outcome), std::string("the truth does not satisfy the immovable ") +
-                                                 (a_is_fixed ? "A" : "B") + " being untouched");
+      EXPECT_EQ(reproach(c, law, outcome), std::string("the truth does not satisfy the immovable ") +
+                                               (a_is_fixed ? "A" : "B") + " being untouched");
     }
   }
 }
@@ -197,18 +197,18 @@ TEST(Certify, NeedsLinearMomentum) {
   const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
   BasicCollision<Rational> against_a_wall = c;
   against_a_wall.b.immovable = true;
-  for (const Model model : linear_models) {
-    const Outcome<Rational> outcome = colliding_truth(against_a_wall, model, Branch::only).outcome;
-    EXPECT_EQ(reproach(c, model, outcome), "the truth does not satisfy linear momentum");
+  for (const Law law : linear_laws) {
+    const Outcome<Rational> outcome = colliding_truth(against_a_wall, law, Branch::only).outcome;
+    EXPECT_EQ(reproach(c, law, outcome), "the truth does not satisfy linear momentum");
   }
 }
 
-TEST(Certify, NeedsTheTangentialLawOfTheModel) {
+TEST(Certify, NeedsTheTangentialEquationOfTheLaw) {
   const ExactCase exact_case(unit::case_of("elastic", 0).collision);
   const BasicCollision<Rational>& c = exact_case.exact();
-  EXPECT_EQ(reproach(c, Model::frictionless, exact_case.truth(Model::reflection).outcome),
+  EXPECT_EQ(reproach(c, Law::frictionless, exact_case.truth(Law::reflection).outcome),
             "the truth does not satisfy the frictionless direction");
-  EXPECT_EQ(reproach(c, Model::reflection, exact_case.truth(Model::frictionless).outcome),
+  EXPECT_EQ(reproach(c, Law::reflection, exact_case.truth(Law::frictionless).outcome),
             "the truth does not satisfy the reflection plane");
 }
 
@@ -216,11 +216,11 @@ TEST(Certify, NeedsTheTangentialLawOfTheModel) {
 TEST(Certify, NeedsRestitution) {
   BasicCollision<Rational> exact = lift(unit::case_of("elastic", 0).collision);
   exact.restitution = ratio(99, 100);
-  for (const Model model : linear_models) {
-    const Outcome<Rational> outcome = colliding_truth(exact, model, Branch::only).outcome;
+  for (const Law law : linear_laws) {
+    const Outcome<Rational> outcome = colliding_truth(exact, law, Branch::only).outcome;
     BasicCollision<Rational> asked = exact;
     asked.restitution = 1;
-    EXPECT_EQ(reproach(asked, model, outcome), "the truth does not satisfy restitution");
+    EXPECT_EQ(reproach(asked, law, outcome), "the truth does not satisfy restitution");
   }
 }
 

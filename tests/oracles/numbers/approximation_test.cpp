@@ -124,12 +124,12 @@ TEST(RefinedTruth, ContainsTheTruth) {
     if (exact_case.approach() != Approach::colliding) {
       continue;
     }
-    for (const Model model : models_with_truth) {
+    for (const Law law : laws_with_truth) {
       const Truth<Enclosure> refined =
-          refined_truth(one.collision, exact_case.bounds().enclosed(), exact_case.bounds().approximate(), model,
-                        exact_case.branch(model), ApproximateResponse(exact_case.bounds().approximate()));
+          refined_truth(one.collision, exact_case.bounds().enclosed(), exact_case.bounds().approximate(), law,
+                        exact_case.branch(law), ApproximateResponse(exact_case.bounds().approximate()));
       const auto enclosed = vectors(refined.outcome);
-      const auto exact = exact_case.with_truth(model, Approach::colliding, []<class T>(const Truth<T>& truth) {
+      const auto exact = exact_case.with_truth(law, Approach::colliding, []<class T>(const Truth<T>& truth) {
         return map_outcome<Rational>(truth.outcome, [](const T& x) { return nearly(x); });
       });
       for (const OutcomeVector k : all_outcome_vectors) {
@@ -142,7 +142,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
           radius = std::max(radius, (*enclosed[k])[i].radius());
         }
         ++all;
-        good += radius <= 0x1p-80 * exact_case.sensitivity(model, 0x1p-48)[k] ? 1 : 0;
+        good += radius <= 0x1p-80 * exact_case.sensitivity(law, 0x1p-48)[k] ? 1 : 0;
       }
     }
   }

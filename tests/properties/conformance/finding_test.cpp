@@ -29,11 +29,11 @@ Finding find(const Subject& subject, std::string_view invariant, const std::stri
   throw std::invalid_argument(std::string(invariant) + " is not claimed");
 }
 
-Subject frictionless() { return subject("frictionless", Model::frictionless, impulse::frictionless<double>); }
+Subject frictionless() { return subject("frictionless", Law::frictionless, impulse::frictionless<double>); }
 
 /// The frictionless law with the restitution added twice.
 Subject bouncing_twice() {
-  return subject("bouncing", Model::frictionless, [](impulse::Contact<double> contact) {
+  return subject("bouncing", Law::frictionless, [](impulse::Contact<double> contact) {
     contact.restitution *= 2;
     return impulse::frictionless(contact);
   });
@@ -76,7 +76,7 @@ TEST(Finding, IsTheSameAgain) {
 }
 
 TEST(Finding, NamesWhatASubjectThrew) {
-  const Subject throwing = subject("", Model::any, [](const Collision& collision) -> Outcome<double> {
+  const Subject throwing = subject("", Law::any, [](const Collision& collision) -> Outcome<double> {
     if (collision.a.mass > 0) {
       throw std::runtime_error("no convergence");
     }
@@ -88,7 +88,7 @@ TEST(Finding, NamesWhatASubjectThrew) {
 }
 
 TEST(Finding, SaysWhereASubjectRemembers) {
-  const Subject tiring = subject("", Model::any, [is_tired = false](const Collision& collision) mutable {
+  const Subject tiring = subject("", Law::any, [is_tired = false](const Collision& collision) mutable {
     Outcome<double> outcome = unchanged(collision);
     const Vector3<double> v = properties::relative_velocity(collision);
     if (!is_tired && v.dot(collision.normal) > 1) {
@@ -120,7 +120,7 @@ TEST_P(SoundSuite, HoldsAndTestsEachInvariant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, SoundSuite,
-                         testing::Values(frictionless(), subject<double>("reflection", Model::reflection,
+                         testing::Values(frictionless(), subject<double>("reflection", Law::reflection,
                                                                          [](const auto& contact) {
                                                                            return impulse::reflection<impulse::Ldlt>(
                                                                                contact);

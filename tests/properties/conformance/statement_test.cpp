@@ -12,12 +12,12 @@
 namespace carom::conformance {
 namespace {
 
-Subject idle_callable(Model model) {
-  return subject("idle", model, [](const Collision& collision) { return unchanged(collision); });
+Subject idle_callable(Law law) {
+  return subject("idle", law, [](const Collision& collision) { return unchanged(collision); });
 }
 
-Subject idle_subject(Model model) {
-  Subject made = idle_callable(model);
+Subject idle_subject(Law law) {
+  Subject made = idle_callable(law);
   made.deviates.clear();
   made.shows_collision_matrix = true;
   return made;
@@ -52,14 +52,14 @@ class Given {
 };
 
 TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
-  for (const Model model : all_models) {
+  for (const Law law : all_laws) {
     std::set<std::string_view> claimed;
     for (const properties::Invariant& invariant : properties::all_invariants()) {
-      if (invariant.claimed_for(model)) {
+      if (invariant.claimed_for(law)) {
         claimed.insert(invariant.name);
       }
     }
-    const std::vector<Statement> all = statements(idle_subject(model));
+    const std::vector<Statement> all = statements(idle_subject(law));
     EXPECT_EQ(invariants_of(all), claimed);
     EXPECT_EQ(families_of(all).size(), properties::all_families().size());
     EXPECT_EQ(all.size(), claimed.size() * properties::all_families().size());
@@ -71,20 +71,19 @@ TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
 }
 
 TEST(Statements, OfACallableLeaveOutWhatItHasNoPartIn) {
-  std::set<std::string_view> rest = invariants_of(statements(idle_subject(Model::frictionless)));
+  std::set<std::string_view> rest = invariants_of(statements(idle_subject(Law::frictionless)));
   for (const char* name : {"invalid_refused", "definite", "well_conditioned", "matrix_used"}) {
     EXPECT_EQ(rest.erase(name), 1U) << name;
   }
-  const std::vector<Statement> all = statements(idle_callable(Model::frictionless));
+  const std::vector<Statement> all = statements(idle_callable(Law::frictionless));
   EXPECT_EQ(invariants_of(all), rest);
   EXPECT_FALSE(families_of(all).contains("invalid"));
   EXPECT_EQ(families_of(all).size(), properties::all_families().size() - 1);
 }
 
 TEST(Statements, FollowTheOptions) {
-  const std::vector<Statement> all =
-      statements(idle_callable(Model::frictionless),
-                 {.limit_ulps = 64, .families = {"resting", "generic"}, .deviates = {"energy"}});
+  const std::vector<Statement> all = statements(
+      idle_callable(Law::frictionless), {.limit_ulps = 64, .families = {"resting", "generic"}, .deviates = {"energy"}});
   EXPECT_EQ(families_of(all), (std::set<std::string_view>{"generic", "resting"}));
   EXPECT_FALSE(invariants_of(all).contains("energy"));
   EXPECT_TRUE(invariants_of(all).contains("restitution"));
@@ -95,7 +94,7 @@ TEST(Statements, FollowTheOptions) {
 }
 
 TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
-  const std::vector<Statement> all = statements(idle_callable(Model::frictionless),
+  const std::vector<Statement> all = statements(idle_callable(Law::frictionless),
                                                 {.families = {"resting", "generic"}, .deviates = {"energy@generic"}});
   const auto is_stated = [&](std::string_view invariant, std::string_view family) {
     return std::any_of(all.begin(), all.end(), [&](const Statement& statement) {
@@ -105,11 +104,11 @@ TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
   EXPECT_FALSE(is_stated("energy", "generic"));
   EXPECT_TRUE(is_stated("energy", "resting"));
   EXPECT_TRUE(is_stated("restitution", "generic"));
-  EXPECT_THROW((void)statements(idle_callable(Model::any), {.deviates = {"energy@generics"}}), std::invalid_argument);
+  EXPECT_THROW((void)statements(idle_callable(Law::any), {.deviates = {"energy@generics"}}), std::invalid_argument);
 }
 
 TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
-  const Subject idle = idle_callable(Model::any);
+  const Subject idle = idle_callable(Law::any);
   const auto is_exact = [&](bool option) { return !statements(idle, {.exact = option}).at(0).yardstick.filtered; };
   EXPECT_FALSE(is_exact(false));
   EXPECT_TRUE(is_exact(true));
@@ -128,7 +127,7 @@ TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
 }
 
 TEST(Statements, RefuseWhatWouldTestNothing) {
-  const Subject idle = idle_callable(Model::any);
+  const Subject idle = idle_callable(Law::any);
   EXPECT_THROW((void)statements(idle, {.families = {"generics"}}), std::invalid_argument);
   EXPECT_THROW((void)statements(idle, {.deviates = {"energies"}}), std::invalid_argument);
 }

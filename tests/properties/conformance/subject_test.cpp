@@ -38,18 +38,18 @@ Outcome<float> of_collision(const Collision& collision) {
 
 TEST(CallableSubject, TakesContactsOfEachScalarAndCollisions) {
   const std::vector<Subject> subjects{
-      subject("float", Model::frictionless, of_contact<float>),
-      subject("double", Model::frictionless, of_contact<double>),
-      subject("long double", Model::frictionless, of_contact<long double>),
-      subject("collision", Model::frictionless, of_collision),
-      subject<double>("any", Model::frictionless, [](const auto& contact) { return impulse::frictionless(contact); }),
+      subject("float", Law::frictionless, of_contact<float>),
+      subject("double", Law::frictionless, of_contact<double>),
+      subject("long double", Law::frictionless, of_contact<long double>),
+      subject("collision", Law::frictionless, of_collision),
+      subject<double>("any", Law::frictionless, [](const auto& contact) { return impulse::frictionless(contact); }),
   };
   const std::vector<Precision> precisions{Precision::binary32, Precision::binary64, Precision::extended,
                                           Precision::binary32, Precision::binary64};
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     SCOPED_TRACE(subjects[i].name);
     EXPECT_EQ(subjects[i].precision, precisions[i]);
-    EXPECT_EQ(subjects[i].model, Model::frictionless);
+    EXPECT_EQ(subjects[i].law, Law::frictionless);
     const Answer answer = answer_of(subjects[i], along_y());
     ASSERT_TRUE(std::holds_alternative<ReportedOutcome>(answer));
     EXPECT_EQ(std::get<ReportedOutcome>(answer).b.velocity[1], -1);
@@ -63,8 +63,8 @@ TEST(CallableSubject, MayShowItsCollisionMatrix) {
     return {impulse::reflection(contact), see};
   };
   const std::vector<Subject> showing{
-      subject("", Model::reflection, [=](const impulse::Contact<float>& contact) { return shown(contact); }),
-      subject("", Model::reflection,
+      subject("", Law::reflection, [=](const impulse::Contact<float>& contact) { return shown(contact); }),
+      subject("", Law::reflection,
               [=](const Collision& collision) { return shown(impulse::make_contact<float>(collision)); })};
   for (const Subject& one : showing) {
     EXPECT_TRUE(one.shows_collision_matrix);
@@ -73,19 +73,19 @@ TEST(CallableSubject, MayShowItsCollisionMatrix) {
     ASSERT_TRUE(outcome.collision_matrix);
     EXPECT_EQ(outcome.collision_matrix->diagonal(), (Vector3<long double>{4, 2, 4}));
   }
-  EXPECT_FALSE(subject("", Model::frictionless, of_contact<float>).shows_collision_matrix);
-  EXPECT_FALSE(subject("", Model::frictionless, of_collision).shows_collision_matrix);
+  EXPECT_FALSE(subject("", Law::frictionless, of_contact<float>).shows_collision_matrix);
+  EXPECT_FALSE(subject("", Law::frictionless, of_collision).shows_collision_matrix);
 }
 
 TEST(CallableSubject, IsJudgedInThePrecisionThatIsGiven) {
   const Subject rounded = subject(
-      "", Model::any, [](const Collision& collision) { return unchanged(collision); }, Precision::binary32);
+      "", Law::any, [](const Collision& collision) { return unchanged(collision); }, Precision::binary32);
   EXPECT_EQ(rounded.precision, Precision::binary32);
 }
 
 TEST(CallableSubject, DoesNotSeeInvalidCollisions) {
   int calls = 0;
-  const Subject counting = subject("", Model::any, [&calls](const Collision& collision) {
+  const Subject counting = subject("", Law::any, [&calls](const Collision& collision) {
     ++calls;
     return unchanged(collision);
   });
@@ -99,7 +99,7 @@ TEST(CallableSubject, DoesNotSeeInvalidCollisions) {
 }
 
 TEST(CallableSubject, IsCopiedForEachSession) {
-  const Subject counting = subject("", Model::any, [calls = 0](const Collision& collision) mutable {
+  const Subject counting = subject("", Law::any, [calls = 0](const Collision& collision) mutable {
     Outcome<double> outcome = unchanged(collision);
     outcome.a.velocity[0] = ++calls;
     return outcome;

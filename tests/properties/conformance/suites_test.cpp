@@ -14,10 +14,10 @@ namespace {
 
 const Options few{.families = {"generic", "near_head_on", "resting"}};
 
-CAROM_CONFORMANCE(Frictionless, subject("frictionless", Model::frictionless, impulse::frictionless<double>), few);
+CAROM_CONFORMANCE(Frictionless, subject("frictionless", Law::frictionless, impulse::frictionless<double>), few);
 
 CAROM_CONFORMANCE(ReflectionInFloat,
-                  subject<float>("reflection", Model::reflection,
+                  subject<float>("reflection", Law::reflection,
                                  [](const auto& contact) { return impulse::reflection<impulse::Ldlt>(contact); }),
                   few);
 
@@ -39,7 +39,7 @@ TEST(Suites, NameATestForEachInvariantAndFamily) {
   EXPECT_TRUE(tests.contains("Holds/restitution_in_near_head_on"));
   EXPECT_TRUE(tests.contains("Holds/frictionless_direction_in_generic"));
   EXPECT_FALSE(tests.contains("Holds/reflection_plane_in_generic"));
-  EXPECT_EQ(tests.size(), statements(subject("", Model::frictionless, impulse::frictionless<double>), few).size());
+  EXPECT_EQ(tests.size(), statements(subject("", Law::frictionless, impulse::frictionless<double>), few).size());
 }
 
 TEST(Suites, StandBesideEachOther) {

@@ -12,15 +12,16 @@ namespace carom::properties::diagnosis {
 namespace {
 
 /// Cases of all families with the law's answer, as the answer to diagnose.
-std::vector<KnownCase> right_answers(Model model) {
+std::vector<KnownCase> right_answers(Law law) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
     for (std::uint64_t number = 0; number < 6; ++number) {
       const Case one = drawn_case(family, 1, number);
       if (validate(one.collision).empty()) {
-        const LawAnswer law = law_answer(one.collision, model);
-        const auto wide = map_outcome<long double>(law.outcome, [](double x) { return static_cast<long double>(x); });
-        if (const auto known = known_case({number, one, wide}, model)) {
+        const LawAnswer answer = law_answer(one.collision, law);
+        const auto wide =
+            map_outcome<long double>(answer.outcome, [](double x) { return static_cast<long double>(x); });
+        if (const auto known = known_case({number, one, wide}, law)) {
           cases.push_back(*known);
         }
       }
@@ -41,8 +42,8 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
 /// explains itself.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
-  for (const Model model : models_with_truth) {
-    for (KnownCase one : right_answers(model)) {
+  for (const Law law : laws_with_truth) {
+    for (KnownCase one : right_answers(law)) {
       for (const Hypothesis& hypothesis : all_hypotheses()) {
         const auto answer = hypothesis.answer(one);
         if (!answer) {
@@ -64,8 +65,8 @@ TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
 
 /// No hypothesis explains a right answer.
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
-  for (const Model model : models_with_truth) {
-    for (const KnownCase& one : right_answers(model)) {
+  for (const Law law : laws_with_truth) {
+    for (const KnownCase& one : right_answers(law)) {
       EXPECT_FALSE(is_visibly_off(one, 0x1p-53));
     }
   }

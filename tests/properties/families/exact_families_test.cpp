@@ -68,7 +68,7 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
       continue;
     }
     const auto& c = exact_case.exact();
-    const ExactVector& impulse = exact_case.truth(Model::sticking, Approach::colliding).impulse;
+    const ExactVector& impulse = exact_case.truth(Law::sticking, Approach::colliding).impulse;
     const auto cone = oracles::squared_cone(c, impulse);
     if (c.normal.dot(impulse) <= 0 || cone.left[0] == 0) {
       continue;  // no friction makes it stick, or none is needed

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/families/sweep.hpp>
 #include <carom/properties/features/coverage.hpp>

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/sweep.hpp>
-#include <carom/properties/features/places.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties {
 namespace {

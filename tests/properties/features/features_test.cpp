@@ -7,12 +7,12 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/infeasible.hpp>
 #include <carom/properties/features/seldom.hpp>
-#include <carom/properties/gate/gate_result.hpp>
+#include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties {
 namespace {

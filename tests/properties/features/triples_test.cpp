@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/bodies.hpp>
+#include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/features/coverage.hpp>
 
 namespace carom::properties {

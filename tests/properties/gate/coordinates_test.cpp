@@ -137,7 +137,7 @@ SubjectResult gated(const Named& named) {
   options.cases = 100;
   options.seed = 5;
   options.relations_every = 4;
-  const Subject subject = conformance::subject<double>(named.name, Model::frictionless, named.solver);
+  const Subject subject = conformance::subject<double>(named.name, Law::frictionless, named.solver);
   return run_gate({subject}, options).results.at(0);
 }
 

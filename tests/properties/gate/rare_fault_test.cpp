@@ -57,7 +57,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
   std::size_t relations = 0;
   for (const Invariant& invariant : all_invariants()) {
     // `repeat` does not find this fault: a second impulse does nothing, however large the first was.
-    if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Model::frictionless) &&
+    if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Law::frictionless) &&
         invariant.name != "repeat") {
       ++relations;
       const SubjectResult result = run_gate({faulty(std::string(invariant.name))}, options).results.at(0);

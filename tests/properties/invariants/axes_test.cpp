@@ -102,9 +102,9 @@ Collision few_bits(Stream& stream) {
 }
 
 /// The claims about a single outcome and its matrix.
-Claim claim_of_outcome(Model model, Precision precision) {
+Claim claim_of_outcome(Law law, Precision precision) {
   Subject subject;
-  subject.model = model;
+  subject.law = law;
   subject.precision = precision;
   subject.shows_collision_matrix = true;
   Claim claim = claim_of(subject, {});
@@ -115,7 +115,7 @@ Claim claim_of_outcome(Model model, Precision precision) {
 }
 
 /// `coulomb` has no sensitivity of its own. If the contact sticks, it equals that of `sticking`.
-Model like(Model model) { return model == Model::coulomb ? Model::sticking : model; }
+Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
 /// K with an error of `share` of the allowance in one entry. Or λI with an error of up to 64 times that size in one
 /// direction, near the edge of the allowance of `definite`.
@@ -138,11 +138,11 @@ Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allo
 }
 
 /// The truth with an error of `share` of the allowance in one of its vectors, and a matrix by `planted_matrix`.
-Solved planted(Stream& stream, const oracles::ExactCase& exact_case, Model model, double allowance, double share) {
-  Outcome<Rational> outcome = unit::outcome_of_law(exact_case, model);
+Solved planted(Stream& stream, const oracles::ExactCase& exact_case, Law law, double allowance, double share) {
+  Outcome<Rational> outcome = unit::outcome_of_law(exact_case, law);
   const OutcomeVector k = all_outcome_vectors[static_cast<std::size_t>(stream.integer(0, 3))];
   const Vector3<double> direction = stream.direction();
-  const double size = share * allowance * exact_case.sensitivity(like(model), allowance)[k] / direction.norm();
+  const double size = share * allowance * exact_case.sensitivity(like(law), allowance)[k] / direction.norm();
   *vectors(outcome)[k] += direction.unaryExpr([&](double x) { return Rational(x * size); });
   return {outcome, planted_matrix(stream, exact_case.collision(), allowance, share)};
 }
@@ -157,14 +157,14 @@ bool is_at_the_limit(const Verdict& verdict) {
   return verdict.status == Status::violated && std::abs(verdict.residual / verdict.allowed - 1) < 0x1p-20;
 }
 
-void expect_the_same(const Judgement& one, const Judgement& other, Model model, double share) {
+void expect_the_same(const Judgement& one, const Judgement& other, Law law, double share) {
   ASSERT_EQ(one.unjudged, other.unjudged);
   ASSERT_EQ(one.verdicts.size(), other.verdicts.size());
   for (std::size_t i = 0; i < one.verdicts.size(); ++i) {
     const Verdict& here = one.verdicts[i].verdict;
     const Verdict& there = other.verdicts[i].verdict;
     EXPECT_TRUE(here.status == there.status || is_at_the_limit(here) || is_at_the_limit(there))
-        << one.verdicts[i].invariant->name << " of " << name_of(model) << ", off by " << share << ": " << here.detail
+        << one.verdicts[i].invariant->name << " of " << name_of(law) << ", off by " << share << ": " << here.detail
         << there.detail << ' ' << here.residual << " of " << here.allowed << ", " << there.residual << " of "
         << there.allowed;
   }
@@ -182,12 +182,12 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
     turn.q[0] += turn.squared() == 0 ? 1 : 0;
     const Collision turned = turn(c);
     const JudgedCase original({c, false});
-    for (const Model model : {Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb}) {
-      const Claim claim = claim_of_outcome(model, i % 2 == 0 ? Precision::binary32 : Precision::binary64);
+    for (const Law law : {Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb}) {
+      const Claim claim = claim_of_outcome(law, i % 2 == 0 ? Precision::binary32 : Precision::binary64);
       for (const double share : {0.5, 0.75, 0.99, 1.01, 1.5, 2.0}) {
-        const Solved outcome = planted(stream, original.exact(), model, claim.yardstick.allowance(), share);
+        const Solved outcome = planted(stream, original.exact(), law, claim.yardstick.allowance(), share);
         const Judgement here = judged(c, claim, outcome);
-        expect_the_same(here, judged(turned, claim, turn(outcome)), model, share);
+        expect_the_same(here, judged(turned, claim, turn(outcome)), law, share);
         for (const NamedVerdict& named : here.verdicts) {
           ++seen[{named.invariant->name, named.verdict.status}];
         }
@@ -212,9 +212,9 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};
-  const Claim claim = claim_of_outcome(Model::frictionless, Precision::binary32);
+  const Claim claim = claim_of_outcome(Law::frictionless, Precision::binary32);
   const JudgedCase original({c, false});
-  Solved outcome = original.exact().truth(Model::frictionless).outcome;
+  Solved outcome = original.exact().truth(Law::frictionless).outcome;
   outcome.a.angular_velocity[0] += Rational(0x1p-24);  // an ulp of v / r
   for (const NamedVerdict& named : judged(c, claim, outcome).verdicts) {
     EXPECT_NE(named.verdict.status, Status::violated) << named.invariant->name;

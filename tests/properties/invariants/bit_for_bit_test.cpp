@@ -226,7 +226,7 @@ std::vector<Examinee> frictionless_examinees() {
   std::vector<Examinee> examinees = built_in_examinees();
   // The guaranteed solver takes N·V from a sum in double-double, whose order a turn changes.
   std::erase_if(examinees, [](const Examinee& examinee) {
-    return examinee.model != Model::frictionless || examinee.name.find("guaranteed") != std::string::npos;
+    return examinee.law != Law::frictionless || examinee.name.find("guaranteed") != std::string::npos;
   });
   return examinees;
 }

@@ -32,7 +32,7 @@ std::vector<Examinee> built_in_examinees() {
     Examinee examinee;
     examinee.name = subject.name;
     std::replace(examinee.name.begin(), examinee.name.end(), '-', '_');
-    examinee.model = subject.model;
+    examinee.law = subject.law;
     examinee.yardstick.unit_roundoff = unit_roundoff(subject.precision);
     examinee.solve = [session = std::make_shared<Session>(subject.open())](const Collision& collision) {
       return lift((*session)(std::span(&collision, 1)).at(0));

@@ -13,7 +13,7 @@ namespace {
 
 Status status_of(const Case& one, const Matrix3<long double>& shown, bool filtered) {
   Subject subject;
-  subject.model = Model::reflection;
+  subject.law = Law::reflection;
   subject.precision = Precision::binary64;
   subject.shows_collision_matrix = true;
   oracles::Yardstick yardstick;
@@ -21,7 +21,7 @@ Status status_of(const Case& one, const Matrix3<long double>& shown, bool filter
   Claim claim = claim_of(subject, yardstick);
   std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->name != "well_conditioned"; });
   const JudgedCase judged(one, filtered);
-  ReportedOutcome outcome = map_outcome<long double>(judged.exact().nearest_truth(subject.model),
+  ReportedOutcome outcome = map_outcome<long double>(judged.exact().nearest_truth(subject.law),
                                                      [](double x) { return static_cast<long double>(x); });
   outcome.collision_matrix = shown;
   const auto verdicts = try_case(judged, claim, [&](const Collision&) { return lift(outcome); }).verdicts;

@@ -20,12 +20,12 @@ Contact contact_of(const Collision& collision) { return impulse::make_contact<Ra
 
 /// `solve` takes a contact and a function that receives its collision matrix, and returns an outcome.
 template <class Solve>
-Examinee exactly(std::string name, Model model, Solve solve) {
+Examinee exactly(std::string name, Law law, Solve solve) {
   Examinee examinee;
   examinee.name = std::move(name);
-  examinee.model = model;
+  examinee.law = law;
   examinee.yardstick.unit_roundoff = 0;
-  examinee.shows_matrix = model != Model::frictionless;
+  examinee.shows_matrix = law != Law::frictionless;
   examinee.solve = [solve](const Collision& collision) -> ExactAnswer {
     if (!validate(collision).empty()) {
       return Refused{"invalid"};
@@ -40,7 +40,7 @@ Examinee exactly(std::string name, Model model, Solve solve) {
 
 template <class Solve>
 Examinee reflection_exactly(std::string name) {
-  return exactly(std::move(name), Model::reflection, [](const Contact& contact, const auto& see) {
+  return exactly(std::move(name), Law::reflection, [](const Contact& contact, const auto& see) {
     return apply_impulse(contact, impulse::reflection_impulse<Solve>(contact, normal_velocity(contact), see));
   });
 }
@@ -48,10 +48,10 @@ Examinee reflection_exactly(std::string name) {
 }  // namespace
 
 std::vector<Examinee> exact_examinees() {
-  return {exactly("frictionless_rational", Model::frictionless,
+  return {exactly("frictionless_rational", Law::frictionless,
                   [](const Contact& contact, const auto& /*see*/) { return impulse::frictionless(contact); }),
           reflection_exactly<impulse::Ldlt>("reflection_rational"),
-          exactly("sticking_rational", Model::sticking,
+          exactly("sticking_rational", Law::sticking,
                   [](const Contact& contact, const auto& see) {
                     return apply_impulse(contact, impulse::sticking_impulse(contact, normal_velocity(contact), see));
                   }),

@@ -58,7 +58,7 @@ std::optional<std::string> why_nothing_was_tested(bool in_domain, bool responded
 
 void put(const JudgedCase& judged_case, const Claimant& claimant, bool is_of_family, Seen& seen) {
   const auto& [examinee, invariants] = claimant;
-  Claim claim{examinee.model, examinee.yardstick, {}};
+  Claim claim{examinee.law, examinee.yardstick, {}};
   std::copy_if(invariants.begin(), invariants.end(), std::back_inserter(claim.invariants),
                [&](const Invariant* invariant) { return !seen.violated.contains(invariant); });
   if (claim.invariants.empty()) {
@@ -94,7 +94,7 @@ std::string text_of(const Verdict& verdict) {
 
 Question invariant_holds(const Invariant& invariant) {
   return [&invariant](const Examinee& examinee, const JudgedCase& judged_case) -> Verdict {
-    const Claim claim{examinee.model, examinee.yardstick, {&invariant}};
+    const Claim claim{examinee.law, examinee.yardstick, {&invariant}};
     const Judgement judgement = try_case(judged_case, claim, examinee.solve);
     if (judgement.skipped) {
       return {Status::violated, "the case could not be posed: " + judgement.skipped->why, 0, 0, {}, {}};

@@ -14,7 +14,7 @@ namespace carom::properties {
 /// The subject of a test: a built-in solver in its precision, or the same solver in ℚ.
 struct Examinee {
   std::string name;  // valid as a GoogleTest name
-  Model model = Model::any;
+  Law law = Law::any;
   oracles::Yardstick yardstick;
   ExactSolve solve;
   bool shows_matrix = false;

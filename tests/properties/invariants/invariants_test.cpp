@@ -36,7 +36,7 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
       // tests/properties/gate/memory_test.cpp tests the invariants about sessions.
       const bool is_of_sessions = std::holds_alternative<AboutSession>(invariant.about);
       const bool shows_what_it_is_of = examinee.shows_matrix || !invariant.is_of_matrix();
-      if (invariant.claimed_for(examinee.model) && shows_what_it_is_of && !is_of_sessions) {
+      if (invariant.claimed_for(examinee.law) && shows_what_it_is_of && !is_of_sessions) {
         claimed.push_back({&invariant, examinee});
       }
     }
@@ -99,13 +99,13 @@ TEST_P(HoldsExactly, For) { expect_no_violation(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
 
-/// One examinee of each model in each arithmetic that is judged differently.
+/// One examinee of each law in each arithmetic that is judged differently.
 std::vector<Examinee> one_of_each() {
   std::vector<Examinee> examinees;
   for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
-    for (const Model model : all_models) {
+    for (const Law law : all_laws) {
       for (const Examinee& examinee : all) {
-        if (examinee.model == model) {
+        if (examinee.law == law) {
           examinees.push_back(examinee);
           break;
         }

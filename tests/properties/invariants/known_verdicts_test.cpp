@@ -37,13 +37,13 @@ ExactAnswer wrong_answer(const Collision& c) {
   return oracles::LiftedOutcome(reported);
 }
 
-/// All invariants that a model can claim, except for those about sessions.
-Claim whole_claim(Model model, double unit_roundoff) {
+/// All invariants that a law can claim, except for those about sessions.
+Claim whole_claim(Law law, double unit_roundoff) {
   Claim claim;
-  claim.model = model;
+  claim.law = law;
   claim.yardstick.unit_roundoff = unit_roundoff;
   for (const Invariant& invariant : all_invariants()) {
-    if (invariant.claimed_for(model) && !std::holds_alternative<AboutSession>(invariant.about)) {
+    if (invariant.claimed_for(law) && !std::holds_alternative<AboutSession>(invariant.about)) {
       claim.invariants.push_back(&invariant);
     }
   }
@@ -54,9 +54,9 @@ TEST(KnownValues, OfTheInvariants) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
     const JudgedCase judged_case({known.collision, true});
-    for (const Model model : all_models) {
-      const Claim claim = whole_claim(model, 0x1p-20);
-      KnownLine line{known.name + ", " + std::string(name_of(model)), {}};
+    for (const Law law : all_laws) {
+      const Claim claim = whole_claim(law, 0x1p-20);
+      KnownLine line{known.name + ", " + std::string(name_of(law)), {}};
       for (const NamedVerdict& named : try_case(judged_case, claim, wrong_answer).verdicts) {
         const Verdict& verdict = named.verdict;
         line.name += ' ' + std::string(named.invariant->name);
@@ -73,13 +73,13 @@ TEST(KnownValues, OfTheInvariants) {
 }
 
 /// The rounded truth, and the collision matrix.
-ExactAnswer right_answer(const Collision& c, Model model) {
+ExactAnswer right_answer(const Collision& c, Law law) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
   }
   const oracles::ExactCase exact_case(c);
   ReportedOutcome reported =
-      map_outcome<long double>(exact_case.nearest_truth(model), [](double x) { return static_cast<long double>(x); });
+      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
   reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
       [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
   return oracles::LiftedOutcome(reported);
@@ -95,14 +95,14 @@ TEST(KnownValues, OfTheStagesThatDecide) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
     const JudgedCase judged_case({known.collision, true});
-    for (const Model model : models_with_truth) {
+    for (const Law law : laws_with_truth) {
       for (const Precision precision : {Precision::binary32, Precision::binary64}) {
         const oracles::StageCounts before = oracles::decided_by_stage();
-        const Claim claim = whole_claim(model, unit_roundoff(precision));
-        const auto solve = [&](const Collision& c) { return right_answer(c, model); };
+        const Claim claim = whole_claim(law, unit_roundoff(precision));
+        const auto solve = [&](const Collision& c) { return right_answer(c, law); };
         const Judgement judgement = try_case(judged_case, claim, solve);
         EXPECT_TRUE(is_judged_or_unjudged(judgement)) << known.name;
-        KnownLine line{known.name + ", " + std::string(name_of(model)) + ", " + std::string(name_of(precision)), {}};
+        KnownLine line{known.name + ", " + std::string(name_of(law)) + ", " + std::string(name_of(precision)), {}};
         for (const oracles::Stage stage : oracles::all_stages) {
           line.numbers.push_back(static_cast<double>(oracles::decided_by_stage()[stage] - before[stage]));
         }
@@ -118,7 +118,7 @@ TEST(Stages, AreRationalAloneWithoutFilters) {
   const oracles::StageCounts before = oracles::decided_by_stage();
   for (const KnownCollision& known : unit::known_collisions()) {
     const JudgedCase judged_case({known.collision, true}, false);
-    Claim claim = whole_claim(Model::reflection, 0x1p-24);
+    Claim claim = whole_claim(Law::reflection, 0x1p-24);
     std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
     claim.yardstick.filtered = false;
     EXPECT_TRUE(is_judged_or_unjudged(try_case(judged_case, claim, wrong_answer))) << known.name;

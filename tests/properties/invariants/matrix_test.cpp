@@ -194,7 +194,7 @@ TEST(ShownMatrix, IsThatOfTheSolve) {
     }
     EXPECT_GT(changed, 5);
     EXPECT_EQ(shown, subject.shows_collision_matrix ? changed : 0) << subject.name;
-    const bool forms_none = subject.model == Model::frictionless || subject.name.find("-batch-") != std::string::npos;
+    const bool forms_none = subject.law == Law::frictionless || subject.name.find("-batch-") != std::string::npos;
     EXPECT_EQ(subject.shows_collision_matrix, !forms_none) << subject.name;
   }
 }

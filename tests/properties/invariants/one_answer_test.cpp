@@ -7,9 +7,8 @@
 namespace carom::properties {
 namespace {
 
-Status status_of(const char* invariant, const Collision& collision, const ExactAnswer& answer,
-                 Model model = Model::any) {
-  return std::get<AboutAnswer>(invariant_named(invariant)->about).check(collision, answer, model).status;
+Status status_of(const char* invariant, const Collision& collision, const ExactAnswer& answer, Law law = Law::any) {
+  return std::get<AboutAnswer>(invariant_named(invariant)->about).check(collision, answer, law).status;
 }
 
 const ExactAnswer an_outcome{oracles::LiftedOutcome(ReportedOutcome{})};
@@ -31,16 +30,14 @@ TEST(InvalidRefused, AsksAboutTheFieldsThatTheLawReads) {
   Collision without_mass;
   without_mass.a.mass = 0;
   const auto expected = [](bool is_read) { return is_read ? Status::violated : Status::skipped; };
-  for (const Model model : all_models) {
-    const bool reads_friction = model == Model::rough || model == Model::coulomb;
-    EXPECT_EQ(status_of("invalid_refused", with_friction, an_outcome, model), expected(reads_friction))
-        << name_of(model);
-    EXPECT_EQ(status_of("invalid_refused", with_tangential_restitution, an_outcome, model),
-              expected(model == Model::rough))
-        << name_of(model);
-    EXPECT_EQ(status_of("invalid_refused", without_mass, an_outcome, model), Status::violated) << name_of(model);
-    EXPECT_EQ(status_of("invalid_refused", without_mass, Refused{"no"}, model), Status::holds) << name_of(model);
-    EXPECT_EQ(status_of("invalid_refused", with_friction, Failed{"died"}, model), Status::violated) << name_of(model);
+  for (const Law law : all_laws) {
+    const bool reads_friction = law == Law::rough || law == Law::coulomb;
+    EXPECT_EQ(status_of("invalid_refused", with_friction, an_outcome, law), expected(reads_friction)) << name_of(law);
+    EXPECT_EQ(status_of("invalid_refused", with_tangential_restitution, an_outcome, law), expected(law == Law::rough))
+        << name_of(law);
+    EXPECT_EQ(status_of("invalid_refused", without_mass, an_outcome, law), Status::violated) << name_of(law);
+    EXPECT_EQ(status_of("invalid_refused", without_mass, Refused{"no"}, law), Status::holds) << name_of(law);
+    EXPECT_EQ(status_of("invalid_refused", with_friction, Failed{"died"}, law), Status::violated) << name_of(law);
   }
 }
 

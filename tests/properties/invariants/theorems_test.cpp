@@ -8,25 +8,25 @@
 namespace carom::properties {
 namespace {
 
-bool is_proved_of(const char* invariant, Model model) {
-  const std::vector<Model> models = invariant_named(invariant)->proved_models();
-  return std::ranges::find(models, model) != models.end();
+bool is_proved_of(const char* invariant, Law law) {
+  const std::vector<Law> laws = invariant_named(invariant)->proved_laws();
+  return std::ranges::find(laws, law) != laws.end();
 }
 
 TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
   for (const Invariant& invariant : all_invariants()) {
-    const std::vector<Model> models = invariant.proved_models();
-    EXPECT_EQ(models.empty(), invariant.proof.theorems.empty()) << invariant.name;
-    for (const Model model : models) {
-      EXPECT_TRUE(invariant.claimed_for(model)) << invariant.name;
-      EXPECT_TRUE(invariant.proof.of == ProvedOf::every_impulse || determines_outcome(model)) << invariant.name;
+    const std::vector<Law> laws = invariant.proved_laws();
+    EXPECT_EQ(laws.empty(), invariant.proof.theorems.empty()) << invariant.name;
+    for (const Law law : laws) {
+      EXPECT_TRUE(invariant.claimed_for(law)) << invariant.name;
+      EXPECT_TRUE(invariant.proof.of == ProvedOf::every_impulse || determines_outcome(law)) << invariant.name;
     }
   }
-  EXPECT_TRUE(invariant_named("finite")->proved_models().empty());
+  EXPECT_TRUE(invariant_named("finite")->proved_laws().empty());
   // Momentum is conserved by any law. `coulomb` may have several answers or none, and the proofs do not cover it.
-  EXPECT_TRUE(is_proved_of("linear_momentum", Model::coulomb));
-  EXPECT_TRUE(is_proved_of("restitution", Model::rough));
-  EXPECT_FALSE(is_proved_of("restitution", Model::coulomb));
+  EXPECT_TRUE(is_proved_of("linear_momentum", Law::coulomb));
+  EXPECT_TRUE(is_proved_of("restitution", Law::rough));
+  EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::vector<ClassedCollision> contacts_of(std::string_view family, std::size_t c
   return contacts;
 }
 
-PlanOptions options_for(Model law, std::optional<int> digits = std::nullopt) {
+PlanOptions options_for(Law law, std::optional<int> digits = std::nullopt) {
   PlanOptions options;
   options.demand.law = law;
   options.demand.digits = digits;
@@ -65,17 +65,17 @@ const JudgedCandidate& judged(const Plan& plan, const Part& part, const std::str
 }
 
 TEST(Plan, TakesTheScalarSolverForReflectedSpheres) {
-  const Plan plan = make_plan(contacts_of("collinear_spheres", 100), some_candidates(), options_for(Model::reflection));
+  const Plan plan = make_plan(contacts_of("collinear_spheres", 100), some_candidates(), options_for(Law::reflection));
   EXPECT_EQ(chosen(plan), "frictionless-double");
   EXPECT_EQ(chosen(plan, plan.whole, plan.whole.in_batches), "frictionless-batch-double");
-  EXPECT_EQ(plan.whole.count_of(Model::frictionless).exactly(), 100U);
-  EXPECT_EQ(plan.whole.count_of(Model::frictionless).served, 100U);
+  EXPECT_EQ(plan.whole.count_of(Law::frictionless).exactly(), 100U);
+  EXPECT_EQ(plan.whole.count_of(Law::frictionless).served, 100U);
   EXPECT_EQ(plan.candidates.size(), 9U) << "what is no lesser law is not judged";
   EXPECT_TRUE(plan.serves());
 }
 
 TEST(Plan, TakesTheLawItselfForGeneralBodies) {
-  const Plan plan = make_plan(contacts_of("generic", 40), some_candidates(), options_for(Model::reflection));
+  const Plan plan = make_plan(contacts_of("generic", 40), some_candidates(), options_for(Law::reflection));
   EXPECT_EQ(chosen(plan), "reflection-double");
   EXPECT_FALSE(judged(plan, plan.whole, "frictionless-double").serves);
   EXPECT_EQ(judged(plan, plan.whole, "reflection-float").certificate.failures, 40U) << "32 ulps are of binary64";
@@ -87,7 +87,7 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
     contact.contact_class = "crates";
   }
   std::ranges::move(contacts_of("collinear_spheres", 10), std::back_inserter(contacts));
-  const Plan plan = make_plan(contacts, some_candidates(), options_for(Model::reflection));
+  const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection));
   ASSERT_GE(plan.classes.size(), 2U);
   EXPECT_EQ(plan.classes[0].name, "crates");
   EXPECT_EQ(plan.classes[0].contacts.size(), 10U);
@@ -119,7 +119,7 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
     });
   };
   candidates.push_back(wrong);
-  const Plan plan = make_plan(contacts, candidates, options_for(Model::reflection));
+  const Plan plan = make_plan(contacts, candidates, options_for(Law::reflection));
   const JudgedCandidate& planted = judged(plan, plan.whole, "planted");
   EXPECT_FALSE(planted.serves);
   EXPECT_EQ(planted.certificate.failures, 1U);
@@ -129,7 +129,7 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
   EXPECT_GT(*planted.certificate.worst_backward_error, 1e4);
   EXPECT_EQ(chosen(plan), "frictionless-double");
   // It is right to nine digits.
-  const Plan of_nine = make_plan(contacts, candidates, options_for(Model::reflection, 9));
+  const Plan of_nine = make_plan(contacts, candidates, options_for(Law::reflection, 9));
   EXPECT_EQ(judged(of_nine, of_nine.whole, "planted").certificate.failures, 0U);
 }
 
@@ -143,7 +143,7 @@ TEST(Plan, RejectsWhatRefusesOrIsNotFinite) {
     });
   };
   candidates.push_back(mute);
-  const Plan plan = make_plan(contacts_of("collinear_spheres", 5), candidates, options_for(Model::reflection));
+  const Plan plan = make_plan(contacts_of("collinear_spheres", 5), candidates, options_for(Law::reflection));
   EXPECT_EQ(judged(plan, plan.whole, "mute").certificate.failures, 5U);
 }
 
@@ -164,9 +164,9 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
   for (int i = 0; i < 20; ++i) {
     contacts.push_back(crate_at(i / 8.0));
   }
-  EXPECT_EQ(chosen(make_plan(contacts, some_candidates(), options_for(Model::reflection, 5))), "reflection-float");
+  EXPECT_EQ(chosen(make_plan(contacts, some_candidates(), options_for(Law::reflection, 5))), "reflection-float");
   contacts.push_back(crate_at(1e6));
-  const Plan plan = make_plan(contacts, some_candidates(), options_for(Model::reflection, 5));
+  const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection, 5));
   EXPECT_EQ(chosen(plan), "reflection-double");
   const Certificate& certificate = judged(plan, plan.whole, "reflection-float").certificate;
   EXPECT_EQ(certificate.failures, 1U);
@@ -178,7 +178,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
 TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
   ClassedCollision parting = crate_at(0.25);
   parting.collision.a.velocity = {0.7, 1.3, 0.2};
-  const Plan plan = make_plan(std::vector{parting}, some_candidates(), options_for(Model::reflection, 6));
+  const Plan plan = make_plan(std::vector{parting}, some_candidates(), options_for(Law::reflection, 6));
   EXPECT_EQ(chosen(plan), "frictionless-float");
   EXPECT_EQ(plan.whole.colliding, 0U);
   EXPECT_FALSE(judged(plan, plan.whole, "frictionless-float").certificate.least_digits.has_value());
@@ -186,11 +186,11 @@ TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
 
 TEST(Plan, SaysWhereNothingServes) {
   const std::vector<ClassedCollision> contacts{crate_at(0.1)};
-  const Plan plan = make_plan(contacts, some_candidates(), options_for(Model::reflection, 18));
+  const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection, 18));
   EXPECT_EQ(chosen(plan), "reflection-long-double");
   std::vector<Candidate> lesser = some_candidates();
   std::erase_if(lesser, [](const Candidate& one) { return one.scalar_rank > 1; });
-  const Plan of_less = make_plan(contacts, lesser, options_for(Model::reflection, 18));
+  const Plan of_less = make_plan(contacts, lesser, options_for(Law::reflection, 18));
   EXPECT_EQ(chosen(of_less), "nothing");
   EXPECT_FALSE(of_less.serves());
 }
@@ -202,10 +202,10 @@ TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   ball.point = {0.1, -7.3, 0.9};
   ball.a.position = ball.point + 0.7 * ball.normal;
   const std::vector<ClassedCollision> contacts{{"", ball, "ball"}};
-  PlanOptions options = options_for(Model::reflection);
+  PlanOptions options = options_for(Law::reflection);
   const Plan within = make_plan(contacts, some_candidates(), options);
   EXPECT_EQ(chosen(within), "frictionless-double");
-  EXPECT_EQ(within.whole.count_of(Model::frictionless).exactly(), 0U);
+  EXPECT_EQ(within.whole.count_of(Law::frictionless).exactly(), 0U);
   options.demand.exact_law = true;
   EXPECT_EQ(chosen(make_plan(contacts, some_candidates(), options)), "reflection-double");
   EXPECT_EQ(chosen(make_plan(contacts_of("collinear_spheres", 5), some_candidates(), options)), "frictionless-double");
@@ -219,7 +219,7 @@ TEST(Plan, JudgesCoulombByItsEquations) {
     contacts.push_back({friction < 1 ? "slides" : "sticks", unit::ball_on_a_plane(0.5, friction), "ball"});
   }
   for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(12)}) {
-    const Plan plan = make_plan(contacts, candidates, options_for(Model::coulomb, digits));
+    const Plan plan = make_plan(contacts, candidates, options_for(Law::coulomb, digits));
     EXPECT_EQ(chosen(plan, plan.classes[0], plan.classes[0].one_at_a_time), "rough-double");
     EXPECT_EQ(chosen(plan, plan.classes[1], plan.classes[1].one_at_a_time), "sticking-double");
     EXPECT_EQ(chosen(plan), "rough-double");
@@ -229,7 +229,7 @@ TEST(Plan, JudgesCoulombByItsEquations) {
 
 /// The faster candidate wins. If the times hardly differ, `is_less` decides.
 TEST(Plan, ChoosesByTheClock) {
-  PlanOptions options = options_for(Model::reflection);
+  PlanOptions options = options_for(Law::reflection);
   const auto with_times = [&](double of_reflection, double of_llt) {
     options.clock = [=](std::span<const Timing> timings) {
       std::vector<double> times;
@@ -253,7 +253,7 @@ TEST(Plan, ChoosesByTheClock) {
 }
 
 TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
-  PlanOptions options = options_for(Model::reflection, 6);
+  PlanOptions options = options_for(Law::reflection, 6);
   const auto contacts = contacts_of("generic", 150);
   const Plan by_two = make_plan(contacts, some_candidates(), options);
   options.workers = {};
@@ -274,14 +274,14 @@ TEST(Plan, IsMadeOfEveryFamily) {
     contacts.push_back({std::string(family), one.collision, std::string(family)});
   }
   std::vector<Candidate> candidates;
-  for (const Model law : all_models) {
-    if (law != Model::any) {
+  for (const Law law : all_laws) {
+    if (law != Law::any) {
       candidates.push_back(candidate(std::string(name_of(law)) + "-float", 0));
       candidates.push_back(candidate(std::string(name_of(law)) + "-double", 1));
     }
   }
-  for (const Model law : all_models) {
-    if (law == Model::any) {
+  for (const Law law : all_laws) {
+    if (law == Law::any) {
       continue;
     }
     for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(3)}) {
@@ -289,7 +289,7 @@ TEST(Plan, IsMadeOfEveryFamily) {
       for (const JudgedCandidate& one : plan.whole.candidates) {
         EXPECT_EQ(one.certificate.contacts, contacts.size());
         EXPECT_EQ(one.certificate.worst.has_value(), one.certificate.failures > 0);
-        EXPECT_GE(plan.whole.count_of(plan.candidates[one.candidate].subject.model).served,
+        EXPECT_GE(plan.whole.count_of(plan.candidates[one.candidate].subject.law).served,
                   contacts.size() - one.certificate.failures);
       }
       const JudgedCandidate& own = judged(plan, plan.whole, std::string(name_of(law)) + "-double");
@@ -301,26 +301,26 @@ TEST(Plan, IsMadeOfEveryFamily) {
 TEST(Plan, LeavesOutWhatNoLawIsDefinedFor) {
   std::vector<ClassedCollision> contacts{crate_at(0), crate_at(1)};
   contacts[1].collision.restitution = 2;
-  const Plan plan = make_plan(contacts, some_candidates(), options_for(Model::reflection));
+  const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection));
   EXPECT_EQ(plan.left_out, 1U);
   EXPECT_EQ(plan.whole.contacts.size(), 1U);
   EXPECT_TRUE(std::ranges::any_of(plan.findings, [&](const LintFinding& finding) {
     return finding.lint == Lint::coefficient && finding.place == contacts[1].place;
   }));
   contacts.erase(contacts.begin());
-  EXPECT_FALSE(make_plan(contacts, some_candidates(), options_for(Model::reflection)).serves());
+  EXPECT_FALSE(make_plan(contacts, some_candidates(), options_for(Law::reflection)).serves());
 }
 
 TEST(Plan, RefusesWhatItCannotBeMadeOf) {
-  const auto make = [](const std::vector<ClassedCollision>& contacts, Model law, std::vector<Candidate> candidates) {
+  const auto make = [](const std::vector<ClassedCollision>& contacts, Law law, std::vector<Candidate> candidates) {
     return make_plan(contacts, candidates, options_for(law));
   };
-  EXPECT_THROW((void)make({}, Model::reflection, some_candidates()), std::invalid_argument);
-  EXPECT_THROW((void)make({crate_at(0)}, Model::any, some_candidates()), std::invalid_argument);
-  EXPECT_THROW((void)make({crate_at(0)}, Model::sticking, some_candidates()), std::invalid_argument);
+  EXPECT_THROW((void)make({}, Law::reflection, some_candidates()), std::invalid_argument);
+  EXPECT_THROW((void)make({crate_at(0)}, Law::any, some_candidates()), std::invalid_argument);
+  EXPECT_THROW((void)make({crate_at(0)}, Law::sticking, some_candidates()), std::invalid_argument);
   ClassedCollision massless = crate_at(0);
   massless.collision.a.mass = 0;
-  EXPECT_THROW((void)make({massless}, Model::reflection, some_candidates()), std::invalid_argument);
+  EXPECT_THROW((void)make({massless}, Law::reflection, some_candidates()), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/judge/coulomb_case.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
 #include "support/cases.hpp"
@@ -25,7 +25,7 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
 
 /// Whether the exact outcomes of two laws with a truth are the same. Precondition: the outcome of `lesser` is
 /// rational.
-bool answer_alike(const ExactCase& c, Model law, Model lesser) {
+bool answer_alike(const ExactCase& c, Law law, Law lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
@@ -58,20 +58,20 @@ std::vector<Collision> cases() {
 
 /// Checks both directions: if a reason is given, the exact outcomes are equal; otherwise they differ.
 TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
-  PerModel<int> given{};
-  PerModel<int> not_given{};
+  PerLaw<int> given{};
+  PerLaw<int> not_given{};
   for (const Collision& collision : cases()) {
     const ExactCase c(collision);
     if (c.approach() != oracles::Approach::colliding) {
       continue;
     }
-    for (const Model law : {Model::reflection, Model::sticking, Model::rough}) {
-      const bool is_given = reduction(c, law, Model::frictionless).has_value();
+    for (const Law law : {Law::reflection, Law::sticking, Law::rough}) {
+      const bool is_given = reduction(c, law, Law::frictionless).has_value();
       ++(is_given ? given : not_given)[law];
-      EXPECT_EQ(is_given, answer_alike(c, law, Model::frictionless)) << name_of(law);
+      EXPECT_EQ(is_given, answer_alike(c, law, Law::frictionless)) << name_of(law);
     }
   }
-  for (const Model law : {Model::reflection, Model::sticking, Model::rough}) {
+  for (const Law law : {Law::reflection, Law::sticking, Law::rough}) {
     EXPECT_GT(given[law], 3) << name_of(law);
     EXPECT_GT(not_given[law], 50) << name_of(law);
   }
@@ -81,9 +81,9 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
   int given = 0;
   for (const Collision& collision : cases()) {
     const ExactCase c(collision);
-    if (c.approach() == oracles::Approach::colliding && reduction(c, Model::rough, Model::sticking)) {
+    if (c.approach() == oracles::Approach::colliding && reduction(c, Law::rough, Law::sticking)) {
       ++given;
-      EXPECT_TRUE(answer_alike(c, Model::rough, Model::sticking));
+      EXPECT_TRUE(answer_alike(c, Law::rough, Law::sticking));
     }
   }
   EXPECT_GT(given, 10);
@@ -91,7 +91,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
 
 /// The law that replaces `coulomb` gives one of its answers, which are computed independently.
 TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
-  PerModel<int> given{};
+  PerLaw<int> given{};
   const std::vector<Collision> all = cases();
   for (std::size_t i = 0; i < all.size(); i += 4) {  // isolating the answers takes milliseconds
     const ExactCase c(all[i]);
@@ -99,36 +99,36 @@ TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
       continue;
     }
     const auto answers = oracles::coulomb_answers(c);
-    for (const Model lesser : {Model::frictionless, Model::sticking}) {
-      if (reduction(c, Model::coulomb, lesser)) {
+    for (const Law lesser : {Law::frictionless, Law::sticking}) {
+      if (reduction(c, Law::coulomb, lesser)) {
         ++given[lesser];
         EXPECT_TRUE(std::ranges::any_of(answers, [&](const oracles::CoulombAnswer& answer) {
           return answer.is_exact() && are_same<Rational>(answer.truth.outcome, c.truth(lesser).outcome);
         })) << name_of(lesser);
       }
     }
-    if (reduction(c, Model::coulomb, Model::rough)) {
-      ++given[Model::rough];
-      const Outcome<double> rounded = c.nearest_truth(Model::rough);
+    if (reduction(c, Law::coulomb, Law::rough)) {
+      ++given[Law::rough];
+      const Outcome<double> rounded = c.nearest_truth(Law::rough);
       const auto reported = map_outcome<long double>(rounded, [](double x) { return static_cast<long double>(x); });
       EXPECT_GT(oracles::nearest_answer(c, answers, reported).digits, 10);
     }
   }
-  EXPECT_GT(given[Model::frictionless], 3);
-  EXPECT_GT(given[Model::sticking], 10);
-  EXPECT_GT(given[Model::rough], 3);
+  EXPECT_GT(given[Law::frictionless], 3);
+  EXPECT_GT(given[Law::sticking], 10);
+  EXPECT_GT(given[Law::rough], 3);
 }
 
 TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
   for (std::uint64_t i = 0; i < 20; ++i) {
     Collision spheres = unit::case_of("collinear_spheres", i).collision;
-    EXPECT_EQ(reduction(ExactCase(spheres), Model::reflection, Model::frictionless), Reduction::eigenvector);
+    EXPECT_EQ(reduction(ExactCase(spheres), Law::reflection, Law::frictionless), Reduction::eigenvector);
     spheres.a.angular_velocity = {3, -2, 1};
     EXPECT_TRUE(is_normal_eigenvector(ExactCase(spheres)));
     spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // the lever arm leaves the normal
     const ExactCase moved(spheres);
     if (moved.approach() == oracles::Approach::colliding) {
-      EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Model::reflection, Model::frictionless));
+      EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Law::reflection, Law::frictionless));
     }
   }
 }
@@ -136,16 +136,16 @@ TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
 TEST(Reduction, IsOfEveryLawWhereNothingCollides) {
   Collision c = unit::ball_on_a_plane(0.5, 1);
   c.a.velocity = {1, 2, 0};
-  for (const Model law : all_models) {
-    for (const Model lesser : lesser_laws(law)) {
+  for (const Law law : all_laws) {
+    for (const Law lesser : lesser_laws(law)) {
       EXPECT_EQ(reduction(ExactCase(c), law, lesser), law == lesser ? Reduction::same_law : Reduction::untouched);
     }
   }
 }
 
 TEST(Reduction, HasEachLawLastAmongItsLesserOnes) {
-  for (const Model law : all_models) {
-    if (law == Model::any) {
+  for (const Law law : all_laws) {
+    if (law == Law::any) {
       EXPECT_TRUE(lesser_laws(law).empty());
     } else {
       EXPECT_EQ(lesser_laws(law).back(), law);

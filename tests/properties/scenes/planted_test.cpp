@@ -24,7 +24,7 @@ bool has(const Validity& validity, const std::string& other, const std::string& 
 
 /// Two spheres meet head-on, off centre by a tenth of a radius, repeatedly between two walls.
 Scene duel() {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 6);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 6);
   unit::add_plane(scene, {1, 0, 0}, {-4, 0, 0});
   unit::add_plane(scene, {-1, 0, 0}, {4, 0, 0});
   unit::add_sphere(scene, 0.5, {-2, 0.05, 0}, {1, 0, 0});
@@ -103,7 +103,7 @@ TEST(Planted, ASphereOfAnotherRadiusIsFound) {
 }
 
 TEST(Planted, ASphereAnUlpBelowAPlaneIsFound) {
-  Scene scene = unit::empty_scene(Model::frictionless, {0, 0, 0, 0, 0}, 2);
+  Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 2);
   scene.gravity = {0, 0, -10};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   unit::add_plane(scene, {0, 3, 4}, {0, -40, -30});  // far away
@@ -124,7 +124,7 @@ TEST(Planted, ASphereAnUlpBelowAPlaneIsFound) {
 
 /// A parabola crosses the plane between its ends.
 TEST(Planted, ABulgeThroughACeilingIsFound) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 0.875);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0.875);
   scene.gravity = {0, 0, -8};
   // It rises by 1 in 1/2 s, and falls almost back. Its top is at 1.5.
   unit::add_sphere(scene, 0.5, {0, 0, 0.5}, {0, 0, 4});
@@ -142,7 +142,7 @@ TEST(Planted, ABulgeThroughACeilingIsFound) {
 
 /// All kinds of motion: sliding, rolling, spinning, impacts with loss.
 Scene table() {
-  Scene scene = unit::empty_scene(Model::rough, {0.9, 0.2, 0.25, 0.02, 0.05}, 20);
+  Scene scene = unit::empty_scene(Law::rough, {0.9, 0.2, 0.25, 0.02, 0.05}, 20);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   unit::add_sphere(scene, 0.25, {-2, 0.1, 0.5}, {3, 0, 0});
@@ -239,8 +239,8 @@ TEST(Planted, AnImpulseThatIsOffByABillionthIsViolated) {
 
 TEST(ImpulseJudge, JudgesEveryNthImpulse) {
   std::vector<Event> events = unit::events_of(table(), 1000);
-  ImpulseJudge third(Model::rough, Precision::binary64, 3, unit::yardstick_of(Precision::binary64));
-  ImpulseJudge none(Model::rough, Precision::binary64, 0, unit::yardstick_of(Precision::binary64));
+  ImpulseJudge third(Law::rough, Precision::binary64, 3, unit::yardstick_of(Precision::binary64));
+  ImpulseJudge none(Law::rough, Precision::binary64, 0, unit::yardstick_of(Precision::binary64));
   std::uint64_t impulses = 0;
   for (const Event& event : events) {
     third.record(event);

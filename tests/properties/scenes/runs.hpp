@@ -11,7 +11,7 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
-#include <carom/scene/polyhedra/scene_loop.hpp>
+#include <carom/scene/polyhedra/scene_simulation.hpp>
 
 #include "scene/scenes.hpp"
 
@@ -80,7 +80,7 @@ struct WatchedRun {
 
   /// The widest gap at an impact of spheres, relative to the sum of their radii.
   double widest_gap = 0;
-  scene::SceneLoop simulation;
+  scene::SceneSimulation simulation;
   scene::SceneState first;
   properties::History history;
   properties::Ledger ledger;

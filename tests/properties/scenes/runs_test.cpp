@@ -10,7 +10,7 @@ namespace {
 
 using scene::Scene;
 
-constexpr std::array all_laws{Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb};
+constexpr std::array laws{Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb};
 
 std::string text_of(const Validity& validity) {
   std::string text;
@@ -45,10 +45,10 @@ void check(const Scene& scene, std::size_t most_events) {
   EXPECT_EQ(run.judge.violated(), 0U) << run.judge.first_bad()->invariant << " at " << run.judge.first_bad()->time;
   EXPECT_GT(run.judge.judged(), 30U);
   EXPECT_EQ(run.judge.judged(), run.judge.impulses());
-  EXPECT_FALSE(run.judge.held().empty());
+  EXPECT_FALSE(run.judge.times_held().empty());
 }
 
-class RandomBoxes : public testing::TestWithParam<Model> {};
+class RandomBoxes : public testing::TestWithParam<Law> {};
 
 TEST_P(RandomBoxes, AreValidAndBalanced) {
   std::uint64_t seed = 0;
@@ -87,7 +87,7 @@ TEST_P(RandomBoxes, MayStandOnSlopes) {
   check(scene, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, RandomBoxes, testing::ValuesIn(all_laws),
+INSTANTIATE_TEST_SUITE_P(Scenes, RandomBoxes, testing::ValuesIn(laws),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
 }  // namespace

@@ -27,7 +27,7 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
 /// leave their cells.
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
-    Scene scene = unit::empty_scene(Model::frictionless, {restitution, 0, 0, 0, 0}, 5);
+    Scene scene = unit::empty_scene(Law::frictionless, {restitution, 0, 0, 0, 0}, 5);
     unit::add_sphere(scene, 0.5, {-3, 0, 0}, {1, 0, 0});
     unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
     unit::add_sphere(scene, 0.5, {1, 0, 0}, {0, 0, 0});
@@ -38,7 +38,7 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
 /// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of about 0.04 s. In exact time another pair is first,
 /// at 1 − 2⁻¹⁰ s. Before that, a fast sphere leaves several cells and hits a sphere at rest.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
   unit::add_sphere(scene, 0.5, {1 + 0x1p-44, 8, 0}, {-0x1p-44, 0, 0});
   unit::add_sphere(scene, 0.5, {0, 4, 0}, {0, 0, 0});
@@ -50,7 +50,7 @@ TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
 
 /// The gap is 0 for an instant within two arcs, and never negative.
 TEST(StructuredScenes, SpheresGrazeExactly) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 5);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 5);
   unit::add_sphere(scene, 0.5, {-6, 0, 0}, {2, 0, 0});
   unit::add_sphere(scene, 0.5, {0, 1, 0}, {0, 0, 0});
   const unit::WatchedRun run(scene, 100);
@@ -61,7 +61,7 @@ TEST(StructuredScenes, SpheresGrazeExactly) {
 TEST(StructuredScenes, BallsThatRollArePressedTogether) {
   for (const double restitution : {0.95, 1.0}) {
     const MaterialPair ball{restitution, 0, 0, 0, 0};
-    Scene scene = unit::empty_scene(Model::rough, ball, 0.2);
+    Scene scene = unit::empty_scene(Law::rough, ball, 0.2);
     scene.materials = {"ball", "bed"};
     scene.pairs = scene::MaterialPairs(2);
     scene.pairs.set(0, 0, ball);
@@ -82,7 +82,7 @@ TEST(StructuredScenes, BallsThatRollArePressedTogether) {
 
 /// There, an ulp of a position is 10⁻¹⁰ m, and the energy has the rounding of m g x.
 TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
-  Scene scene = unit::empty_scene(Model::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
+  Scene scene = unit::empty_scene(Law::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
   scene.gravity = {0, 0, -9.81};
   const double far = 1e6;
   unit::add_plane(scene, {0, 0, 1}, {far, far, far});
@@ -93,9 +93,9 @@ TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
 
 /// The only events are that spheres leave cells, forever.
 TEST(StructuredScenes, AStopIsHeardWhileNothingHappens) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1e17);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 1e17);
   unit::add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});
-  scene::Simulation simulation(scene);
+  scene::SphereSimulation simulation(scene);
   std::stop_source source;
   simulation.stop_on(source.get_token());
   source.request_stop();

@@ -58,14 +58,14 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_EQ(run.judge.violated(), 0U) << run.judge.first_bad()->invariant << " at " << run.judge.first_bad()->time;
   EXPECT_EQ(run.judge.judged(), run.judge.impulses());
   EXPECT_GT(run.judge.judged(), least_events / 2);
-  if (scene.law != Model::reflection) {
+  if (scene.law != Law::reflection) {
     for (const Cause cause : {Cause::impacts, Cause::plane_impacts}) {
       EXPECT_LE(run.ledger.energy(cause), 1e-12L * scale) << name_of(cause);
     }
   }
 }
 
-class RandomRooms : public testing::TestWithParam<Model> {};
+class RandomRooms : public testing::TestWithParam<Law> {};
 
 TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
   std::uint64_t seed = 100;
@@ -73,7 +73,7 @@ TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
     for (const double gravity : {0.0, 9.81}) {
       ++seed;
       // Under reflection an impact may create energy, and gravity brings the bodies back.
-      if (GetParam() == Model::reflection && gravity > 0) {
+      if (GetParam() == Law::reflection && gravity > 0) {
         continue;
       }
       SCOPED_TRACE("restitution " + std::to_string(restitution) + ", gravity " + std::to_string(gravity) + ", seed " +
@@ -94,13 +94,12 @@ TEST_P(RandomRooms, OfBallsAndPolyhedraAreValidAndBalanced) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RandomRooms,
-                         testing::Values(Model::frictionless, Model::reflection, Model::sticking, Model::rough,
-                                         Model::coulomb),
+                         testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
 /// A brick and a tetrahedron that rotate meet after 1.07 s, and again after 1.35 s.
 Scene meeting() {
-  Scene scene = unit::empty_scene(Model::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
+  Scene scene = unit::empty_scene(Law::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
   unit::add_polyhedron(scene, unit::centred_box({0.5, 0.75, 1}), {-2, 0.125, 0}, {1.25, 0, 0}, {1, 2, -0.5});
   unit::add_polyhedron(scene, unit::centred_tetrahedron(0.5), {2, 0, 0.0625}, {-1.25, 0, 0}, {-1, 0.5, 2});
   unit::add_plane(scene, {0, 0, 1}, {0, 0, -6});
@@ -171,7 +170,7 @@ TEST(PlantedInATumble, AnOrientationThatIsTurnedIsFound) {
 }
 
 TEST(PlantedInATumble, AnImpactWhereNothingTouchesIsFound) {
-  Scene scene = unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 3);
+  Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 3);
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   unit::add_polyhedron(scene, unit::centred_box({1, 1, 2}), {0, 0, 3}, {0, 0, 0}, {4, 0, 3});
   for (int kind = 0; kind < 3; ++kind) {
@@ -230,7 +229,7 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
   // A push that is not reported: a body that should lie still keeps hopping.
-  Scene scene = unit::empty_scene(Model::frictionless, {0, 0, 0, 0, 0}, 1);
+  Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   unit::add_polyhedron(scene, unit::centred_box({1, 1, 1}), {0, 0, 0.625});
@@ -260,7 +259,7 @@ TEST(PlantedInATumble, AnArcOutOfOrderIsFound) {
 
 /// A ball and a polyhedron under `coulomb`, with each cause recorded separately.
 TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
-  Scene scene = unit::empty_scene(Model::coulomb, {0.5, 0.25, 0, 0, 0}, 1.5);
+  Scene scene = unit::empty_scene(Law::coulomb, {0.5, 0.25, 0, 0, 0}, 1.5);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   unit::add_sphere(scene, 0.25, {0, 0, 2}, {0.5, 0, 0});

@@ -38,7 +38,7 @@ TEST(Deviation, OfNothingKnownThrowsAndNamesTheNearest) {
 
 TEST(Deviation, LeavesAClaimEverywhereElse) {
   Subject subject;
-  subject.model = Model::frictionless;
+  subject.law = Law::frictionless;
   subject.deviates = {"energy@head_on", "push", "no_such", "energy@no_such"};
   const Claim claim = claim_of(subject, {});
   const Invariant& energy = *invariant_named("energy");

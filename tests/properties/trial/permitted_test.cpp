@@ -51,17 +51,17 @@ BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, d
 }
 
 /// The law's answer to a collision that is not stored in binary64. For `rough` only in its rational branch.
-std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Model model) {
+std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Law law) {
   const bool collides = oracles::normal_velocity_before(c) < 0;
   oracles::Branch branch = oracles::Branch::only;
-  if (model == Model::rough && c.friction != 0) {
+  if (law == Law::rough && c.friction != 0) {
     const auto sign = [](const Rational& x) { return std::optional<int>(oracles::sign_of(x)); };
     if (!*oracles::is_inside_cone<Rational>(c, nullptr, sign)) {
       return std::nullopt;
     }
     branch = oracles::Branch::inside_cone;
   }
-  return collides ? oracles::colliding_truth(c, model, branch).outcome : unchanged(c);
+  return collides ? oracles::colliding_truth(c, law, branch).outcome : unchanged(c);
 }
 
 /// Cases near and far from the origin. Far away, the rounding of a body's position is comparable to its length or
@@ -89,9 +89,9 @@ struct Seen {
 
 /// Checks that every claimed invariant holds for an outcome that is exact for permitted inputs. The velocities before
 /// may also have changed, so an untouched velocity may differ by this change.
-void expect_to_pass(const Collision& collision, Model model, Precision precision, Stream& stream, Seen& seen) {
+void expect_to_pass(const Collision& collision, Law law, Precision precision, Stream& stream, Seen& seen) {
   Subject subject;
-  subject.model = model;
+  subject.law = law;
   subject.precision = precision;
   Claim claim = claim_of(subject, {});
   std::erase_if(claim.invariants,
@@ -103,7 +103,7 @@ void expect_to_pass(const Collision& collision, Model model, Precision precision
   // The rest covers the second order, which is 1/32 of the first unless the first order is blind.
   constexpr double share = 0.9;
   const double allowance = claim.yardstick.allowance();
-  const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), model);
+  const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), law);
   if (!outcome) {
     return;
   }
@@ -114,7 +114,7 @@ void expect_to_pass(const Collision& collision, Model model, Precision precision
   for (const NamedVerdict& named : judgement.verdicts) {
     EXPECT_NE(named.verdict.status, Status::violated)
         << named.invariant->name << ": " << named.verdict.detail << ", " << named.verdict.residual << " of "
-        << named.verdict.allowed << ", " << name_of(model) << ", " << name_of(precision);
+        << named.verdict.allowed << ", " << name_of(law) << ", " << name_of(precision);
   }
 }
 
@@ -122,9 +122,9 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   Stream stream = stream_from(33);
   Seen seen;
   for (const Collision& collision : cases(stream)) {
-    for (const Model model : {Model::frictionless, Model::reflection, Model::sticking, Model::rough}) {
+    for (const Law law : {Law::frictionless, Law::reflection, Law::sticking, Law::rough}) {
       for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-        expect_to_pass(collision, model, precision, stream, seen);
+        expect_to_pass(collision, law, precision, stream, seen);
       }
     }
   }
@@ -143,12 +143,12 @@ TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   }
   const ExactCase exact_case(c);
   ASSERT_NE(exact_case.permitted_inputs(allowance), nullptr);
-  const oracles::Sensitivity sensitivity = exact_case.sensitivity(Model::reflection, allowance);
-  const Outcome<Rational>& truth = exact_case.truth(Model::reflection).outcome;
+  const oracles::Sensitivity sensitivity = exact_case.sensitivity(Law::reflection, allowance);
+  const Outcome<Rational>& truth = exact_case.truth(Law::reflection).outcome;
   Stream stream = stream_from(7);
   PerVector<double> farthest{};
   for (int i = 0; i < 400; ++i) {
-    const auto y = answer_to(perturbed(stream, c, allowance), Model::reflection);
+    const auto y = answer_to(perturbed(stream, c, allowance), Law::reflection);
     for (const OutcomeVector k : all_outcome_vectors) {
       const Vector3<Rational> change = *vectors(*y)[k] - *vectors(truth)[k];
       farthest[k] = std::max(farthest[k], std::sqrt(oracles::to_double(change.dot(change))));

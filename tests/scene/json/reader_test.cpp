@@ -32,7 +32,7 @@ std::string error_of(const json& file) {
 TEST(SceneJson, ReadsEveryField) {
   const Scene scene = scene_from_json(small_scene());
   EXPECT_EQ(scene.title, "Two balls over a floor");
-  EXPECT_EQ(scene.law, Model::coulomb);
+  EXPECT_EQ(scene.law, Law::coulomb);
   EXPECT_EQ(scene.precision, Precision::extended);
   EXPECT_EQ(scene.duration, 2);
   EXPECT_EQ(scene.gravity, Vector3<double>(0, 0, -9.81));
@@ -87,7 +87,7 @@ TEST(SceneJson, HasDefaults) {
   const Scene scene = scene_from_json(json::parse(
       R"({"duration": 0, "planes": [{"normal": [0, 0, 2], "point": [0, 0, 0]}],
           "spheres": [{"radius": 1, "density": 1, "position": [0, 0, 1]}, {"radius": 1, "density": 1, "position": [2, 0, 1]}]})"));
-  EXPECT_EQ(scene.law, Model::rough);
+  EXPECT_EQ(scene.law, Law::rough);
   EXPECT_EQ(scene.precision, Precision::binary64);
   EXPECT_TRUE(scene.gravity.isZero(0));
   EXPECT_EQ(scene.capture_height, default_capture_height);

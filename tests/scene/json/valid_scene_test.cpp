@@ -56,7 +56,7 @@ TEST(ValidScene, AsksForMassesThatThePrecisionHolds) {
 
 TEST(ValidScene, LooksAtWhatAFileCannotSay) {
   Scene scene = scene_of_two(1);
-  scene.law = Model::any;
+  scene.law = Law::any;
   EXPECT_EQ(defect_of(scene), "law: expected frictionless, reflection, sticking, rough or coulomb");
   scene = scene_of_two(1);
   scene.spheres[1].material = 1;

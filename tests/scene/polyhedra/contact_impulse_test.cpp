@@ -135,8 +135,8 @@ TEST_P(Laws, AreTheirDefinitions) {
       continue;
     }
     ++colliding;
-    const Vector frictionless = relative_velocity(collision, struck_bodies(Model::frictionless, GetParam(), collision));
-    for (const Model law : {Model::frictionless, Model::reflection, Model::sticking, Model::rough, Model::coulomb}) {
+    const Vector frictionless = relative_velocity(collision, struck_bodies(Law::frictionless, GetParam(), collision));
+    for (const Law law : {Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb}) {
       SCOPED_TRACE(name_of(law));
       const Outcome<double> outcome = struck_bodies(law, GetParam(), collision);
       expect_one_impulse(collision, outcome, tolerance);
@@ -148,24 +148,24 @@ TEST_P(Laws, AreTheirDefinitions) {
       const double friction = (impulse - normal_impulse * n).norm();
       EXPECT_NEAR(n.dot(after), -collision.restitution * approach, tolerance);
       switch (law) {
-        case Model::frictionless:
+        case Law::frictionless:
           EXPECT_LE(friction, tolerance);
           break;
-        case Model::reflection:
+        case Law::reflection:
           EXPECT_LE((slip_after - slip).norm(), tolerance);
           break;
-        case Model::sticking:
+        case Law::sticking:
           EXPECT_LE(slip_after.norm(), tolerance);
           break;
-        case Model::rough:
-        case Model::coulomb:
-        case Model::any: {
+        case Law::rough:
+        case Law::coulomb:
+        case Law::any: {
           // Within the cone `rough` has F = (1 + ε) P_I + (1 + e_t) (P_II − P_I) with K P_II = −V. So V' = −e_t V +
           // (ε − e_t) K P_I, and `frictionless` changes V by (1 + ε) K P_I. For `coulomb` the contact point sticks.
           const double e_t = collision.tangential_restitution;
           const Vector stops = (frictionless - before) / (1 + collision.restitution);
           const Vector within =
-              law == Model::rough ? Vector(after + e_t * before - (collision.restitution - e_t) * stops) : slip_after;
+              law == Law::rough ? Vector(after + e_t * before - (collision.restitution - e_t) * stops) : slip_after;
           const bool is_within = within.norm() <= tolerance;
           const bool is_on_cone = std::abs(friction - collision.friction * normal_impulse) <= tolerance;
           EXPECT_TRUE(is_within || is_on_cone) << friction << " of " << normal_impulse;

@@ -17,7 +17,7 @@ using unit::Vector;
 constexpr double contact_tolerance = 1e-9;
 const HalfSpace floor_at_0{{0, 0, 1}, 0};
 
-Motion resting(const Quaternion<double>& orientation, const Vector& position) {
+FreeFlight resting(const Quaternion<double>& orientation, const Vector& position) {
   return {position, Vector::Zero(), Vector::Zero(), RotationPath(orientation)};
 }
 
@@ -34,11 +34,11 @@ TEST(TimeOfContact, OfAFallingCubeIsThatOfItsLowestCorner) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
-    Motion motion = resting(unit::unit_quaternion(stream), {stream.signed_unit(), 0, 3});
+    FreeFlight motion = resting(unit::unit_quaternion(stream), {stream.signed_unit(), 0, 3});
     motion.velocity = {1, 2, stream.signed_unit()};
     motion.acceleration = {0, 0, -9.81};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
-    ASSERT_EQ(found.approach, Approach::touches);
+    ASSERT_EQ(found.status, ContactStatus::touches);
     // height + v t − g t²/2 = gap
     const double height = 3 + least_height(cube, motion.rotation.at(0).state.orientation);
     const auto time_of_gap = [&](double gap) {
@@ -54,10 +54,10 @@ TEST(TimeOfContact, OfAFallingCubeIsThatOfItsLowestCorner) {
 
 TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
-  Motion ball = resting({1, 0, 0, 0}, {0.25, -0.5, 6});
+  FreeFlight ball = resting({1, 0, 0, 0}, {0.25, -0.5, 6});
   ball.velocity = {0.125, 0.25, -3};
   const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 0, 10, contact_tolerance);
-  ASSERT_EQ(found.approach, Approach::touches);
+  ASSERT_EQ(found.status, ContactStatus::touches);
   EXPECT_NEAR(found.time, 1.5, contact_tolerance);
   EXPECT_LT(found.time, 1.5);
   EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
@@ -67,13 +67,13 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
 TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
   const ShapePair pair(ball_shape(0.25), convex_shape(cube));
-  Motion turning = resting({1, 0, 0, 0}, {0, 0, 0});
+  FreeFlight turning = resting({1, 0, 0, 0}, {0, 0, 0});
   turning.rotation = RotationPath(cube.properties.principal_inertia, {{1, 0, 0, 0}, {0, 0, 2}}, 10);
   // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only when it reaches the x axis. Before that, the face
   // is within 1.5.
-  const Motion ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
+  const FreeFlight ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
   const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, contact_tolerance);
-  ASSERT_EQ(found.approach, Approach::touches);
+  ASSERT_EQ(found.status, ContactStatus::touches);
   // The nearest point of the cube is on the face rotated by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
   // leaves it at 1. With the ball's radius of 1/4, cos φ = 5/6.
   EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * contact_tolerance);
@@ -82,7 +82,7 @@ TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
 struct Flight {
   PolyhedralBody body;
   ConvexShape shape;
-  Motion motion;
+  FreeFlight motion;
 };
 
 Flight random_flight(properties::Stream& stream, const Vector& position, const Vector& velocity, double duration) {
@@ -116,8 +116,8 @@ double true_distance(const Meeting& m, double time) {
 
 /// The error of the result; empty if it is right.
 std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
-  const double end = found.approach == Approach::misses ? m.duration : found.time;
-  if (found.approach == Approach::overlaps || found.approach == Approach::undecided) {
+  const double end = found.status == ContactStatus::misses ? m.duration : found.time;
+  if (found.status == ContactStatus::overlaps || found.status == ContactStatus::undecided) {
     return "neither touches nor misses";
   }
   for (int i = 0; i <= 60; ++i) {
@@ -128,7 +128,7 @@ std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
       return "are " + std::to_string(distance) + " apart at " + std::to_string(time) + " of " + std::to_string(end);
     }
   }
-  if (found.approach == Approach::touches) {
+  if (found.status == ContactStatus::touches) {
     const double distance = true_distance(m, found.time);
     if (!(distance > 0 && distance <= 1.01 * contact_tolerance)) {
       return "touches at " + std::to_string(distance / contact_tolerance) + " tolerances";
@@ -152,7 +152,7 @@ TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
     const Meeting meeting = random_meeting(stream);
     const TimeOfContact found = found_of(meeting);
     EXPECT_EQ(wrong_with(meeting, found), "") << seed;
-    touching += found.approach == Approach::touches ? 1 : 0;
+    touching += found.status == ContactStatus::touches ? 1 : 0;
     advances += found.advances;
     EXPECT_LE(found.advances, 100) << seed;
   }
@@ -169,14 +169,15 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// Tumbling bodies hit a floor. The test compares with the height of their lowest corner at all earlier times.
+/// PolyhedronSimulation bodies hit a floor. The test compares with the height of their lowest corner at all earlier
+/// times.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     Flight flight = random_flight(stream, {0, 0, 4}, stream.vector(), 3);
     flight.motion.acceleration = {0, 0, -9.81};
     const TimeOfContact found = time_of_contact(flight.shape, flight.motion, floor_at_0, 0, 3, contact_tolerance);
-    ASSERT_EQ(found.approach, Approach::touches) << seed;
+    ASSERT_EQ(found.status, ContactStatus::touches) << seed;
     const auto height_at = [&](double time) {
       const Placement placement = placement_at(flight.motion, time);
       return placement.position.z() + least_height(flight.shape, placement.orientation);
@@ -195,10 +196,10 @@ TEST(TimeOfContact, TellsGrazingFromMissing) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   const Vector away = Vector(1, 1, 0).normalized();
   for (const double miss : {1e-2, 1e-6, 1.001e-9, 0.999e-9, 1e-10, -1e-6}) {
-    Motion ball = resting({1, 0, 0, 0}, Vector(1, 1, -4) + (0.5 + miss) * away);
+    FreeFlight ball = resting({1, 0, 0, 0}, Vector(1, 1, -4) + (0.5 + miss) * away);
     ball.velocity = {0, 0, 2};
     const TimeOfContact found = time_of_contact(pair, ball, resting({1, 0, 0, 0}, {0, 0, 0}), 0, 4, contact_tolerance);
-    EXPECT_EQ(found.approach, miss > contact_tolerance ? Approach::misses : Approach::touches) << miss;
+    EXPECT_EQ(found.status, miss > contact_tolerance ? ContactStatus::misses : ContactStatus::touches) << miss;
   }
 }
 
@@ -210,10 +211,10 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   const Quaternion<double> about_x(std::cos(std::numbers::pi / 8), std::sin(std::numbers::pi / 8), 0, 0);
   const Quaternion<double> about_y(std::cos(std::numbers::pi / 8), 0, std::sin(std::numbers::pi / 8), 0);
   for (const double miss : {1e-3, 1e-6, 1.1e-9, 0.9e-9, 1e-12}) {
-    Motion above = resting(about_x, {0, -4, 4 * half + miss});
+    FreeFlight above = resting(about_x, {0, -4, 4 * half + miss});
     above.velocity = {0, 2, 0};
     const TimeOfContact found = time_of_contact(pair, above, resting(about_y, {0, 0, 0}), 0, 4, contact_tolerance);
-    EXPECT_EQ(found.approach, miss > contact_tolerance ? Approach::misses : Approach::touches) << miss;
+    EXPECT_EQ(found.status, miss > contact_tolerance ? ContactStatus::misses : ContactStatus::touches) << miss;
   }
 }
 
@@ -221,23 +222,23 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
 TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (const double speed : {1e-6, 1e-3, 1.0}) {
-    Motion motion = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * contact_tolerance});
+    FreeFlight motion = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * contact_tolerance});
     motion.velocity = {0, 0, speed};
     motion.acceleration = {0, 0, -10};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
-    ASSERT_EQ(found.approach, Approach::touches) << speed;
+    ASSERT_EQ(found.status, ContactStatus::touches) << speed;
     // Up and down again. If the hop stays within the tolerance, the contact is after its top.
     EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
     EXPECT_GE(found.time, speed / 10 * 0.99) << speed;
   }
-  Motion falling = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * contact_tolerance});
+  FreeFlight falling = resting({1, 0, 0, 0}, {0, 0, 0.5 + 0.7 * contact_tolerance});
   falling.velocity = {0, 0, -1e-9};
-  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, contact_tolerance).approach, Approach::touches);
+  EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, contact_tolerance).status, ContactStatus::touches);
   EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, contact_tolerance).time, 0);
 }
 
 /// The same flight with a later start: position, velocity and rotation are those at that time.
-Motion told_from(const Motion& motion, const Vector& inertia, double start, double duration) {
+FreeFlight told_from(const FreeFlight& motion, const Vector& inertia, double start, double duration) {
   const RotationState state = rotation_at(motion, start).state;
   return {motion.position + start * (motion.velocity + start / 2 * motion.acceleration),
           motion.velocity + start * motion.acceleration, motion.acceleration,
@@ -253,16 +254,16 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
     const double start_of_a = stream.between(0, 0.25);
     const double start_of_b = stream.between(0, 0.25);
     const double begin = std::max(start_of_a, start_of_b) + stream.between(0, 0.125);
-    if (expected.approach == Approach::touches && expected.time <= begin) {
+    if (expected.status == ContactStatus::touches && expected.time <= begin) {
       continue;
     }
-    const Motion a = told_from(m.a.motion, m.a.body.properties.principal_inertia, start_of_a, m.duration);
-    const Motion b = told_from(m.b.motion, m.b.body.properties.principal_inertia, start_of_b, m.duration);
+    const FreeFlight a = told_from(m.a.motion, m.a.body.properties.principal_inertia, start_of_a, m.duration);
+    const FreeFlight b = told_from(m.b.motion, m.b.body.properties.principal_inertia, start_of_b, m.duration);
     const ShapePair pair(m.a.shape, m.b.shape);
     const TimeOfContact found = time_of_contact(pair, a, b, begin, std::min(a.end(), b.end()), contact_tolerance);
-    ASSERT_EQ(found.approach, expected.approach) << "seed " << seed;
+    ASSERT_EQ(found.status, expected.status) << "seed " << seed;
     EXPECT_GE(found.time, begin);
-    if (found.approach == Approach::touches) {
+    if (found.status == ContactStatus::touches) {
       ++touching;
       EXPECT_GT(true_distance(m, found.time), 0) << "seed " << seed;
       EXPECT_LE(true_distance(m, found.time), 1.01 * contact_tolerance) << "seed " << seed;
@@ -271,8 +272,8 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
     }
     // The result is also the same for a later start with the original motion.
     const TimeOfContact later = time_of_contact(pair, m.a.motion, m.b.motion, begin, m.duration, contact_tolerance);
-    EXPECT_EQ(later.approach, expected.approach) << "seed " << seed;
-    if (later.approach == Approach::touches) {
+    EXPECT_EQ(later.status, expected.status) << "seed " << seed;
+    if (later.status == ContactStatus::touches) {
       EXPECT_NEAR(later.time, expected.time, 100 * contact_tolerance) << "seed " << seed;
     }
   }
@@ -286,10 +287,10 @@ TEST(TimeOfContact, OfAFloorDoesNotDependOnWhereTheMotionStarts) {
     flight.motion.acceleration = {0, 0, -9.81};
     const TimeOfContact expected = time_of_contact(flight.shape, flight.motion, floor_at_0, 0, 3, contact_tolerance);
     const double start = stream.between(0, 0.3);
-    const Motion told = told_from(flight.motion, flight.body.properties.principal_inertia, start, 3);
+    const FreeFlight told = told_from(flight.motion, flight.body.properties.principal_inertia, start, 3);
     const TimeOfContact found =
         time_of_contact(flight.shape, told, floor_at_0, start + 0.0625, told.end(), contact_tolerance);
-    ASSERT_EQ(found.approach, Approach::touches) << "seed " << seed;
+    ASSERT_EQ(found.status, ContactStatus::touches) << "seed " << seed;
     // Two tolerances at about 8 m/s.
     EXPECT_NEAR(found.time, expected.time, contact_tolerance) << "seed " << seed;
   }
@@ -301,26 +302,26 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   const Vector inertia = unit::body_of(unit::box_points({1, 1, 1})).properties.principal_inertia;
   const ShapePair pair(cube, cube);
   const double gap = 0.5 * contact_tolerance;
-  const Motion below = resting({1, 0, 0, 0}, {0, 0, 0});
+  const FreeFlight below = resting({1, 0, 0, 0}, {0, 0, 0});
   for (const Vector& slide : {Vector(1, 0, 0), Vector(0, -1, 0), Vector(1, 1, 0)}) {
     for (const double rise : {1e-6, 1e-3, 0.5}) {
       for (const double overlap : {0.0, 0.5, 0.999}) {
-        Motion above = resting({1, 0, 0, 0}, Vector(overlap, 0, 1 + gap));
+        FreeFlight above = resting({1, 0, 0, 0}, Vector(overlap, 0, 1 + gap));
         above.velocity = slide + Vector(0, 0, rise);
         const TimeOfContact found = time_of_contact(pair, above, below, 0, 3, contact_tolerance);
-        EXPECT_EQ(found.approach, Approach::misses) << slide.transpose() << ", " << rise << ", " << overlap;
+        EXPECT_EQ(found.status, ContactStatus::misses) << slide.transpose() << ", " << rise << ", " << overlap;
       }
     }
   }
   // Edge on edge at a distance within the tolerance: one body rotates away about the edge, and slides along it.
   for (const double turning : {0.125, 1.0, 4.0}) {
-    Motion above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
+    FreeFlight above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
     above.velocity = Vector(turning / 2, 1, turning / 2);
     above.rotation = RotationPath(inertia, {{1, 0, 0, 0}, {0, turning, 0}}, 3);
     const TimeOfContact found = time_of_contact(pair, above, below, 0, 0.25, contact_tolerance);
-    EXPECT_TRUE(found.approach == Approach::misses || found.time > 0) << turning;
-    EXPECT_NE(found.approach, Approach::undecided) << turning;
-    EXPECT_NE(found.approach, Approach::overlaps) << turning;
+    EXPECT_TRUE(found.status == ContactStatus::misses || found.time > 0) << turning;
+    EXPECT_NE(found.status, ContactStatus::undecided) << turning;
+    EXPECT_NE(found.status, ContactStatus::overlaps) << turning;
   }
 }
 
@@ -332,22 +333,22 @@ TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
     properties::Stream stream = properties::stream_from(seed);
     const Meeting m = random_meeting(stream);
     const TimeOfContact first = found_of(m);
-    if (first.approach != Approach::touches) {
+    if (first.status != ContactStatus::touches) {
       continue;
     }
     ++struck;
     // Like an impact: one body gets a relative velocity along the normal, and the rotations do not change.
     const ShapePair pair(m.a.shape, m.b.shape);
     for (const double away : {16.0, 64.0}) {
-      Motion a = told_from(m.a.motion, m.a.body.properties.principal_inertia, first.time, m.duration);
-      const Motion b = told_from(m.b.motion, m.b.body.properties.principal_inertia, first.time, m.duration);
+      FreeFlight a = told_from(m.a.motion, m.a.body.properties.principal_inertia, first.time, m.duration);
+      const FreeFlight b = told_from(m.b.motion, m.b.body.properties.principal_inertia, first.time, m.duration);
       a.velocity += away * first.separation.normal;
       const TimeOfContact next = time_of_contact(pair, a, b, first.time, a.end(), contact_tolerance);
       // Corners move at about 2 ω = 16 m/s or more, so 64 m/s is faster than every corner.
       if (away == 64) {
-        EXPECT_EQ(next.approach, Approach::misses) << "seed " << seed;
+        EXPECT_EQ(next.status, ContactStatus::misses) << "seed " << seed;
       } else {
-        EXPECT_TRUE(next.approach == Approach::misses || next.time > first.time) << "seed " << seed;
+        EXPECT_TRUE(next.status == ContactStatus::misses || next.time > first.time) << "seed " << seed;
       }
     }
   }
@@ -356,16 +357,16 @@ TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
 
 TEST(TimeOfContact, SaysWhereItCannotTell) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 0, 1, contact_tolerance).approach,
-            Approach::overlaps);
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 0, 1, contact_tolerance).approach,
-            Approach::overlaps);  // in exact contact: not certain to be apart
-  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 0, 1, contact_tolerance).approach,
-            Approach::misses);
-  Motion falling = resting({1, 0, 0, 0}, {0, 0, 1});
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.25}), floor_at_0, 0, 1, contact_tolerance).status,
+            ContactStatus::overlaps);
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 0.5}), floor_at_0, 0, 1, contact_tolerance).status,
+            ContactStatus::overlaps);  // in exact contact: not certain to be apart
+  EXPECT_EQ(time_of_contact(cube, resting({1, 0, 0, 0}, {0, 0, 1}), floor_at_0, 0, 1, contact_tolerance).status,
+            ContactStatus::misses);
+  FreeFlight falling = resting({1, 0, 0, 0}, {0, 0, 1});
   falling.velocity = {0, 0, -1};
   const TimeOfContact finest = time_of_contact(cube, falling, floor_at_0, 0, 1, 1e-18);
-  EXPECT_EQ(finest.approach, Approach::undecided);
+  EXPECT_EQ(finest.status, ContactStatus::undecided);
   EXPECT_LT(finest.time, 0.5);
 }
 

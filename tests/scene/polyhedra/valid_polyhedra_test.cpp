@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/scene/polyhedra/tumbling.hpp>
+#include <carom/scene/polyhedra/polyhedron_simulation.hpp>
 #include <carom/scene/polyhedra/valid_polyhedra.hpp>
 
 #include "bodies.hpp"
@@ -25,7 +25,7 @@ using unit::Vector;
 
 /// A cube above a floor, another cube beside it, and a ball.
 Scene three() {
-  Scene scene = carom::unit::empty_scene(Model::frictionless, {1, 0, 0, 0, 0}, 1);
+  Scene scene = carom::unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 1);
   add_plane(scene, {0, 0, 2}, {0, 0, -1});
   add_polyhedron(scene, centred_box({1, 1, 1}), {0, 0, 0});
   add_polyhedron(scene, centred_box({1, 1, 1}), {2, 0, 0});
@@ -156,7 +156,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
     // A scene without a defect runs.
     one.part(scene);
     EXPECT_EQ(defect_of(scene), "") << one.begins;
-    EXPECT_NO_THROW(Tumbling{scene}) << one.begins;
+    EXPECT_NO_THROW(PolyhedronSimulation{scene}) << one.begins;
   }
 }
 
@@ -174,7 +174,7 @@ TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
       << defect_of(scene);
   scene.spheres[1].position.z() = 0;
   EXPECT_EQ(defect_of(scene), "");
-  EXPECT_NO_THROW(Tumbling{scene});
+  EXPECT_NO_THROW(PolyhedronSimulation{scene});
   scene.polyhedra.clear();
   scene.spheres[1].position = {0, 2.5, 0};
   EXPECT_EQ(defect_of(scene), "");

@@ -29,7 +29,7 @@ TEST(Exec, ChangesNoVerdict) {
     const Subject here = *subject_named(name);
     const Subject there = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + ' ' + name, {});
     EXPECT_EQ(there.name, here.name);
-    EXPECT_EQ(there.model, here.model);
+    EXPECT_EQ(there.law, here.law);
     EXPECT_EQ(there.precision, here.precision);
     EXPECT_EQ(there.shows_collision_matrix, here.shows_collision_matrix);
     const properties::GateReport report = gate_of({here, there}, 2);
@@ -66,7 +66,7 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
 }
 
 /// A law that does not read friction need not refuse an invalid friction. It must refuse every other defect.
-TEST(Exec, NeedNotRefuseWhatItsModelDoesNotRead) {
+TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   Subject careless = *subject_named("frictionless-double");
   careless.open = [] {
     return Session(

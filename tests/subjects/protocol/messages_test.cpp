@@ -34,7 +34,7 @@ void expect_format_error(const F& f, const std::string& says) {
 
 TEST(Introduction, IsReadAsTheProtocolHasIt) {
   const Introduction read = introduction_from(sound);
-  EXPECT_EQ(read, (Introduction{"rapier3d", "0.21.0", Precision::binary32, Model::frictionless, {}}));
+  EXPECT_EQ(read, (Introduction{"rapier3d", "0.21.0", Precision::binary32, Law::frictionless, {}}));
   const Introduction deviating = introduction_from(with(sound, "}", R"(,"deviates":["push"],"more":1})"));
   EXPECT_EQ(deviating.deviates, std::vector<std::string>{"push"});
   EXPECT_EQ(introduction_from(introduction_reply(read)), read);
@@ -48,12 +48,12 @@ TEST(Introduction, MaySayThatAMatrixIsShown) {
   EXPECT_EQ(introduction_from(introduction_reply(shown)), shown);
 }
 
-TEST(Introduction, MayClaimEveryModelOfTheProtocol) {
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).model, Model::reflection);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).model, Model::any);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "sticking")).model, Model::sticking);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "rough")).model, Model::rough);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "coulomb")).model, Model::coulomb);
+TEST(Introduction, MayClaimEveryLawOfTheProtocol) {
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).law, Law::reflection);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).law, Law::any);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "sticking")).law, Law::sticking);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "rough")).law, Law::rough);
+  EXPECT_EQ(introduction_from(with(sound, "frictionless", "coulomb")).law, Law::coulomb);
 }
 
 TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {

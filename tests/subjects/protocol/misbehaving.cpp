@@ -164,10 +164,10 @@ int run(int argc, char** argv) {
   std::signal(SIGTERM, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   subjects::protocol::Introduction introduction{
-      argc > 2 ? argv[2] : std::to_string(getpid()), "1", Precision::binary64, Model::frictionless, {}};
+      argc > 2 ? argv[2] : std::to_string(getpid()), "1", Precision::binary64, Law::frictionless, {}};
   const auto of_matrix = matrix_faults().find(fault);
   if (of_matrix != matrix_faults().end()) {
-    introduction.model = Model::reflection;
+    introduction.law = Law::reflection;
     introduction.matrix = true;
   }
   Session session = subjects::subject_named(introduction.matrix ? "reflection-double" : "frictionless-double")->open();

@@ -97,7 +97,7 @@ int run(int argc, char** argv) {
     }
     if (request.at("cmd") == "start") {
       std::cout << subjects::protocol::introduction_reply(
-                       {"misreading", "1", Precision::binary64, Model::frictionless, {}})
+                       {"misreading", "1", Precision::binary64, Law::frictionless, {}})
                 << std::flush;
       continue;
     }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <vector>
+
+#include <carom/properties/features/feature.hpp>
+
+/// The groups of the catalogue, one file each.
+namespace carom::properties::features {
+
+[[nodiscard]] std::vector<Feature> of_orientation();
+[[nodiscard]] std::vector<Feature> of_inertia();
+[[nodiscard]] std::vector<Feature> of_velocities();
+[[nodiscard]] std::vector<Feature> of_lever_arm();
+[[nodiscard]] std::vector<Feature> of_normal();
+[[nodiscard]] std::vector<Feature> of_coefficients();
+[[nodiscard]] std::vector<Feature> of_both_bodies();
+[[nodiscard]] std::vector<Feature> of_approach();
+[[nodiscard]] std::vector<Feature> magnitudes();
+
+/// Reasons for the decades that a feature allows.
+inline constexpr std::string_view zero_is_in_no_decade = "zero is in no decade";
+inline constexpr std::string_view is_that_number = "the feature fixes this number";
+inline constexpr std::string_view ratio_is_one = "the ratio is 1";
+inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10¹⁰ kg";
+
+/// A relation between the bodies, or between both and the contact.
+[[nodiscard]] Feature pair_relation(const char* name, const char* statement, const char* why,
+                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&),
+                                    Limits limits = {});
+
+/// A feature of one body. The catalogue lists it for A and for B.
+struct BodyFeature {
+  const char* name;
+  FeatureKind kind;
+  const char* statement;
+  const char* why;
+  bool of_movable_bodies;  // the body is made movable first
+  bool (*is_present)(const Collision&, const Body&);
+  void (*make)(Stream&, Collision&, Body&);
+  Limits limits = {};
+  bool makes_immovable = false;
+};
+
+/// Each feature as "a.NAME" and "b.NAME".
+[[nodiscard]] std::vector<Feature> for_both(const std::vector<BodyFeature>& features);
+
+}  // namespace carom::properties::features

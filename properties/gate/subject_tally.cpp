@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+
+#include <carom/properties/gate/subject_tally.hpp>
+
+namespace carom::properties {
+namespace {
+
+using oracles::Approach;
+
+bool is_isotropic(const Body& body) {
+  return body.immovable || (body.principal_inertia[0] == body.principal_inertia[1] &&
+                            body.principal_inertia[1] == body.principal_inertia[2]);
+}
+
+}  // namespace
+
+Coverage coverage_of(const JudgedCase& judged_case) {
+  Coverage coverage;
+  coverage.cases = 1;
+  for (const Adjustment adjustment : all_adjustments) {
+    coverage.adjusted[adjustment] = judged_case.generated().adjusted[adjustment] ? 1 : 0;
+  }
+  if (!judged_case.is_valid()) {
+    coverage.invalid = 1;
+    return coverage;
+  }
+  const Collision& c = judged_case.generated().collision;
+  const Approach approach = judged_case.exact().approach();
+  coverage.colliding = approach == Approach::colliding ? 1 : 0;
+  coverage.resting = approach == Approach::resting ? 1 : 0;
+  coverage.separating = approach == Approach::separating ? 1 : 0;
+  coverage.inert = approach == Approach::inert ? 1 : 0;
+  coverage.one_immovable = c.a.immovable != c.b.immovable ? 1 : 0;
+  coverage.spheres =
+      approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1
+                                                                                                                  : 0;
+  coverage.head_on = approach == Approach::colliding && judged_case.exact().is_head_on() ? 1 : 0;
+  coverage.inelastic = c.restitution == 0 ? 1 : 0;
+  coverage.elastic = c.restitution == 1 ? 1 : 0;
+  return coverage;
+}
+
+void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
+                       const Judgement& judgement, const Claim& claim) {
+  FamilyResult& result = families[family];
+  ++result.cases;
+  result.skipped += judgement.skipped ? 1 : 0;
+  if (judgement.unjudged) {
+    ++result.unjudged[*judgement.unjudged];
+  }
+  if (judgement.accuracy && judgement.accuracy->is_decided) {
+    result.worst_backward_error =
+        std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+    if (judged_case.exact().approach() == Approach::colliding && judgement.accuracy->is_of_truth) {
+      digits.add(judgement.accuracy->digits());
+    }
+  }
+  bool any_violated = false;
+  for (const NamedVerdict& named : judgement.verdicts) {
+    any_violated = any_violated || named.verdict.status == Status::violated;
+    add(family, index, judged_case.generated(), answer, named);
+  }
+  result.violated += any_violated ? 1 : 0;
+}
+
+void SubjectTally::add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer,
+                       const NamedVerdict& named) {
+  counts.resize(families.size());
+  std::vector<Count>& counts_of_family = counts[family];
+  counts_of_family.resize(all_invariants().size());
+  Count& count = counts_of_family[static_cast<std::size_t>(named.invariant - all_invariants().data())];
+  switch (named.verdict.status) {
+    case Status::holds:
+      ++count.holds;
+      break;
+    case Status::skipped:
+      ++count.skipped;
+      break;
+    case Status::violated:
+      ++count.violated;
+      families[family].keep_if_worst(std::string(named.invariant->name), {index, one, named.verdict, answer});
+      keep_if_first(named.invariant->is_of_one_answer() ? families[family].first_violated
+                                                        : families[family].first_violated_by_relations,
+                    {index, one, answer});
+      if (index < families[family].sampled) {
+        families[family].violated_cases[std::string(named.invariant->name)].push_back(index);
+      }
+  }
+}
+
+void SubjectTally::name_counts() {
+  for (std::size_t f = 0; f < counts.size(); ++f) {
+    for (std::size_t i = 0; i < counts[f].size(); ++i) {
+      const Count& count = counts[f][i];
+      if (count.holds + count.violated + count.skipped > 0) {
+        families[f].counts[std::string(all_invariants()[i].name)] += count;
+      }
+    }
+  }
+  counts.clear();
+}
+
+SubjectTally& SubjectTally::operator+=(const SubjectTally& other) {
+  if (error.empty()) {
+    error = other.error;
+  }
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    families[f] += other.families[f];
+  }
+  digits += other.digits;
+  nanoseconds_per_solve += other.nanoseconds_per_solve;
+  return *this;
+}
+
+}  // namespace carom::properties

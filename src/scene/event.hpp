@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include <carom/collision/collision.hpp>
+#include <carom/collision/outcome.hpp>
+#include <carom/scene/arc.hpp>
+#include <carom/scene/prediction.hpp>
+
+/// The events of a scene, and what is counted during a run.
+namespace carom::scene {
+
+/// An error that ends a run early. For example, bodies overlap at the beginning, impacts at one instant do not end, or
+/// a position is no longer accurate enough.
+class SceneError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class EventKind : std::uint8_t {
+  impact,        // of two bodies
+  plane_impact,  // of a body and a plane
+  capture,       // a sphere stays on a level plane
+  phase,         // slipping, rolling or spinning has ended
+  renewal,       // a polyhedron has turned so far that its state is stored again; its motion continues
+};
+
+[[nodiscard]] constexpr std::string_view name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::impact:
+      return "impact";
+    case EventKind::plane_impact:
+      return "plane_impact";
+    case EventKind::capture:
+      return "capture";
+    case EventKind::renewal:
+      return "renewal";
+    case EventKind::phase:
+      break;
+  }
+  return "phase";
+}
+
+/// The motion of a body before and after an event.
+struct Change {
+  std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
+  Arc before, after;
+  /// If the scene has polyhedra: body axes to world axes at the event, and the angular velocity before it [rad/s].
+  Quaternion<double> orientation{1, 0, 0, 0};
+  Vector3<double> angular_velocity_before{0, 0, 0};
+};
+
+struct Event {
+  double time = 0;  // [s]
+  EventKind kind = EventKind::impact;
+  Change a;
+  std::optional<Change> b;   // only for an impact of two bodies
+  std::uint32_t plane = 0;   // only for plane impacts, captures and phases
+  bool has_impulse = false;  // of impacts and captures: whether the bodies approached
+  Collision collision;       // of impacts and captures; its origin is the contact point
+  Outcome<double> outcome;   // as the law gave it; `after` has the stored velocities
+  /// The approach was slower than the least speed, and the body cannot rest. The impact is elastic by the law, and the
+  /// body is then sent off at `least_speed`.
+  bool was_slow = false;
+};
+
+/// Numbers that are counted during a run.
+struct Counts {
+  unsigned long long events = 0;
+  unsigned long long impacts = 0;  // of two bodies
+  unsigned long long plane_impacts = 0;
+  unsigned long long captures = 0;
+  unsigned long long phases = 0;
+  unsigned long long renewals = 0;
+  unsigned long long crossings = 0;       // of cells; these are not events of the scene
+  unsigned long long slow = 0;            // impacts that were sent off at the least speed
+  unsigned long long moved_clear = 0;     // stored positions that were moved by ulps because of a third body
+  unsigned long long at_one_instant = 0;  // largest number of impacts at one time
+  unsigned long long advances = 0;        // of conservative advancement
+  ExactCounts exact;
+};
+
+}  // namespace carom::scene

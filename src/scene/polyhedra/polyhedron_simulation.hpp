@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/scene/event.hpp>
+#include <carom/scene/polyhedra/distance.hpp>
+#include <carom/scene/polyhedra/tumbling_body.hpp>
+#include <carom/scene/prediction.hpp>
+#include <carom/scene/scene.hpp>
+#include <carom/scene/scene_state.hpp>
+
+namespace carom::scene {
+
+/// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
+/// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact that sends the bodies off at
+/// that speed. So a body that would lie hops instead, no higher than that speed allows.
+///
+/// A contact is the instant at which two bodies are within `contact_tolerance` and do not draw apart. Conservative
+/// advancement finds it (time_of_contact.hpp). Up to and at the contact, the bodies are certain not to touch. When a
+/// body has turned by `longest_turn`, a renewal stores its state, and the motion continues from there. Of events at one
+/// time renewals are first and planes last. Within one kind, the event with the lower body indices is first. The
+/// impulse acts at the middle of the contact patch if the whole patch approaches, otherwise at the corner that
+/// approaches fastest. Other corners that approach have their own impact at the same time.
+class PolyhedronSimulation {
+ public:
+  /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.
+  explicit PolyhedronSimulation(Scene scene);
+
+  /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
+  /// Throws SceneError if impacts at one instant do not end, or if bodies are no longer certain to be apart. Also
+  /// throws it if positions are no longer accurate to the tolerance. The last event remains in effect.
+  [[nodiscard]] const Event* advance();
+
+  /// Makes `advance` end early and return null once a stop is requested.
+  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] double time() const { return now_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] std::size_t size() const { return bodies_.size(); }
+  [[nodiscard]] SceneState state() const;
+
+ private:
+  /// The known future of two bodies, or of a body and a plane.
+  struct Prediction {
+    double time = never;  // [s]
+    bool touches =
+        false;  // whether they touch at that time; if not, they are apart until then, and the search continues
+  };
+  /// The kinds of times. At one time the kind that is listed first comes first.
+  enum class Kind : std::uint8_t { renewal, bodies, plane };
+  struct Where {
+    Kind kind = Kind::bodies;
+    std::size_t first = 0, second = 0;  // `second` is a body or a plane
+  };
+
+  void look_around(std::size_t body);
+  [[nodiscard]] Prediction predict(std::size_t a, std::size_t b);
+  [[nodiscard]] Prediction predict_plane(std::size_t body, std::size_t plane);
+  template <class TimeOfContactFrom>
+  [[nodiscard]] Prediction predict_from(double begin, double known_until, const Where& where,
+                                        const TimeOfContactFrom& time_of_contact_from);
+  [[nodiscard]] Prediction& prediction_of(std::size_t a, std::size_t b);
+  [[nodiscard]] std::pair<Where, Prediction> next() const;
+  void look_again(const Where& where);
+
+  void renew(std::size_t body);
+  void strike(const Where& where);
+  [[nodiscard]] Body struck_body(std::size_t body, const Vector3<double>& point) const;
+  [[nodiscard]] Collision collision_at(const Where& where, const Vector3<double>& normal,
+                                       const Vector3<double>& point) const;
+  [[nodiscard]] Collision fastest_approach(const Where& where) const;
+  [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
+  /// Whether the impulse of the law is exactly along the normal. The lever arm of a ball is then along it too, so only
+  /// rounding would turn a ball.
+  [[nodiscard]] bool is_along_normal(const Where& where) const;
+  void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
+  void begin_change(Change& change, std::size_t body) const;
+  /// Stores the state of the body at this time, with these velocities. The next step searches for the consequences.
+  void end_change(Change& change, const BodyVelocity<double>& velocity);
+  [[nodiscard]] double tolerance_of(const Where& where) const;
+  [[nodiscard]] std::string description_of(const Where& where) const;
+
+  Scene scene_;
+  std::stop_token stop_;
+  double now_ = 0;
+  std::vector<TumblingBody> bodies_;
+  std::vector<std::size_t> changed_;             // bodies whose predictions must be found again
+  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; created once they have come near
+  std::vector<Prediction> predictions_;          // indexed like pairs_
+  std::vector<HalfSpace> grounds_;               // one for each plane
+  std::vector<Reach> reaches_;                   // of body i and plane k at i · planes + k
+  std::vector<Prediction> plane_predictions_;    // indexed like reaches_
+  Event event_;
+  Counts counts_;
+  unsigned long long at_this_instant_ = 0;
+};
+
+}  // namespace carom::scene

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <carom/collision/expects.hpp>
+#include <carom/scene/grid_around.hpp>
+#include <carom/scene/sphere_simulation.hpp>
+#include <carom/scene/valid_scene.hpp>
+
+namespace carom::scene {
+namespace {
+
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
+constexpr unsigned long long most_at_one_instant = 100'000;
+
+/// The number of cell crossings between two checks for a stop request, if no other event happens.
+constexpr unsigned long long crossings_between_looks = 4096;
+
+std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_along_axis = plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0 &&
+                               gravity[(axis + 1) % 3] == 0 && gravity[(axis + 2) % 3] == 0;
+    if (is_along_axis && plane.normal[axis] * gravity[axis] < 0) {
+      return Level{axis, plane.normal[axis] > 0 ? 1.0 : -1.0, std::abs(gravity[axis])};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SphereSimulation::SphereSimulation(Scene scene) : scene_(std::move(scene)), spheres_(scene_) {
+  CAROM_EXPECTS(has_valid_fields(scene_));
+  if (!scene_.polyhedra.empty()) {
+    throw std::logic_error("SphereSimulation: this class does not support polyhedra; use PolyhedronSimulation");
+  }
+  const std::size_t count = scene_.spheres.size();
+  agenda_.resize(count);
+  neighbours_.resize(count);
+  for (const Plane& plane : scene_.planes) {
+    levels_.push_back(level_of(plane, scene_.gravity));
+  }
+  for (const SphereType& type : spheres_.types()) {
+    for (const Plane& plane : scene_.planes) {
+      reaches_.push_back({plane.normal, reach_of(plane.normal, plane.point, type.radius)});
+    }
+  }
+  std::vector<Path> paths;
+  for (std::size_t i = 0; i < count; ++i) {
+    paths.push_back(spheres_.path(i));
+  }
+  grid_ = grid_around(paths);
+  queue_ = EventQueue(count);
+  for (Index i = 0; i < count; ++i) {
+    grid_.put(i, paths[i].position);
+    find_planes_in_reach(i);
+  }
+  for (Index i = 0; i < count; ++i) {
+    if (!is_clear(i)) {
+      throw SceneError("sphere " + std::to_string(i) + " (" + scene_.spheres[i].name +
+                       ") overlaps another body at t = 0; move one of them");
+    }
+  }
+  for (Index i = 0; i < count; ++i) {
+    plan(i);
+  }
+}
+
+std::size_t SphereSimulation::bytes_per_sphere() const {
+  const std::size_t count = std::max<std::size_t>(size(), 1);
+  return spheres_.bytes_per_sphere() + sizeof(Agenda) + (grid_.bytes() + queue_.bytes()) / count;
+}
+
+SceneState SphereSimulation::state() const {
+  SceneState state{&scene_, now_, {}, levels_};
+  state.bodies.reserve(size());
+  for (std::size_t sphere = 0; sphere < size(); ++sphere) {
+    BodyState body;
+    body.mass = mass(sphere);
+    body.principal_inertia = Vector3<double>::Constant(moment(sphere));
+    body.arc = arc(sphere);
+    body.angular_velocity = angular_velocity_at(body.arc, now_);
+    state.bodies.push_back(body);
+  }
+  return state;
+}
+
+bool SphereSimulation::is_stale(const Agenda& agenda) const {
+  return agenda.kind == Kind::sphere && agenda_[agenda.partner].version != agenda.partner_version;
+}
+
+void SphereSimulation::leave_cell(Index sphere) {
+  const Agenda& agenda = agenda_[sphere];
+  now_ = std::max(now_, agenda.when.earliest);
+  grid_.move(sphere, {now_, agenda.leaving_axis, agenda.leaving_step});
+  find_planes_in_reach(sphere);
+  ++counts_.crossings;
+  plan(sphere);
+}
+
+std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
+  for (;;) {
+    const Index first = queue_.first();
+    if (agenda_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
+      return std::nullopt;
+    }
+    const Agenda planned = agenda_[first];
+    if (planned.kind == Kind::crossing) {
+      leave_cell(first);
+      if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    if (is_stale(planned)) {
+      plan(first);
+      continue;
+    }
+    Index chosen = first;
+    std::optional<Index> unsettled;
+    std::optional<Index> leaves;  // leaves its cell before all others within the bounds
+    queue_.for_each_until(planned.when.latest, [&](Index other) {
+      const Agenda& its = agenda_[other];
+      if (other == first || unsettled) {
+        return;
+      }
+      if (its.kind == Kind::crossing) {
+        if (!leaves || its.when.earliest < agenda_[*leaves].when.earliest) {
+          leaves = other;
+        }
+        return;
+      }
+      if (is_stale(its)) {
+        unsettled = other;
+        return;
+      }
+      const Agenda& best = agenda_[chosen];
+      const bool is_same =
+          its.kind == Kind::sphere && best.kind == Kind::sphere && its.partner == chosen && best.partner == other;
+      if (!is_same && comes_before(other, chosen)) {
+        chosen = other;
+      }
+    });
+    if (unsettled) {
+      plan(*unsettled);
+    } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
+      // Before any other event: by then a fast sphere would be far outside its cell.
+      leave_cell(*leaves);
+    } else {
+      return chosen;
+    }
+  }
+}
+
+const Event* SphereSimulation::advance() {
+  const std::optional<Index> next = next_sphere();
+  if (!next) {
+    now_ = stop_.stop_requested() ? now_ : scene_.duration;
+    return nullptr;
+  }
+  const Planned planned = agenda_[*next].planned();
+  const double time = std::max(now_, planned.when.earliest);
+  at_this_instant_ = time == event_.time && counts_.events > 0 ? at_this_instant_ + 1 : 1;
+  now_ = time;
+  event_.time = time;
+  event_.has_impulse = false;
+  event_.was_slow = false;
+  event_.b.reset();
+  ++counts_.events;
+  switch (planned.kind) {
+    case Kind::sphere:
+      count_instant("spheres", *next);
+      strike(std::min(*next, planned.partner), std::max(*next, planned.partner));
+      break;
+    case Kind::plane:
+      count_instant("a plane", *next);
+      strike_plane(*next, planned.partner);
+      break;
+    case Kind::phase:
+    case Kind::crossing:
+    case Kind::none:
+      end_phase(*next);
+      break;
+  }
+  return &event_;
+}
+
+void SphereSimulation::count_instant(const char* what, Index sphere) {
+  counts_.at_one_instant = std::max(counts_.at_one_instant, at_this_instant_);
+  if (at_this_instant_ > most_at_one_instant) {
+    throw SceneError("more than " + std::to_string(most_at_one_instant) +
+                     " impacts at the instant t = " + std::to_string(now_) + "; the last is of sphere " +
+                     std::to_string(sphere) + " (" + scene_.spheres[sphere].name + ") with " + what);
+  }
+}
+
+}  // namespace carom::scene

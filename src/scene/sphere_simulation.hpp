@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/outcome.hpp>
+#include <carom/scene/cell_grid.hpp>
+#include <carom/scene/event.hpp>
+#include <carom/scene/event_queue.hpp>
+#include <carom/scene/impact.hpp>
+#include <carom/scene/level_motion.hpp>
+#include <carom/scene/prediction.hpp>
+#include <carom/scene/scene.hpp>
+#include <carom/scene/scene_state.hpp>
+#include <carom/scene/sphere_store.hpp>
+
+namespace carom::scene {
+
+class QuickLook;
+
+/// Runs a scene that has only spheres, one event at a time, in certified order. If the bounds of prediction.hpp do not
+/// decide, an exact method does. Of two events at one instant, the event with the lower sphere indices is first. An
+/// event takes place at a double that is not after its exact time. The difference is within the width of the bounds. So
+/// no bodies ever overlap, and stored positions are rounded so that none do (placing.hpp).
+///
+/// Each sphere keeps only its own next event, which is checked again when it is due. An event may no longer hold
+/// because its partner has been struck. Such an event is too early and never too late (B. Lubachevsky 1991).
+class SphereSimulation {
+ public:
+  /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.
+  explicit SphereSimulation(Scene scene);
+
+  /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
+  /// impacts at one instant do not end, or if a sphere is too far away for its cell to be known. Also throws it if no
+  /// position within 3 ulps is free of overlap.
+  [[nodiscard]] const Event* advance();
+
+  /// Makes `advance` end early and return null once a stop is requested.
+  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] double time() const { return now_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] std::size_t size() const { return spheres_.size(); }
+  [[nodiscard]] Arc arc(std::size_t sphere) const { return spheres_.arc(sphere); }
+  [[nodiscard]] double mass(std::size_t sphere) const { return spheres_.type(sphere).mass; }
+  [[nodiscard]] double moment(std::size_t sphere) const { return spheres_.type(sphere).moment; }
+  /// How spheres rest on a plane; nothing if they cannot.
+  [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
+  [[nodiscard]] std::size_t bytes_per_sphere() const;
+  [[nodiscard]] SceneState state() const;
+
+ private:
+  using Index = std::uint32_t;
+  enum class Kind : std::uint8_t { none, sphere, plane, phase, crossing };
+  struct Planned {
+    TimeBounds when;
+    Kind kind = Kind::none;
+    Index partner = 0;
+  };
+  /// The loop's data of a sphere: half a cache line.
+  struct alignas(32) Agenda {
+    TimeBounds when;  // of the next event
+    Index partner = 0;
+    Index partner_version = 0;
+    Index version = 0;  // of the sphere's path
+    Kind kind = Kind::none;
+    std::int8_t leaving_axis = 0, leaving_step = 0;
+    std::uint8_t planes_in_reach =
+        0;  // planes that can be touched from within the cell: bit k is plane k, bit 7 is any plane from 7 on
+
+    [[nodiscard]] Planned planned() const { return {when, kind, partner}; }
+  };
+  static_assert(sizeof(Agenda) == 32);
+
+  /// Finds and stores the next event of the sphere. False if the sphere may overlap another body.
+  [[nodiscard]] bool plan_or_doubt(Index sphere);
+  /// Finds and stores the next event of a sphere that is known to overlap nothing.
+  void plan(Index sphere);
+  /// Finds and stores the next event of a sphere with a new stored state. If it overlaps a body, it is first moved
+  /// clear.
+  void place_and_plan(Index sphere);
+  void keep(Index sphere, const Planned& planned);
+  /// Replaces `best` with the event if the event comes first. Precondition: both are events of the sphere.
+  void keep_first(Index sphere, const Planned& planned, Planned& best);
+  /// Moves those of the first `count` of neighbours_ that may come near to the front, in their order. Returns their
+  /// number.
+  [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
+  [[nodiscard]] bool is_stale(const Agenda& agenda) const;
+  [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
+  [[nodiscard]] bool comes_before(Index left, Index right);
+  void leave_cell(Index sphere);
+  /// Finds the planes that the sphere can touch before it leaves its cell.
+  void find_planes_in_reach(Index sphere);
+  /// Calls use(k) for each plane k that the sphere can touch before it leaves its cell.
+  template <class Use>
+  void for_planes_in_reach(Index sphere, const Use& use) const;
+  [[nodiscard]] const Reach& reach(Index sphere, std::size_t plane) const;
+  [[nodiscard]] std::optional<Index> next_sphere();
+
+  void strike(Index a, Index b);
+  void strike_plane(Index sphere, Index plane);
+  void end_phase(Index sphere);
+  void count_instant(const char* what, Index sphere);
+
+  [[nodiscard]] Arc moved_on(Index sphere, const Vector3<double>& away) const;
+  void set_flying(Index sphere, const Arc& arc, const BodyVelocity<double>& velocity);
+  void set_arc(Index sphere, const Arc& arc);
+  [[nodiscard]] bool is_clear(Index sphere);
+  void move_clear(Index sphere);
+  [[nodiscard]] StruckSphere struck_sphere(Index sphere, const Vector3<double>& position, const Arc& before) const;
+  void begin_change(Change& change, Index sphere) const;
+
+  Scene scene_;
+  std::stop_token stop_;
+  double now_ = 0;
+  SphereStore spheres_;
+  std::vector<Agenda> agenda_;
+  std::vector<Reach> reaches_;     // of type i and plane k at i · planes + k
+  std::vector<Index> neighbours_;  // of the sphere that is being planned
+  std::vector<std::optional<Level>> levels_;
+  CellGrid grid_;
+  EventQueue queue_;
+  Event event_;
+  Counts counts_;
+  unsigned long long at_this_instant_ = 0;
+};
+
+}  // namespace carom::scene

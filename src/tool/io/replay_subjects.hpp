@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <carom/properties/gate/witness.hpp>
+#include <carom/properties/trial/restarts.hpp>
+#include <carom/properties/trial/trial.hpp>
+
+#include "io/input_file.hpp"
+#include "io/usage_error.hpp"
+
+/// The subjects that a replay judges.
+namespace carom::tool {
+
+/// The result of a replayed collision.
+struct ReplayedCase {
+  Answer answer;
+  properties::Judgement judgement;
+  // For a program:
+  std::size_t spellings = 0;           // number of spellings in which it was asked; 0 for a subject of this process
+  std::size_t violated_spellings = 0;  // number of spellings with a violation
+  std::string spelt = {};              // the collision in the spelling of the answer
+};
+
+/// A subject with its sessions, for all collisions that it is judged on. A program has a session for each spelling of a
+/// request, because a fault may lie in its reader.
+class ReplaySubject {
+ public:
+  /// Throws UsageError if the subject cannot be run.
+  ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
+                const std::stop_token& stop);
+
+  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const properties::Claim& claim() const { return claim_; }
+
+  /// The result in the first spelling with a violation, otherwise in the first spelling. For a program, `memoryless`
+  /// holds if the answers in all spellings are the same. Throws UsageError.
+  [[nodiscard]] ReplayedCase judge(const properties::Case& one);
+
+  /// Throws UsageError if a session does not end properly.
+  void close();
+
+ private:
+  Subject subject_;
+  properties::Claim claim_;
+  // On the heap, because sessions refer to the elements and this object may be moved.
+  std::unique_ptr<std::deque<properties::Restarts>> restarts_ = std::make_unique<std::deque<properties::Restarts>>();
+  std::vector<Session> sessions_;  // one for each spelling of a program, otherwise one
+};
+
+/// The subjects of a replay. Each one is started once.
+class ReplaySubjects {
+ public:
+  /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply
+  /// of a program.
+  ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick,
+                 std::stop_token stop);
+
+  /// The subject that judges this collision; nullptr if there is none. Throws UsageError.
+  [[nodiscard]] ReplaySubject* subject_for(const ReadCollision& read);
+
+  /// The reason why no subject judges the collision although the file names one; otherwise empty. A file cannot start
+  /// programs. Only the user of this program can.
+  [[nodiscard]] std::string why_none(const ReadCollision& read) const;
+
+  void close();
+
+ private:
+  ReplaySubject& named(const std::string& name);
+
+  std::string subject_;
+  double timeout_seconds_;
+  std::stop_token stop_;
+  oracles::Yardstick yardstick_;
+  std::map<std::string, ReplaySubject> open_;
+};
+
+[[nodiscard]] bool is_violated(const properties::Judgement& judgement);
+
+}  // namespace carom::tool

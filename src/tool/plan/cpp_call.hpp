@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <carom/properties/plan/candidate.hpp>
+
+namespace carom::tool::plan {
+
+/// The call of a built-in method in C++, in a program that links carom::impulse.
+struct CppCall {
+  std::vector<std::string> headers;  // "carom/impulse/frictionless.hpp"
+  std::string reads;                 // the input of the call, "const carom::Collision& collision"
+  std::string call;                  // "carom::impulse::frictionless(carom::impulse::make_contact<float>(collision))"
+};
+
+/// A built-in method as a candidate, with its call.
+struct CallableCandidate {
+  properties::plan::Candidate candidate;
+  CppCall code;
+};
+
+/// The method of this subject. None if plans never choose it, because its basis fails near head-on. Throws
+/// std::logic_error if no method has this name.
+[[nodiscard]] std::optional<CallableCandidate> callable_candidate(const Subject& subject);
+
+/// Every method that a plan may choose.
+[[nodiscard]] std::vector<CallableCandidate> callable_candidates();
+
+}  // namespace carom::tool::plan

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+
+#include <carom/oracles/filters/bounded_case_bounds.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/numbers/dual.hpp>
+
+#include "covers.hpp"
+#include "normalised_collision.hpp"
+#include "support/exact.hpp"
+
+/// Checks the constants of oracles/filters/bounded_case_bounds.hpp by its inequalities.
+namespace carom::bounds {
+namespace {
+
+namespace bounded_case_bounds = oracles::bounded_case_bounds;
+
+constexpr double ten_to_minus_6 = 1e-6;
+
+/// N·V⁻: (1), (2).
+TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
+  const int n = oracles::normal_velocity_before(normalised_collision<RoundingCount>()).roundings();
+  EXPECT_EQ(bounded_case_bounds::roundings_of_normal_velocity, n);
+  // The relative rounding error of S is less than a thousandth.
+  EXPECT_TRUE(
+      covers(ten_to_minus_6, n * u / (1 - n * u) * 1.001 / bounded_case_bounds::known_share_of_normal_velocity, 8));
+  EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
+}
+
+/// A sum of 30 absolute values of products and differences, on both sides.
+TEST(BoundedCase, LeaveRoomForTheRoundingOfTheGrazingBand) {
+  constexpr double roundings = 30 + 8;
+  EXPECT_GE(bounded_case_bounds::factor_for_grazing * (1 - roundings * u), 1 + roundings * u);
+}
+
+/// The collision with masses and moments as inputs of differentiation.
+template <class S, class Convert>
+BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracles::Dual<S, 8>> c,
+                                                           const Convert& convert) {
+  std::size_t next = 0;
+  for (BasicBody<oracles::Dual<S, 8>>* body : {&c.a, &c.b}) {
+    body->mass = oracles::Dual<S, 8>::input(convert(body->mass), next++);
+    for (int i = 0; i < 3; ++i) {
+      body->principal_inertia[i] = oracles::Dual<S, 8>::input(convert(body->principal_inertia[i]), next++);
+    }
+  }
+  return c;
+}
+
+/// (1) Σ_j x_j ∂K/∂x_j = −K over masses and moments, exactly.
+TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
+  using T = oracles::Dual<oracles::Rational, 8>;
+  properties::Stream stream = properties::stream_from(71);
+  for (int i = 0; i < 50; ++i) {
+    Collision c = unit::small_collision(stream);
+    c.b.immovable = false;
+    const auto lifted = map_numbers<T>(c, [](double x) { return T(oracles::Rational(x)); });
+    const auto k =
+        oracles::response_matrix(with_inertia_as_inputs<oracles::Rational>(lifted, [](const T& x) { return x.value; }));
+    for (const T& entry : k.reshaped()) {
+      oracles::Rational sum(0);
+      std::size_t next = 0;
+      for (const Body* body : {&c.a, &c.b}) {
+        sum += oracles::Rational(body->mass) * entry.derivative[next++];
+        for (int axis = 0; axis < 3; ++axis) {
+          sum += oracles::Rational(body->principal_inertia[axis]) * entry.derivative[next++];
+        }
+      }
+      EXPECT_EQ(sum, -entry.value) << i;
+    }
+  }
+}
+
+/// Σ over masses and moments of the errors of ‖∂K/∂x_j‖_F |x_j|, in u, for ‖r‖ = 1 and min I = 1.
+double error_of_matrix_sensitivity() {
+  using T = oracles::Dual<RoundingCount, 8>;
+  const Matrix3<T> k = oracles::response_matrix(
+      with_inertia_as_inputs<RoundingCount>(normalised_collision<T>(), [](const T& x) { return x.value; }));
+  double sum = 0;
+  for (std::size_t j = 0; j < 8; ++j) {
+    double squares = 0;
+    for (const T& entry : k.reshaped()) {
+      squares += entry.derivative[j].error() * entry.derivative[j].error();
+    }
+    sum += std::sqrt(squares);
+  }
+  return sum;
+}
+
+/// The collision matrix's sensitivity: (2), (3).
+TEST(BoundedCase, CoverTheRoundingOfTheMatrixSensitivity) {
+  const double needed = error_of_matrix_sensitivity();
+  EXPECT_TRUE(covers(bounded_case_bounds::roundings_of_matrix_sensitivity, needed, 4));
+  EXPECT_LE(
+      bounded_case_bounds::roundings_of_matrix_sensitivity * u / bounded_case_bounds::least_share_of_largest_terms,
+      0.25);
+}
+
+}  // namespace
+}  // namespace carom::bounds

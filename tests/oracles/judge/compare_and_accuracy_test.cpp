@@ -1,0 +1,589 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
+
+#include "equality/wild.hpp"
+#include "support/effort.hpp"
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+
+/// The exact outcome rounded to the precision, with one vector moved by a multiple of its allowance. Both verdicts
+/// occur, many of them close.
+ReportedOutcome perturbed(const ExactCase& exact_case, Law law, double allowance, properties::Stream& stream) {
+  ReportedOutcome outcome =
+      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
+  const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
+  // 0.01 to 1000, uniform in its logarithm.
+  const double times = std::pow(10.0, stream.between(-2, 3));
+  const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(law, allowance)[k]);
+  *vectors(outcome)[k] += step.cast<long double>();
+  return outcome;
+}
+
+struct Counts {
+  int holds = 0;
+  int violated = 0;
+};
+
+/// The printed numbers of a violation come from enclosures, if these decide. Enclosures are accurate to 2^-100 of the
+/// terms. A violation exceeds 32 ulps of extended of the terms, which is 2^-59 for 64 bits. So the numbers agree to
+/// twice that quotient of the residual, and to an ulp.
+void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
+  constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
+  if (filtered != exact) {
+    EXPECT_NEAR(filtered, exact, of_residual * residual + 0x1p-52 * std::abs(exact)) << name;
+  }
+}
+
+/// One equation with the filter and without it.
+void expect_same_verdict(const std::string& name, const Equation& equation, Relation relation,
+                         const ExactCase& exact_case, const LiftedOutcome& outcome, Yardstick yardstick,
+                         std::map<std::string, Counts>& counts) {
+  yardstick.filtered = true;
+  const Comparison filtered = compare(equation, relation, exact_case, outcome, yardstick);
+  yardstick.filtered = false;
+  const Comparison exact = compare(equation, relation, exact_case, outcome, yardstick);
+  ASSERT_EQ(filtered.holds, exact.holds) << name;
+  EXPECT_EQ(filtered.allowed, exact.allowed) << name;
+  expect_printed_alike(filtered.residual, exact.residual, exact.residual, name);
+  ASSERT_EQ(filtered.left.size(), exact.left.size()) << name;
+  for (std::size_t i = 0; i < exact.left.size(); ++i) {
+    expect_printed_alike(filtered.left[i], exact.left[i], exact.residual, name);
+    expect_printed_alike(filtered.right[i], exact.right[i], exact.residual, name);
+  }
+  ++(exact.holds ? counts[name].holds : counts[name].violated);
+}
+
+void expect_same_verdicts(const ExactCase& exact_case, const LiftedOutcome& outcome, const Yardstick& yardstick,
+                          std::map<std::string, Counts>& counts) {
+  const Collision& collision = exact_case.collision();
+  const auto hold = [&](const std::string& name, Relation relation, const Equation& equation) {
+    expect_same_verdict(name, equation, relation, exact_case, outcome, yardstick, counts);
+  };
+  if (!collision.a.immovable && !collision.b.immovable) {
+    hold("linear_momentum", Relation::equal, equation::LinearMomentum{});
+    hold("total_angular_momentum", Relation::equal, equation::TotalAngularMomentum{});
+  }
+  if (!collision.a.immovable) {
+    hold("angular_momentum", Relation::equal, equation::AngularMomentum{true});
+  }
+  hold("untouched", Relation::equal, equation::Untouched{OutcomeVector::velocity_of_b});
+  hold("restitution", Relation::equal, equation::Restitution{});
+  hold("non_penetration", Relation::at_least, equation::NonPenetration{});
+  hold("reflection_plane", Relation::equal, equation::ReflectionPlane{});
+  if (exact_case.approach() != Approach::inert) {
+    const bool off_a = reads_impulse_off_a(exact_case.collision());
+    hold("push", Relation::at_least, equation::Push{off_a});
+    hold("frictionless_direction", Relation::equal, equation::FrictionlessDirection{off_a});
+    hold("energy", Relation::at_most, equation::Energy{});
+  }
+}
+
+class Filter : public testing::TestWithParam<Precision> {};
+
+TEST_P(Filter, DecidesAsExactArithmeticDoes) {
+  std::map<std::string, Counts> counts;
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(GetParam());
+  properties::Stream stream = properties::stream_from(71);
+  int pairs = 0;
+  for (const auto& [family, one] : unit::valid_cases(20)) {
+    const ExactCase exact_case(one.collision);
+    for (int i = 0; i < 10; ++i) {
+      const Law law = i % 2 == 0 ? Law::frictionless : Law::reflection;
+      const LiftedOutcome outcome(perturbed(exact_case, law, yardstick.allowance(), stream));
+      expect_same_verdicts(exact_case, outcome, yardstick, counts);
+      ASSERT_FALSE(testing::Test::HasFatalFailure()) << family << ' ' << i;
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, 4000);
+  for (const auto& [name, count] : counts) {
+    EXPECT_GT(count.holds, 20) << name;
+    EXPECT_GT(count.violated, 5) << name;  // a push is violated only if there is hardly any
+  }
+  EXPECT_EQ(counts.size(), 10U);
+}
+
+TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
+  Yardstick filtered;
+  filtered.unit_roundoff = unit_roundoff(GetParam());
+  Yardstick exact = filtered;
+  exact.filtered = false;
+  properties::Stream stream = properties::stream_from(72);
+  Counts counts;
+  for (const auto& [family, one] : unit::valid_cases(10)) {
+    const ExactCase exact_case(one.collision);
+    for (int i = 0; i < 10; ++i) {
+      const Law law = i % 2 == 0 ? Law::frictionless : Law::reflection;
+      const LiftedOutcome outcome(perturbed(exact_case, law, filtered.allowance(), stream));
+      const Accuracy by_filter = accuracy(exact_case, law, outcome, filtered);
+      const Accuracy by_rationals = accuracy(exact_case, law, outcome, exact);
+      EXPECT_EQ(by_filter.allowed, by_rationals.allowed) << family << ' ' << i;
+      for (const OutcomeVector k : all_outcome_vectors) {
+        ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
+        // These numbers are only printed. If the filter decides, each component is accurate to a thousandth of itself
+        // or of the allowance.
+        EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
+                    0x1p-9 * (by_rationals.error[k] + filtered.allowance() * by_filter.sensitivity[k]))
+            << family << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(counts.holds, 500);
+  EXPECT_GT(counts.violated, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+/// A ball at rest beside a wall. The allowance of the restitution is known by hand.
+TEST(Compare, AllowsWhatTheScaleSays) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  yardstick.limit_ulps = 32;
+  // g = N·V⁺ + ε N·V⁻ with N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0), ε = 1. The terms |∂g/∂x||x| are: d for
+  // N (V⁺ + εV⁻ along y), 1 for ε, and 1 for v_A⁻. The outputs contribute ‖∂g/∂v_A⁺‖ (‖v_A⁺‖ + ‖v_A⁻‖) = 2 + d. w
+  // contributes nothing, because the lever arm is zero. The scale is 4 + 2d.
+  const double allowed = yardstick.allowance() * 4;
+  for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
+                                                                             {allowed * 0.99, true},
+                                                                             {-allowed * 0.99, true},
+                                                                             {allowed * 1.01, false},
+                                                                             {-allowed * 1.01, false}}) {
+    ReportedOutcome outcome;
+    outcome.a.velocity = {0, 1 + static_cast<long double>(deviation), 0};
+    const Comparison comparison =
+        compare(equation::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+    EXPECT_EQ(comparison.holds, holds) << deviation;
+    if (!holds) {
+      EXPECT_NEAR(comparison.allowed, allowed, 0x1p-40 * allowed);
+      EXPECT_NEAR(comparison.residual, std::abs(deviation), 0x1p-9 * allowed);  // 1 + deviation is rounded to extended
+      EXPECT_EQ(comparison.right, std::vector<double>{1});
+    }
+  }
+}
+
+TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Outcome<Rational> outcome = exact_case.truth(Law::frictionless).outcome;
+  const equation::Restitution restitution;
+  EXPECT_TRUE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
+  EXPECT_FALSE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+}
+
+TEST(Compare, KnowsTheSideOfAnInequality) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  const equation::NonPenetration non_penetration;
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = 0x1p-53;
+    yardstick.filtered = filtered;
+    for (const double after : {-0.5, 0.5}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, after, 0};
+      const LiftedOutcome lifted(outcome);
+      EXPECT_EQ(compare(non_penetration, Relation::at_least, exact_case, lifted, yardstick).holds, after > 0);
+      EXPECT_EQ(compare(non_penetration, Relation::at_most, exact_case, lifted, yardstick).holds, after < 0);
+      EXPECT_FALSE(compare(non_penetration, Relation::equal, exact_case, lifted, yardstick).holds);
+    }
+  }
+}
+
+/// A valid collision whose fields each have their own exponent, up to `most`.
+Collision extreme_collision(properties::Stream& stream, int most) {
+  const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
+  return equality::scaled_fields(c, most, stream);
+}
+
+/// Judges collisions with exponents up to `most`, and exits with 0 if the filter made no difference.
+void judge_extreme_collisions(int most) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  std::map<std::string, Counts> counts;
+  properties::Stream stream = properties::stream_from(static_cast<std::uint64_t>(most));
+  for (int i = 0; i < unit::effort(60); ++i) {
+    const ExactCase exact_case(extreme_collision(stream, most));
+    const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()),
+                                                         [](double x) { return static_cast<long double>(x); }));
+    expect_same_verdicts(exact_case, outcome, yardstick, counts);
+    for (const Law law : laws_with_truth) {
+      // Exact derivatives in ℚ(√s) of numbers with thousands of digits take seconds.
+      if (law == Law::rough && i % 12 != 0) {
+        continue;
+      }
+      Yardstick exact = yardstick;
+      exact.filtered = false;
+      EXPECT_EQ(accuracy(exact_case, law, outcome, yardstick).allowed,
+                accuracy(exact_case, law, outcome, exact).allowed);
+    }
+    EXPECT_TRUE(exact_case.is_definite());
+  }
+  std::exit(testing::Test::HasFailure() ? 1 : 0);
+}
+
+/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
+TEST(Judge, SurvivesEveryValidCollision) {
+  for (const int most : {50, 150, 300, 600, 1000}) {
+    EXPECT_EXIT(judge_extreme_collisions(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
+  }
+}
+
+/// A slip along each axis, and a lever arm off the normal along each axis.
+TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
+  for (const bool filtered : {true, false}) {
+    for (int normal = 0; normal < 3; ++normal) {
+      Collision c;
+      c.normal = Vector3<double>::Unit(normal);
+      c.point = -c.normal;
+      c.a.velocity = -c.normal;
+      c.b.immovable = true;
+      EXPECT_TRUE(ExactCase(c, filtered).is_head_on()) << normal;
+      EXPECT_TRUE(ExactCase(c, filtered).is_collinear()) << normal;
+      for (int other = 1; other < 3; ++other) {
+        Collision slips = c;
+        slips.a.velocity[(normal + other) % 3] = 0x1p-60;
+        EXPECT_FALSE(ExactCase(slips, filtered).is_head_on()) << normal << other;
+        Collision off = c;
+        off.point[(normal + other) % 3] = 0x1p-60;
+        EXPECT_FALSE(ExactCase(off, filtered).is_collinear()) << normal << other;
+      }
+    }
+  }
+}
+
+/// (3) of first_order_is_blind: w, r and N are parallel. A change of one quantity changes N·V⁻ by less than products
+/// of changes do.
+TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
+  Collision c;
+  c.normal = {0, 0, 1};
+  c.point = {0, 0, 0.5};
+  c.a.velocity = {0, 0, -1};
+  c.b.immovable = true;
+  for (const double spin : {0x1p+3, 0x1p+9}) {
+    c.a.angular_velocity = {0, 0, spin};
+    EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin > 256) << spin;
+  }
+}
+
+TEST(NormAtMost, IsExactAtTheBound) {
+  EXPECT_TRUE(norm_at_most(std::vector<Rational>{3, 4}, 5));
+  EXPECT_FALSE(norm_at_most(std::vector<Rational>{3, 4}, std::nextafter(5.0, 0)));
+  EXPECT_TRUE(norm_at_most(std::vector<Rational>{}, 0));
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5.001), true);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 4.999), false);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
+}
+
+/// The ball rebounds with a change of 2 m/s, so an outcome wrong by 2 · 10⁻³ has an error of exactly 10⁻³. The next
+/// extended number is not within it, although both round to the same relative error.
+TEST(Accuracy, HasDigitsUpToTheLastBit) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::extended);
+  yardstick.digits = 3;
+  const auto bound = static_cast<long double>(yardstick.allowance());
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    for (const int ulps : {-1, 0, 1}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + 2 * bound + static_cast<long double>(ulps) * 0x1p-63L, 0};
+      const Accuracy result = accuracy(exact_case, Law::frictionless, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.has_digits, ulps <= 0) << filtered << ' ' << ulps;
+    }
+  }
+}
+
+TEST(Accuracy, CountsUlpsAndDigits) {
+  // A unit mass hits a wall head-on at ε = 1: Δ = (0, 2, 0) for A. The outcome has an error of 2^-20.
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 1 + 0x1p-20L, 0};
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-24;
+  const Accuracy result = accuracy(exact_case, Law::frictionless, LiftedOutcome(outcome), yardstick);
+  EXPECT_EQ(result.error[OutcomeVector::velocity_of_a], 0x1p-20);
+  EXPECT_EQ(result.relative_error, 0x1p-21);
+  EXPECT_NEAR(result.digits(), 21 * std::log10(2.0), 1e-12);  // 21 log10 2 = 6.3, to a few roundings
+  EXPECT_EQ(result.backward_error(0x1p-24), 0x1p-20 / (0x1p-24 * result.sensitivity[OutcomeVector::velocity_of_a]));
+  outcome.a.velocity = {0, 1, 0};
+  const Accuracy exact = accuracy(exact_case, Law::frictionless, LiftedOutcome(outcome), yardstick);
+  EXPECT_EQ(exact.backward_error(0x1p-24), 0);
+  EXPECT_EQ(exact.digits(), 40);
+}
+
+/// On both sides of limit · u · sensitivity, with the filter and without.
+TEST(Accuracy, AllowsWhatTheYardstickSays) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = 0x1p-30;
+    yardstick.limit_ulps = 8;
+    yardstick.filtered = filtered;
+    const double allowed = 0x1p-27 * exact_case.sensitivity(Law::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
+    for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
+      ReportedOutcome outcome;
+      outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
+      const Accuracy result = accuracy(exact_case, Law::reflection, LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
+    }
+  }
+}
+
+/// A spin of binary32 that underflows has an error of half of η, the least number, regardless of its own size.
+TEST(Yardstick, KnowsWhatUnderflowTakes) {
+  constexpr long double least = std::numeric_limits<float>::denorm_min();
+  Collision c;
+  c.a.position = {0, 1, 0};
+  c.b.position = {0, -1, 0};
+  ReportedOutcome outcome;
+  outcome.a.velocity = {least, 0, 0};
+  outcome.b.velocity = {-least, 0, 0};
+  outcome.a.angular_velocity = {0, 0, 2 * least};  // from r × m Δv = (0, 0, η)
+  for (const bool filtered : {false, true}) {
+    Yardstick yardstick;
+    yardstick.filtered = filtered;
+    yardstick.unit_roundoff = unit_roundoff(Precision::binary32);
+    const auto holds = [&] {
+      return compare(equation::AngularMomentum{true}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+          .holds;
+    };
+    EXPECT_FALSE(holds());
+    yardstick.least_size = least_size_known_to_a_roundoff(Precision::binary32);
+    EXPECT_TRUE(holds());
+    outcome.a.angular_velocity[2] = 4000 * least;
+    EXPECT_FALSE(holds());
+    outcome.a.angular_velocity[2] = 2 * least;
+  }
+}
+
+/// limit · u of binary32 times a finite scale overflows, so neither judge can decide.
+TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
+  Collision c;
+  c.a.mass = 0x1p500;
+  c.b.mass = 0x1p500;
+  c.a.velocity = {0, -0x1p495, 0};
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 0x1p490L, 0};
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary32);
+  const auto momentum = [&] {
+    return compare(equation::LinearMomentum{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+  };
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    yardstick.limit_ulps = default_limit_ulps;
+    EXPECT_TRUE(momentum().is_decided) << "the scale itself is in range";
+    EXPECT_FALSE(momentum().holds);
+    yardstick.limit_ulps = 1e16;
+    EXPECT_FALSE(momentum().is_decided) << filtered;
+  }
+  c.a.mass = 1;
+  c.a.velocity = {0, -0x1p1015, 0};
+  c.b.immovable = true;
+  const ExactCase fast(c);
+  const auto decided = [&] { return accuracy(fast, Law::frictionless, LiftedOutcome(outcome), yardstick).is_decided; };
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    yardstick.limit_ulps = default_limit_ulps;
+    EXPECT_TRUE(decided());
+    yardstick.limit_ulps = 1e16;
+    EXPECT_FALSE(decided()) << filtered;
+  }
+}
+
+/// At the other end of the range the product loses its digits or is zero.
+TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  EXPECT_EQ(yardstick.allowed(0), 0);
+  EXPECT_EQ(yardstick.allowed(1), 0x1p-48);
+  EXPECT_TRUE(yardstick.allowed(0x1p-974).has_value());
+  for (const double scale : {0x1p-975, 0x1p-1022, 0x1p-1074}) {
+    EXPECT_FALSE(yardstick.allowed(scale).has_value()) << scale;
+  }
+  for (const double scale : {HUGE_VAL, std::nan("")}) {
+    EXPECT_FALSE(yardstick.allowed(scale).has_value()) << scale;
+    EXPECT_FALSE(Yardstick().allowed(scale).has_value()) << "nor where nothing is allowed";
+  }
+  EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
+}
+
+/// A ball that slides along a wall and approaches it by less than rounding. Sticking stops the slip or leaves it, and
+/// both outcomes are accepted. An outcome between the two is not.
+TEST(Accuracy, TakesEitherOfTwoAnswers) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  for (const double approach : {-0x1p-60, 0x1p-60}) {
+    Collision c;
+    c.normal = {0x1p-10, 1, 0};
+    c.a.velocity = {1, -0x1p-10 + approach, 0};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.approach(), approach < 0 ? Approach::colliding : Approach::separating);
+    ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
+    EXPECT_FALSE(exact_case.has_two_answers(Law::reflection, yardstick.allowance()));
+    for (const bool filtered : {false, true}) {
+      yardstick.filtered = filtered;
+      const auto result_for = [&](const Outcome<double>& outcome) {
+        const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+        return accuracy(exact_case, Law::sticking, LiftedOutcome(reported), yardstick);
+      };
+      Outcome<double> stopped = unchanged(c);
+      stopped.a.velocity.setZero();
+      Outcome<double> between = unchanged(c);
+      between.a.velocity *= 0.5;
+      EXPECT_TRUE(result_for(unchanged(c)).is_allowed());
+      EXPECT_EQ(result_for(unchanged(c)).is_of_truth, approach > 0);
+      EXPECT_TRUE(result_for(stopped).is_allowed());
+      EXPECT_EQ(result_for(stopped).is_of_truth, approach < 0);
+      EXPECT_FALSE(result_for(between).is_allowed());
+    }
+  }
+}
+
+/// If an outcome equals one of the two answers exactly, that answer is reported, although the other also passes.
+TEST(Accuracy, IsThatOfTheNearerAnswer) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  Collision c;
+  c.normal = {0x1p-10, 1, 0};
+  c.b.velocity = {1, -0x1p-10, 0};
+  c.a.velocity = {1 + 0x1p-51, -0x1p-10 - 0x3p-62, 0};  // N·V⁻ = −2⁻⁶²
+  const ExactCase exact_case(c);
+  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
+  const auto unmoved = map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  EXPECT_EQ(
+      accuracy(exact_case, Law::sticking, LiftedOutcome(unmoved), yardstick).backward_error(yardstick.unit_roundoff),
+      0);
+}
+
+/// A body that moves with a driven wall. The energy from the wall has no slope. The rounding of its velocity is far
+/// more than the change by the impulse.
+TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-24;
+  Collision c;
+  c.b.immovable = true;
+  c.a.velocity = c.b.velocity = {0x1p+25, -0x1p+27, 0};
+  c.a.position = {0, 0, 1};
+  c.normal = {1, 0, 0};
+  c.b.angular_velocity = {0, -0x1p-11, 0};
+  c.b.position = {0, 0, 0x1p-14};
+  Outcome<long double> after =
+      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  const auto holds = [&] {
+    return compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(after), yardstick).holds;
+  };
+  after.a.angular_velocity[1] = 0x1p-27;
+  EXPECT_TRUE(holds());
+  after.a.angular_velocity[1] = 0x1p+10;
+  EXPECT_FALSE(holds());
+}
+
+/// A ball keeps its velocity of length 5 and gains d across the normal: F = m (d, 0, 0), g = ‖N × F‖² = (N m d)² and
+/// N·F = 0. The allowance divided by (N m)² is a times a sum of four terms. v⁻ contributes 10 d. v⁺ contributes 20 d,
+/// because its uncertainty is the sum of both lengths. m and N contribute 2 d² each, which is negligible. The square
+/// of the uncertainty of F contributes a 10² (1 + μ²). With μ = 7, d² ≤ a (30 d + 5000 a) gives d ≤ 87.3 a.
+TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  const double allowance = yardstick.allowance();
+  for (const bool of_a : {true, false}) {
+    Collision c;
+    Body& ball = of_a ? c.a : c.b;
+    (of_a ? c.b : c.a).immovable = true;
+    ball.mass = 0x1p+10;
+    ball.velocity = {0, of_a ? -5.0 : 5.0, 0};
+    c.normal = {0, 0x1p+5, 0};
+    c.friction = 7;
+    for (const double times : {85.0, 90.0}) {
+      ReportedOutcome outcome =
+          map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+      (of_a ? outcome.a : outcome.b).velocity[0] = times * allowance;
+      for (const bool filtered : {false, true}) {
+        yardstick.filtered = filtered;
+        const Comparison result =
+            compare(equation::FrictionCone{of_a}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+        EXPECT_EQ(result.holds, times < 87.3) << of_a << ' ' << times;
+      }
+    }
+  }
+}
+
+/// A ball slips a little: F = (d, 0, 2), and ‖N × F‖ = d is below an ulp of binary64 of its velocity v. With μ
+/// N·F = d − t a the two sides differ by 2 d t a − (t a)². The allowance is the sum of three terms: a times 2 d (‖v⁺‖
+/// + 2 ‖v⁻‖) for the velocities; a times 4 d for N; 7.3 a² for the square of the uncertainty of F. Since a = d / 16,
+/// the sum is 12.5 d a. So t ≤ 8.5 passes.
+TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::extended);
+  constexpr double d = 0x1p-55;
+  for (const double times : {7.5, 9.5}) {
+    Collision c;
+    c.b.immovable = true;
+    c.a.velocity = {0.75, 0.5, -1};
+    c.normal = {0, 0, 1};
+    c.friction = (d - times * yardstick.allowance()) / 2;
+    ReportedOutcome outcome =
+        map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+    outcome.a.velocity += Vector3<long double>(d, 0, 2);
+    for (const bool filtered : {false, true}) {
+      yardstick.filtered = filtered;
+      const Comparison result =
+          compare(equation::FrictionCone{true}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+      EXPECT_EQ(result.holds, times < 8.5) << times << ' ' << result.residual << ' ' << result.allowed;
+    }
+  }
+}
+
+TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
+  Collision c;
+  c.a.velocity = {0, 1, 0};
+  c.b.immovable = true;
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 2, 0};
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  const Accuracy result = accuracy(ExactCase(c), Law::reflection, LiftedOutcome(outcome), yardstick);
+  EXPECT_EQ(result.allowed, (PerVector<bool>{false, true, true, true}));
+  EXPECT_TRUE(std::isinf(result.relative_error));
+}
+
+}  // namespace
+}  // namespace carom::oracles

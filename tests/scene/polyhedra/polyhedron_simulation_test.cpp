@@ -1,0 +1,757 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <carom/scene/polyhedra/polyhedron_simulation.hpp>
+#include <carom/scene/polyhedra/scene_simulation.hpp>
+#include <carom/scene/polyhedra/valid_polyhedra.hpp>
+
+#include "bodies.hpp"
+#include "scene/scenes.hpp"
+
+namespace carom::scene {
+namespace {
+
+using carom::unit::add_plane;
+using carom::unit::add_polyhedron;
+using carom::unit::add_sphere;
+using carom::unit::box_of_bodies;
+using carom::unit::centred_box;
+using carom::unit::centred_tetrahedron;
+using carom::unit::empty_scene;
+using unit::Points;
+using unit::Vector;
+
+constexpr MaterialPair elastic{1, 0, 0, 0, 0};
+constexpr double g = 9.81;
+
+std::vector<Event> events_of(const Scene& scene, std::size_t most) {
+  return carom::unit::events_of<PolyhedronSimulation>(scene, most);
+}
+
+MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0, 0}; }
+
+Quaternion<double> turn_about(const Vector& axis, double angle) {
+  const Vector v = std::sin(angle / 2) * axis.normalized();
+  return {std::cos(angle / 2), v.x(), v.y(), v.z()};
+}
+
+/// A body over a floor at z = 0, under gravity.
+Scene over_a_floor(const Points& corners, const Vector& position, double restitution) {
+  Scene scene = empty_scene(Law::frictionless, with_restitution(restitution), 3);
+  scene.gravity = {0, 0, -g};
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_polyhedron(scene, corners, position);
+  return scene;
+}
+
+const Points unit_cube = centred_box({1, 1, 1});
+const double cube_radius = std::sqrt(0.75);
+
+TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFollowed) {
+  Scene scene = over_a_floor(unit_cube, {0, 0, 2.5}, 0.5);
+  const std::vector<Event> events = events_of(scene, 300);
+  ASSERT_EQ(events.size(), 300U);
+  const double nearness = 1.01 * contact_tolerance * cube_radius;
+  // It falls from 2 m until it is within the contact tolerance.
+  EXPECT_LE(events[0].time, std::sqrt(2 * 2 / g));
+  EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
+  double speed = g * events[0].time;
+  std::size_t bounce = 0;
+  // Until it rises no higher than 10⁻⁶ R: 0.25ⁿ · 2 m, n = 10.6.
+  for (; bounce < 10; ++bounce) {
+    const Event& event = events[bounce];
+    EXPECT_EQ(event.kind, EventKind::plane_impact);
+    EXPECT_FALSE(event.was_slow) << bounce;
+    // The speed of a fall is g times its time. If its height changes by a tolerance, the speed is √(v² ± 2 g
+    // tolerance), a change of ± g tolerance/v. The rounding of g t, for t up to 2 s, adds to this.
+    EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
+    speed = event.a.after.path.velocity.z();
+    // The impact is at the middle of the face. The remaining rotation is the rounding error of a lever arm of 2⁻⁵³.
+    EXPECT_LE(event.a.after.turning.angular_velocity.norm(), 0x1p-46) << bounce;
+    const double fall = events[bounce + 1].time - event.time;
+    EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
+  }
+  // Now it hops, at most 10⁻⁶ of its radius above the tolerance that it starts from. Slow hops have exactly this
+  // height. Rounding rotates it by at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
+  const double greatest = default_capture_height * cube_radius;
+  int slow = 0;
+  for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
+    const double up = events[hop].a.after.path.velocity.z();
+    EXPECT_LE(up * up / (2 * g), greatest * (1 + 1e-9)) << hop;
+    EXPECT_GT(up, 0) << hop;
+    EXPECT_LE(events[hop].a.after.path.position.z(), 0.5 + nearness) << hop;
+    EXPECT_GT(events[hop].a.after.path.position.z(), 0.5) << hop;
+    if (events[hop].was_slow) {
+      ++slow;
+      EXPECT_NEAR(up * up / (2 * g), greatest, 1e-9 * greatest) << hop;
+    }
+  }
+  EXPECT_GT(slow, 100);
+}
+
+/// By hand: λ = 1/m + (r × n)·(r × n)/I of a cube, whose moments are all m/6; j = −(1 + ε) v/λ.
+TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
+  for (const Quaternion<double>& orientation :
+       {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
+        turn_about({1, 2, 3}, 1), turn_about({-3, 1, 0.5}, 2)}) {
+    SCOPED_TRACE(testing::PrintToString(orientation.transpose()));
+    Scene scene = over_a_floor(unit_cube, {3, -2, 4}, 0.75);
+    scene.polyhedra[0].orientation = 7 * orientation;  // of any length
+    const std::vector<Event> events = events_of(scene, 1);
+    ASSERT_EQ(events.size(), 1U);
+    const Matrix3<double> turn = unit::matrix_of(orientation);
+    double lowest = 0;
+    for (const Vector& corner : unit_cube) {
+      lowest = std::min(lowest, (turn * corner).z());
+    }
+    Vector arm = Vector::Zero();
+    int count = 0;
+    for (const Vector& corner : unit_cube) {
+      if ((turn * corner).z() < lowest + 1e-12) {
+        arm += turn * corner;
+        ++count;
+      }
+    }
+    arm /= count;
+    const Event& event = events[0];
+    const double nearness = 1.01 * contact_tolerance * cube_radius;
+    EXPECT_LE(event.time, std::sqrt(2 * (4 + lowest) / g) + 0x1p-50);
+    EXPECT_GE(event.time, std::sqrt(2 * (4 + lowest - nearness) / g));
+    const double speed = -g * event.time;
+    const Vector torque = arm.cross(Vector(0, 0, 1));
+    const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
+    // The contact point is midway between body and floor, so lever arms have an error of half a tolerance. It is
+    // multiplied by a speed of about 8 m/s and by 6 for the moment.
+    EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
+    EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
+    EXPECT_EQ(event.a.after.path.velocity.x(), 0);
+    EXPECT_LE((event.a.orientation - orientation).norm(), 1e-15);
+  }
+}
+
+/// A rod moves away from a slab and swings its end into it. Their bounding balls overlap and recede all the time.
+TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
+  for (const bool is_rod_first : {true, false}) {
+    Scene scene = empty_scene(Law::frictionless, elastic, 3);
+    const auto add_rod = [&] {
+      add_polyhedron(scene, centred_box({0.125, 0.0625, 2}), {0, 0, 0}, {-0.0625, 0, 0}, {0, 1, 0});
+    };
+    const auto add_slab = [&] { add_polyhedron(scene, centred_box({0.125, 4, 4}), {0.5625, 0, 0}); };
+    if (is_rod_first) {
+      add_rod();
+      add_slab();
+    } else {
+      add_slab();
+      add_rod();
+    }
+    const std::vector<Event> events = events_of(scene, 1);
+    ASSERT_EQ(events.size(), 1U);
+    // The rod's corner (1/16, ·, 1) rotates about y: x = cos/16 + sin − t/16 reaches the slab's face at 1/2.
+    const auto gap = [](double t) { return 0.5 - (std::cos(t) / 16 + std::sin(t) - t / 16); };
+    double low = 0;
+    double high = 1;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (gap(middle) > 0 ? low : high) = middle;
+    }
+    // A contact is early by up to the tolerance, at a speed of cos t − 1/16 − sin/16 > 3/4.
+    EXPECT_LE(events[0].time, low + 1e-15);
+    EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
+    EXPECT_EQ(events[0].kind, EventKind::impact);
+  }
+}
+
+/// Balls move in the same way in a scene with polyhedra and in a scene without: walls, balls, the same law.
+TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
+  for (const Law law : {Law::frictionless, Law::rough, Law::coulomb, Law::sticking, Law::reflection}) {
+    SCOPED_TRACE(name_of(law));
+    Scene scene = empty_scene(law, {0.75, 0.25, 0.5, 0, 0}, 8);
+    add_plane(scene, {2, 0, 0}, {-3, 0, 0});
+    add_plane(scene, {-1, 0, 0}, {3, 0, 0});
+    add_plane(scene, {0, 1, 0}, {0, -0.75, 0});
+    add_plane(scene, {0, -1, 0}, {0, 0.75, 0});
+    add_sphere(scene, 0.5, {-1.5, 0, 0}, {1, 0.0625, 0});
+    add_sphere(scene, 0.25, {0.5, 0.125, 0}, {-1, 0, 0});
+    add_sphere(scene, 0.375, {2, -0.125, 0}, {-0.5, 0, 0});
+    scene.spheres[1].angular_velocity = {1, -2, 3};
+    const std::vector<Event> expected = carom::unit::events_of(scene, 8);
+    add_polyhedron(scene, centred_box({0.5, 0.5, 0.5}), {0, 0, 50}, {0, 0, 1}, {1, 2, 3});
+    const std::vector<Event> found = events_of(scene, 8);
+    ASSERT_EQ(expected.size(), 8U);
+    ASSERT_EQ(found.size(), 8U);
+    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges differences by 1 + 2 l/R, at
+    // most 8 for paths of 1 m. In 8 impacts, each of three bodies has two or three in a row, so they stay below 2⁻³⁰
+    // 8⁴.
+    const double tolerance = 0x1p-18;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
+      EXPECT_EQ(found[k].kind, expected[k].kind) << k;
+      EXPECT_NEAR(found[k].time, expected[k].time, tolerance) << k;
+      const auto near = [&](const Change& one, const Change& other) {
+        EXPECT_LE((one.after.path.velocity - other.after.path.velocity).norm(), tolerance) << k;
+        EXPECT_LE((one.after.turning.angular_velocity - other.after.turning.angular_velocity).norm(), 8 * tolerance)
+            << k;
+        EXPECT_EQ(one.after.path.radius, other.after.path.radius);
+      };
+      near(found[k].a, expected[k].a);
+      ASSERT_EQ(found[k].b.has_value(), expected[k].b.has_value());
+      if (found[k].b) {
+        EXPECT_EQ(found[k].b->body, expected[k].b->body) << k;
+        near(*found[k].b, *expected[k].b);
+      }
+    }
+  }
+}
+
+TEST(PolyhedronSimulation, ABallThatMeetsACubesFaceSharesItsSpeed) {
+  // Both orders of A and B. The cube and the ball each have a mass of 8.
+  Scene scene = empty_scene(Law::frictionless, elastic, 4);
+  add_sphere(scene, 0.5, {-3, 0, 0}, {2, 0, 0});
+  scene.spheres[0].density = 8 / (4.0 / 3 * std::numbers::pi * 0.125);
+  scene.spheres[0].angular_velocity = {0.1, 0.2, 0.3};
+  add_polyhedron(scene, centred_box({2, 2, 2}), {0, 0, 0});
+  const std::vector<Event> events = events_of(scene, 5);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_LE(events[0].time, 0.75);
+  EXPECT_GE(events[0].time, 0.75 - contact_tolerance * 0.5 / 2 * 1.01);
+  // The masses are right within some ulps, and the lever arms within half a tolerance.
+  EXPECT_NEAR(events[0].a.after.path.velocity.x(), 0, 1e-9);
+  EXPECT_NEAR(events[0].b->after.path.velocity.x(), 2, 1e-9);
+  EXPECT_EQ(events[0].a.after.turning.angular_velocity, Vector(0.1, 0.2, 0.3));
+}
+
+TEST(PolyhedronSimulation, WithoutFrictionNoBallChangesItsSpin) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    SCOPED_TRACE(name_of(precision));
+    int of_balls = 0;
+    int with_polyhedra = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      Scene scene = box_of_bodies(Law::frictionless, {0.9, 0, 0, 0, 0}, 3, 5, seed, true);
+      scene.precision = precision;
+      scene.gravity = {0, 0, seed % 2 == 0 ? -g : 0};
+      for (const Event& event : events_of(scene, 150)) {
+        const auto check = [&](const Change& change) {
+          if (change.body < scene.spheres.size()) {
+            ASSERT_EQ(change.after.turning.angular_velocity, scene.spheres[change.body].angular_velocity)
+                << "seed " << seed << ", at " << event.time << ", body " << change.body << " and "
+                << (event.b ? "body " + std::to_string(event.b->body) : "a plane");
+          }
+        };
+        check(event.a);
+        if (event.b) {
+          check(*event.b);
+          of_balls += event.b->body < scene.spheres.size() ? 1 : 0;
+          with_polyhedra += event.a.body < scene.spheres.size() && event.b->body >= scene.spheres.size() ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(of_balls, 5);
+    EXPECT_GT(with_polyhedra, 50);
+  }
+}
+
+struct Totals {
+  double energy = 0;
+  Vector momentum{0, 0, 0};
+  Vector angular{0, 0, 0};
+  double angular_size = 0;
+};
+
+Totals totals_of(const SceneState& state) {
+  Totals totals;
+  for (const BodyState& body : state.bodies) {
+    const Vector x = position_at(body.arc.path, state.time);
+    const Vector v = velocity_at(body.arc.path, state.time);
+    const Matrix3<double> axes = unit::matrix_of(body.orientation);
+    const Vector spin = axes * body.principal_inertia.cwiseProduct(axes.transpose() * body.angular_velocity);
+    totals.energy +=
+        body.mass * v.squaredNorm() / 2 + spin.dot(body.angular_velocity) / 2 - body.mass * state.scene->gravity.dot(x);
+    totals.momentum += body.mass * v;
+    totals.angular += body.mass * x.cross(v) + spin;
+    totals.angular_size += body.mass * x.norm() * v.norm() + spin.norm();
+  }
+  return totals;
+}
+
+/// Bodies from all sides meet in the middle: no planes, no gravity.
+Scene implosion(std::uint64_t seed) {
+  properties::Stream stream = properties::stream_from(seed);
+  Scene scene = box_of_bodies(Law::frictionless, elastic, 3, 4, seed, seed % 2 == 0);
+  scene.planes.clear();
+  const auto aim = [&](Vector& position, Vector& velocity) {
+    position = 1.25 * (position - Vector::Constant(1.5));
+    velocity = -0.75 * position + 0.1 * stream.vector();
+  };
+  for (Sphere& sphere : scene.spheres) {
+    aim(sphere.position, sphere.velocity);
+  }
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    aim(polyhedron.position, polyhedron.velocity);
+  }
+  return scene;
+}
+
+TEST(PolyhedronSimulation, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    PolyhedronSimulation simulation(implosion(seed));
+    const Totals first = totals_of(simulation.state());
+    int count = 0;
+    while (count < 150 && simulation.advance() != nullptr) {
+      ++count;
+    }
+    EXPECT_GT(count, 30);
+    const Totals last = totals_of(simulation.state());
+    // Each event rounds two bodies' states to about 16 u of their share, and both impulses act exactly at one point.
+    // With equal signs, 150 times 16 u of the whole is 3·10⁻¹³. The motion between events adds 10⁻¹⁵ per radian.
+    EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
+    EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
+    EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
+  }
+}
+
+TEST(PolyhedronSimulation, IsTheSameTwiceBitByBit) {
+  for (const Law law : {Law::frictionless, Law::coulomb}) {
+    Scene scene = box_of_bodies(law, {0.5, 0.3, 0, 0, 0}, 2, 3, 11, true);
+    scene.gravity = {0, 0, -g};
+    const std::vector<Event> one = events_of(scene, 200);
+    const std::vector<Event> two = events_of(scene, 200);
+    ASSERT_EQ(one.size(), two.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      ASSERT_EQ(one[k].time, two[k].time) << k;
+      ASSERT_EQ(one[k].a.after.path.position, two[k].a.after.path.position) << k;
+      ASSERT_EQ(one[k].a.after.path.velocity, two[k].a.after.path.velocity) << k;
+      ASSERT_EQ(one[k].a.after.turning.angular_velocity, two[k].a.after.turning.angular_velocity) << k;
+      ASSERT_EQ(one[k].a.orientation, two[k].a.orientation) << k;
+    }
+  }
+}
+
+/// The names of the colliding bodies, to compare scenes.
+std::pair<std::string, std::string> who(const Scene& scene, const Event& event) {
+  const auto name = [&](std::size_t body) {
+    return is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
+  };
+  const std::string a = name(event.a.body);
+  const std::string b = event.b ? name(event.b->body) : scene.planes[event.plane].name;
+  return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
+}
+
+/// The tolerance for two runs that round differently. Contacts are found within 2⁻³⁰ radii (1/2) of each other. At
+/// 1/16 m/s or more, except for grazing contacts, this is 2⁻²⁷ s. Speeds of 4 m/s are as accurate. An impact enlarges
+/// a difference by the path to the next one over the lever arm, times the speed of a corner: 32 or more. So only
+/// early events are compared. Each body has two or three of them in a row.
+constexpr std::size_t early_events = 8;
+constexpr double early_tolerance = 0x1p-14;
+
+void expect_alike(const Scene& scene, const Scene& other, const std::function<Vector(const Vector&)>& moved) {
+  const std::vector<Event> events = events_of(scene, early_events);
+  const std::vector<Event> others = events_of(other, early_events);
+  ASSERT_EQ(events.size(), early_events);
+  ASSERT_EQ(others.size(), early_events);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    ASSERT_EQ(who(scene, events[k]), who(other, others[k])) << k;
+    EXPECT_NEAR(events[k].time, others[k].time, early_tolerance) << k;
+    const bool is_swapped = events[k].b && who(scene, events[k]).first != who(other, others[k]).first;
+    EXPECT_FALSE(is_swapped);
+    const auto velocity_of = [&](const Scene& of, const Event& event, const std::string& name) -> Vector {
+      const bool is_a = is_sphere(of, event.a.body) ? of.spheres[event.a.body].name == name
+                                                    : polyhedron_of(of, event.a.body).name == name;
+      return is_a ? event.a.after.path.velocity : event.b->after.path.velocity;
+    };
+    const std::string name = who(scene, events[k]).first;
+    EXPECT_LE((moved(velocity_of(scene, events[k], name)) - velocity_of(other, others[k], name)).norm(),
+              early_tolerance)
+        << k;
+  }
+}
+
+TEST(PolyhedronSimulation, DoesNotDependOnTheOrderOfTheBodies) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene =
+        box_of_bodies(seed % 2 == 0 ? Law::frictionless : Law::sticking, with_restitution(0.5), 2, 5, seed, true);
+    Scene reversed = scene;
+    std::reverse(reversed.polyhedra.begin(), reversed.polyhedra.end());
+    std::reverse(reversed.spheres.begin(), reversed.spheres.end());
+    expect_alike(scene, reversed, [](const Vector& x) { return x; });
+  }
+}
+
+TEST(PolyhedronSimulation, TurnsWithTheScene) {
+  const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
+  const double half = std::sqrt(0.5);
+  // (half, 0, 0, half) times q
+  const auto orientation_turned = [half](const Quaternion<double>& q) {
+    return Quaternion<double>(half * (q[0] - q[3]), half * (q[1] - q[2]), half * (q[2] + q[1]), half * (q[3] + q[0]));
+  };
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene =
+        box_of_bodies(seed % 2 == 0 ? Law::frictionless : Law::coulomb, {0.5, 0.25, 0, 0, 0}, 2, 5, seed, true);
+    scene.gravity = {0, 0, -1};
+    Scene other = scene;
+    for (Sphere& sphere : other.spheres) {
+      sphere.position = turned(sphere.position);
+      sphere.velocity = turned(sphere.velocity);
+      sphere.angular_velocity = turned(sphere.angular_velocity);
+    }
+    for (Polyhedron& polyhedron : other.polyhedra) {
+      polyhedron.position = turned(polyhedron.position);
+      polyhedron.velocity = turned(polyhedron.velocity);
+      polyhedron.angular_velocity = turned(polyhedron.angular_velocity);
+      polyhedron.orientation = orientation_turned(polyhedron.orientation);
+    }
+    for (Plane& plane : other.planes) {
+      plane.point = turned(plane.point);
+      plane.normal = turned(plane.normal);
+    }
+    expect_alike(scene, other, turned);
+  }
+}
+
+/// Lengths times a power of two, at the same times: every number of the run is scaled by a power of two, and rounds
+/// in the same way.
+TEST(PolyhedronSimulation, IsTheSameInEveryUnitOfLength) {
+  Scene scene = box_of_bodies(Law::frictionless, with_restitution(0.75), 2, 1, 3, false);
+  scene.gravity = {0, 0, -g};
+  const std::vector<Event> events = events_of(scene, 60);
+  ASSERT_GT(events.size(), 20U);
+  for (const double scale : {0x1p-10, 0x1p10}) {
+    SCOPED_TRACE(scale);
+    Scene other = scene;
+    other.gravity *= scale;
+    for (Polyhedron& polyhedron : other.polyhedra) {
+      polyhedron.position *= scale;
+      polyhedron.velocity *= scale;
+      for (Vector& vertex : polyhedron.vertices) {
+        vertex *= scale;
+      }
+    }
+    for (Plane& plane : other.planes) {
+      plane.point *= scale;
+    }
+    ASSERT_FALSE(first_polyhedron_defect(other)) << describe(*first_polyhedron_defect(other));
+    const std::vector<Event> others = events_of(other, 60);
+    ASSERT_EQ(others.size(), events.size());
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      ASSERT_EQ(events[k].time, others[k].time) << k;
+      ASSERT_EQ(scale * events[k].a.after.path.velocity, others[k].a.after.path.velocity) << k;
+    }
+  }
+}
+
+TEST(PolyhedronSimulation, HearsAStop) {
+  Scene scene = box_of_bodies(Law::frictionless, elastic, 2, 5, 1, false);
+  PolyhedronSimulation simulation(scene);
+  ASSERT_NE(simulation.advance(), nullptr);
+  const double time = simulation.time();
+  std::stop_source source;
+  simulation.stop_on(source.get_token());
+  ASSERT_NE(simulation.advance(), nullptr);
+  source.request_stop();
+  EXPECT_EQ(simulation.advance(), nullptr);
+  EXPECT_LT(simulation.time(), 5);
+  EXPECT_GE(simulation.time(), time);
+}
+
+std::string refusal_of(const Scene& scene, std::size_t most_events = 0) {
+  try {
+    PolyhedronSimulation simulation(scene);
+    for (std::size_t k = 0; k < most_events && simulation.advance() != nullptr; ++k) {
+    }
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 1);
+  add_polyhedron(scene, unit_cube, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {1.5, 0, 0});
+  EXPECT_EQ(refusal_of(scene), "none");
+  scene.polyhedra[1].position.x() = 0.75;
+  EXPECT_TRUE(
+      refusal_of(scene).starts_with("at t = 0 polyhedron 0 (body 0) and polyhedron 1 (body 1) may overlap: -0.25"))
+      << refusal_of(scene);
+  scene.polyhedra[1].position.x() = 1.5;
+  add_sphere(scene, 0.5, {0, 0.75, 0}, {0, 0, 0});
+  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0 sphere 0 (ball 0) and polyhedron 0 (body 0) are not "))
+      << refusal_of(scene);
+  scene.spheres[0].position.y() = 3;
+  add_plane(scene, {0, 0, 2}, {0, 0, -0.25});
+  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0 sphere 0 (ball 0) and plane 0 (plane 0) are not ") ||
+              refusal_of(scene).starts_with("at t = 0 polyhedron 0 (body 0) and plane 0 (plane 0) are not "))
+      << refusal_of(scene);
+}
+
+/// A small ball between two walls that approach each other. The n-th impact leaves it at 2 n V. Slowing the walls
+/// down takes √(M/m)/4 impacts or more, all within the contact tolerance.
+TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 1);
+  const double nearly = 0.25 * contact_tolerance * 0x1p-4;
+  add_sphere(scene, 0x1p-4, {0, 0, 0}, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {-0.5 - 0x1p-4 - nearly, 0, 0}, {1, 0, 0});
+  add_polyhedron(scene, unit_cube, {0.5 + 0x1p-4 + nearly, 0, 0}, {-1, 0, 0});
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    polyhedron.density = 1e9;
+  }
+  ASSERT_FALSE(first_polyhedron_defect(scene)) << describe(*first_polyhedron_defect(scene));
+  const std::string refusal = refusal_of(scene, 1'000'000);
+  EXPECT_TRUE(refusal.starts_with(
+      "more than 10000 impacts at the instant t = 0; the last is of sphere 0 (ball 0) and polyhedron "))
+      << refusal;
+  // With walls of density 100 it ends by itself.
+  for (Polyhedron& polyhedron : scene.polyhedra) {
+    polyhedron.density = 100;
+  }
+  EXPECT_EQ(refusal_of(scene, 1'000'000), "none");
+}
+
+TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Scene scene = box_of_bodies(Law::coulomb, {0.5, 0.3, 0, 0, 0}, 2, 1, seed, true);
+    scene.gravity = {0, 0, -g};
+    PolyhedronSimulation simulation(scene);
+    double last = 0;
+    unsigned long long count = 0;
+    for (const Event* event = simulation.advance(); event != nullptr && count < 400; event = simulation.advance()) {
+      ASSERT_GE(event->time, last) << "seed " << seed;
+      ASSERT_LE(event->time, scene.duration) << "seed " << seed;
+      EXPECT_EQ(event->time, simulation.time());
+      EXPECT_EQ(event->a.after.path.start, event->time);
+      if (event->b) {
+        EXPECT_LT(event->a.body, event->b->body);
+      }
+      last = event->time;
+      ++count;
+      EXPECT_EQ(simulation.counts().events, count);
+      EXPECT_EQ(simulation.counts().impacts + simulation.counts().plane_impacts, count);
+    }
+    EXPECT_GT(count, 20U);
+  }
+}
+
+/// Equal bodies at equal heights have equal impact times. They are equally far from the origin, because the error of
+/// a position is proportional to the distance.
+TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
+  Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
+  for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
+    add_polyhedron(scene, unit_cube, position);
+  }
+  const std::vector<Event> events = events_of(scene, 8);
+  ASSERT_EQ(events.size(), 8U);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    EXPECT_EQ(events[k].time, events[k - k % 4].time);
+    EXPECT_EQ(events[k].a.body, k % 4);
+  }
+  EXPECT_GT(events[4].time, events[3].time);
+}
+
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room. No corner leaves it, and energy is
+/// conserved.
+TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    SCOPED_TRACE(size);
+    Scene scene = empty_scene(Law::frictionless, elastic, 5);
+    carom::unit::add_box(scene, 3 * size);
+    const Points needle = centred_box(Vector(1e-3, 1e-3, 1) * size);
+    const Points sheet = centred_box(Vector(1, 1, 1e-3) * size);
+    add_polyhedron(scene, needle, Vector(0.75, 0.75, 1) * size, Vector(0.5, 0.25, -0.75) * size, {1, 2, 0.5});
+    add_polyhedron(scene, sheet, Vector(2, 2, 2) * size, Vector(-0.25, 0.5, 0.25) * size, {0.25, -1, 2});
+    scene.polyhedra[1].orientation = {1, 0.5, 0.25, 0};
+    ASSERT_FALSE(first_polyhedron_defect(scene)) << describe(*first_polyhedron_defect(scene));
+    PolyhedronSimulation simulation(scene);
+    const double energy = totals_of(simulation.state()).energy;
+    int count = 0;
+    while (count < 100 && simulation.advance() != nullptr) {
+      ++count;
+      const SceneState state = simulation.state();
+      for (std::size_t body = 0; body < 2; ++body) {
+        const Matrix3<double> axes = unit::matrix_of(state.bodies[body].orientation);
+        const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[body]));
+        for (const Vector& vertex : made.shape.core.vertices) {
+          const Vector corner = position_at(state.bodies[body].arc.path, state.time) + axes * vertex;
+          // The test's own computation rounds by 10⁻¹⁵ of the sizes.
+          EXPECT_GE(corner.minCoeff(), -1e-15 * size) << count;
+          EXPECT_LE(corner.maxCoeff(), (3 + 2e-15) * size) << count;
+        }
+      }
+    }
+    EXPECT_GT(count, 10);
+    // The needle's lever arms are accurate to an ulp of its length, and that about its axis to an ulp of its
+    // thickness. With moments 10⁶ apart, 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
+    EXPECT_NEAR(totals_of(simulation.state()).energy, energy, 1e-12 * energy);
+  }
+}
+
+/// It rotates by 320 rad before it lands, and is stored again every 8 rad. Its bounding ball overlaps the floor all
+/// the time.
+TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 60);
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  // About the axis of its greatest moment.
+  add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
+  const std::vector<Event> events = events_of(scene, 5);
+  ASSERT_EQ(events.size(), 1U);
+  // Half a metre at 1/64 m/s, minus a tolerance.
+  EXPECT_LE(events[0].time, 32);
+  EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
+  EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
+  // 320 rad of rotation are accurate to 10⁻¹⁵, and stored forty times.
+  const double angle = 10 * events[0].time;
+  const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
+  EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
+  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, angle));
+  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
+  EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
+}
+
+/// Runs to the end. The only events are that bodies are stored again.
+void run_through_renewals(PolyhedronSimulation& simulation) {
+  while (const Event* event = simulation.advance()) {
+    ASSERT_EQ(event->kind, EventKind::renewal);
+    EXPECT_FALSE(event->has_impulse);
+    EXPECT_EQ(event->a.after.turning.angular_velocity, event->a.angular_velocity_before);
+  }
+}
+
+/// The height of a body's lowest corner over the floor z = 0 at the impact.
+double height_of(const Scene& scene, const Event& event) {
+  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[event.a.body]));
+  const Matrix3<double> axes = unit::matrix_of(event.a.orientation);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector& vertex : made.shape.core.vertices) {
+    least = std::min(least, (event.a.after.path.position + axes * vertex).z());
+  }
+  return least;
+}
+
+/// About the intermediate axis, an error grows by a factor of e per radian. After 55 radians the orientation would be
+/// unknown.
+TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
+  for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
+    Scene scene = empty_scene(Law::frictionless, elastic, 2);
+    add_plane(scene, {0, 0, 1}, {0, 0, 0});
+    add_polyhedron(scene, centred_box({0.2, 0.4, 0.6}), {0, 0, 1.5}, {0, 0, -1}, {1e-9 * rate, rate, 1e-9 * rate});
+    const std::vector<Event> events = events_of(scene, 1);
+    ASSERT_EQ(events.size(), 1U);
+    const double radius = std::sqrt(0.01 + 0.04 + 0.09);
+    EXPECT_GE(height_of(scene, events[0]), 0) << rate;
+    EXPECT_LE(height_of(scene, events[0]), contact_tolerance * radius) << rate;
+  }
+}
+
+/// A body at rest hops as long as the run lasts. Each hop comes down to the same distance, not to half of it.
+TEST(PolyhedronSimulation, HopsOnAndOn) {
+  Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
+  scene.gravity = {0, 0, -g};
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_polyhedron(scene, centred_box({0.2, 0.2, 0.2}), {0, 0, 0.11}, {0, 0, 0}, {0, 0, 0});
+  PolyhedronSimulation simulation(scene);
+  const double radius = std::sqrt(0.03);
+  while (const Event* event = simulation.advance()) {
+    ASSERT_GE(height_of(scene, *event), 0.25 * contact_tolerance * radius) << simulation.counts().events;
+    ASSERT_LE(height_of(scene, *event), contact_tolerance * radius) << simulation.counts().events;
+  }
+  EXPECT_EQ(simulation.time(), 1);
+  EXPECT_GT(simulation.counts().slow, 1000U);
+}
+
+/// Two rotating tetrahedra slide along each other with ε = 0, and parts of a face and an edge touch. They separate
+/// along a direction that rotates with neither. If the search ignores this direction, they collide forever.
+TEST(PolyhedronSimulation, FindsAWayOutForFacesThatSlide) {
+  Scene scene = empty_scene(Law::rough, {0, 0.3, 0, 0, 0}, 0.0625);
+  const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
+                       const Vector& velocity, const Vector& spin) {
+    add_polyhedron(scene, centred_tetrahedron(half_edge), position, velocity, spin);
+    scene.polyhedra.back().orientation = orientation;
+  };
+  add(0.13977478465842125, {-0.34600111012865614, -0.09941003266873685, 0.73395425284931},
+      {0.5220504922275971, -0.8230562240853673, -0.10131372651905965, -0.19944238360509683},
+      {0.1334725485649921, 0.518194184473293, 0.6284617686298304},
+      {-0.13007183262759509, -1.1692631392391248, -0.5109565842630459});
+  add(0.13283587038911188, {-0.24831778964310236, 0.05654198447980453, 0.8365269512725857},
+      {0.3587447253611057, -0.2656116378886308, 0.8677758660821643, -0.2184438740021189},
+      {-0.2979484030371741, 0.4780205007772823, 0.974625237638693},
+      {1.1603080367502254, 0.28217092742775973, 0.5476500093978194});
+  EXPECT_EQ(refusal_of(scene, 20'000), "none");
+  EXPECT_GT(events_of(scene, 20'000).size(), 0U);
+}
+
+TEST(PolyhedronSimulation, LetsBodiesBeThatRestBesideEachOther) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 3);
+  add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  add_polyhedron(scene, unit_cube, {1 + 0.5 * contact_tolerance * std::sqrt(0.75), 0, 0}, {0, 0, 0}, {0, 0, 0});
+  PolyhedronSimulation simulation(scene);
+  EXPECT_EQ(simulation.advance(), nullptr);
+  EXPECT_EQ(simulation.time(), 3);
+}
+
+TEST(PolyhedronSimulation, EndsAtItsDurationWhereNothingMeets) {
+  Scene scene = empty_scene(Law::coulomb, {0.5, 0.5, 0, 0, 0}, 7);
+  scene.gravity = {0, 0, -g};
+  add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 1}, {1, 2, 3});
+  add_polyhedron(scene, centred_tetrahedron(1), {3, 0, 0}, {0.125, 0, 1}, {3, 2, 1});
+  add_sphere(scene, 0.5, {-3, 0, 0}, {-0.125, 0, 1});
+  PolyhedronSimulation simulation(scene);
+  run_through_renewals(simulation);
+  EXPECT_EQ(simulation.time(), 7);
+  // Both rotate by √14 · 7 = 26.2 rad.
+  EXPECT_EQ(simulation.counts().renewals, 6U);
+  EXPECT_EQ(simulation.counts().events, 6U);
+  EXPECT_EQ(simulation.advance(), nullptr);
+  const Totals totals = totals_of(simulation.state());
+  const Totals first = totals_of(PolyhedronSimulation(scene).state());
+  // Only gravity acts. Positions are about 240 m down, and the energies differ by an ulp or two of such terms.
+  EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
+}
+
+TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 5);
+  add_polyhedron(scene, centred_box({1, 2, 4}), {0, 0, 0}, {0, 0, 0}, {0, 0, 2});
+  PolyhedronSimulation simulation(scene);
+  run_through_renewals(simulation);
+  const BodyState body = simulation.state().bodies[0];
+  EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
+  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
+  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
+  // 10 rad, each accurate to 10⁻¹⁵.
+  EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
+}
+
+/// A scene of spheres uses one loop, and a scene with polyhedra the other. Both report their bodies as they are.
+TEST(SceneSimulation, IsTheLoopThatTheSceneNeeds) {
+  Scene scene = empty_scene(Law::frictionless, elastic, 3);
+  add_plane(scene, {0, 0, 1}, {0, 0, 0});
+  add_sphere(scene, 0.5, {0, 0, 1.5}, {0, 0, -1});
+  SceneSimulation spheres(scene);
+  ASSERT_NE(spheres.advance(), nullptr);
+  EXPECT_EQ(spheres.counts().advances, 0U);
+  EXPECT_NEAR(spheres.time(), 1, 1e-14);
+  add_polyhedron(scene, unit_cube, {3, 0, 1.25}, {0, 0, -1});
+  SceneSimulation both(scene);
+  EXPECT_EQ(both.size(), 2U);
+  const Event* event = both.advance();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->a.body, 1U);
+  EXPECT_NEAR(both.time(), 0.75, 1e-9);
+  EXPECT_GT(both.counts().advances, 0U);
+  EXPECT_EQ(both.state().bodies.size(), 2U);
+  EXPECT_EQ(both.scene().polyhedra.size(), 1U);
+  std::stop_source source;
+  source.request_stop();
+  both.stop_on(source.get_token());
+  EXPECT_EQ(both.advance(), nullptr);
+}
+
+}  // namespace
+}  // namespace carom::scene

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scenes.hpp"
+
+namespace carom::scene {
+namespace {
+
+using Vector = Vector3<double>;
+
+const MaterialPair elastic{1, 0, 0, 0, 0};
+
+MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0, 0}; }
+
+/// The kind of the event and the names of its bodies, in sorted order.
+std::tuple<EventKind, std::string, std::string> who(const Scene& scene, const Event& event) {
+  std::string first = scene.spheres[event.a.body].name;
+  std::string second = event.b ? scene.spheres[event.b->body].name : "plane " + std::to_string(event.plane);
+  if (event.b && second < first) {
+    std::swap(first, second);
+  }
+  return {event.kind, first, second};
+}
+
+std::string text_of(const Event& event) {
+  return std::string(name_of(event.kind)) + " " + std::to_string(event.a.body) + " " +
+         (event.b ? std::to_string(event.b->body) : "on " + std::to_string(event.plane)) + " at " +
+         std::to_string(event.time);
+}
+
+TEST(SphereSimulation, OfNothingHasNoEvents) {
+  EXPECT_TRUE(unit::events_of(unit::empty_scene(Law::frictionless, elastic, 5), 10).empty());
+}
+
+/// Planes outside the reach of a cell are skipped, and planes from the eighth on are tested together. So a box behind
+/// ten planes that nothing touches has the same events as the box alone.
+TEST(SphereSimulation, PlanesFarAwayChangeNothing) {
+  const Scene box = unit::box_of_spheres(Law::frictionless, elastic, 4, 5, 11);
+  Scene more = box;
+  more.planes.clear();
+  for (int k = 0; k < 10; ++k) {
+    unit::add_plane(more, {1, 0.1 * k, -0.3}, {-50 - 10.0 * k, 0, 0});
+  }
+  more.planes.insert(more.planes.end(), box.planes.begin(), box.planes.end());
+  const std::vector<Event> expected = unit::events_of(box, 2000);
+  const std::vector<Event> found = unit::events_of(more, 2000);
+  ASSERT_GT(expected.size(), 500U);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    ASSERT_EQ(found[k].time, expected[k].time) << k;
+    ASSERT_EQ(found[k].a.body, expected[k].a.body) << k;
+    ASSERT_EQ(found[k].a.after.path.velocity, expected[k].a.after.path.velocity) << k;
+    if (expected[k].kind == EventKind::plane_impact) {
+      ASSERT_EQ(found[k].plane, expected[k].plane + 10) << k;
+    }
+  }
+}
+
+TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
+  const double g = 9.81;
+  const double height = 1;
+  const double restitution = 0.75;
+  Scene scene = unit::empty_scene(Law::frictionless, with_restitution(restitution), 100);
+  scene.gravity = {0, 0, -g};
+  unit::add_plane(scene, {0, 0, 2}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {3, -2, 0.5 + height}, {0, 0, 0});
+  const std::vector<Event> events = unit::events_of(scene, 1000);
+  ASSERT_GE(events.size(), 11U);
+  double time = std::sqrt(2 * height / g);
+  double speed = g * time;
+  for (std::size_t bounce = 0; bounce < 10; ++bounce) {
+    EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
+    // The bounds of a time are about 28 u of the height's terms, twice, divided by the speed. This is less than 128 u
+    // of a time below 1. An event is early by this amount, and its speed is smaller by g times it.
+    EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
+    speed *= restitution;
+    EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
+    EXPECT_EQ(events[bounce].a.after.path.velocity.x(), 0);
+    time += 2 * speed / g;
+  }
+  // Until it rises no higher than 10⁻⁶ of the radius: ε²ⁿ h ≤ 10⁻⁶ R, n = 25.2…, so the 26th is no bounce.
+  const Event& last = events.back();
+  EXPECT_EQ(events.size(), 26U);
+  EXPECT_EQ(last.kind, EventKind::capture);
+  EXPECT_EQ(last.a.after.turning.phase, Phase::resting);
+  EXPECT_EQ(last.a.after.path.velocity, Vector(0, 0, 0));
+  EXPECT_EQ(last.a.after.path.end, never);
+  EXPECT_GE(last.a.after.path.position.z(), 0.5);
+  EXPECT_LE(last.a.after.path.position.z(), 0.5 + 0x1p-50);
+}
+
+TEST(SphereSimulation, ThrowsABallFromWallToWall) {
+  for (const double restitution : {1.0, 0.5}) {
+    Scene scene = unit::empty_scene(Law::frictionless, with_restitution(restitution), 20);
+    unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
+    unit::add_plane(scene, {-1, 0, 0}, {9, 0, 0});
+    unit::add_sphere(scene, 0.5, {0.5, 0, 0}, {4, 1, 0});
+    const std::vector<Event> events = unit::events_of(scene, 5);
+    ASSERT_EQ(events.size(), restitution == 1 ? 5U : 3U);
+    double time = 0;
+    double speed = 4;
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      time += 8 / speed;
+      speed *= restitution;
+      EXPECT_EQ(events[k].plane, k % 2 == 0 ? 1U : 0U);
+      // 128 u of each flight, by the bound in the test of bounces.
+      EXPECT_NEAR(events[k].time, time, 128 * roundoff * time);
+      EXPECT_EQ(events[k].a.after.path.velocity, Vector(k % 2 == 0 ? -speed : speed, 1, 0));
+    }
+  }
+}
+
+TEST(SphereSimulation, DoesNothingWithSpheresThatTouchAtRest) {
+  Scene scene = unit::empty_scene(Law::rough, {0.5, 0.5, 0.5, 0.1, 0.1}, 10);
+  for (int k = 0; k < 4; ++k) {
+    unit::add_sphere(scene, 0.5, {1.0 * k, 0, 0}, {0, 0, 0});
+  }
+  unit::add_sphere(scene, 0.5, {0, 1, 0}, {0, 0, 0});
+  unit::add_plane(scene, {0, 0, 1}, {0, 0, -0.5});
+  EXPECT_TRUE(unit::events_of(scene, 10).empty());
+}
+
+TEST(SphereSimulation, TakesAGrazingPassForNoImpact) {
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
+  unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.25, {-3, 0.75, 0}, {1, 0, 0});
+  unit::add_plane(scene, {0, -1, 0}, {0, 1, 0});  // it slides along this one
+  EXPECT_TRUE(unit::events_of(scene, 10).empty());
+  scene.planes.clear();
+  scene.spheres[1].position.y() = std::nextafter(0.75, 0.0);
+  EXPECT_EQ(unit::events_of(scene, 10).size(), 1U);
+}
+
+TEST(SphereSimulation, RefusesAnOverlapByName) {
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
+  unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {std::nextafter(1.0, 0.0), 0, 0}, {0, 0, 0});
+  const auto message_of = [](const Scene& wrong) -> std::string {
+    try {
+      const SphereSimulation simulation(wrong);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NE(message_of(scene).find("(ball 0) overlaps"), std::string::npos) << message_of(scene);
+  scene.spheres[1].position.x() = 1;
+  EXPECT_EQ(message_of(scene), "none");
+  unit::add_plane(scene, {-1, 0, 0}, {std::nextafter(1.5, 0.0), 0, 0});
+  EXPECT_NE(message_of(scene).find("(ball 1) overlaps"), std::string::npos) << message_of(scene);
+}
+
+TEST(SphereSimulation, PassesTheBlowOnThroughACradle) {
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 4);
+  unit::add_sphere(scene, 0.5, {-2, 0, 0}, {1, 0, 0});
+  for (int k = 1; k < 5; ++k) {
+    unit::add_sphere(scene, 0.5, {k - 1.0, 0, 0}, {0, 0, 0});
+  }
+  const std::vector<Event> events = unit::events_of(scene, 100);
+  ASSERT_EQ(events.size(), 4U);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(events[k].a.body, k);
+    EXPECT_EQ(events[k].b->body, k + 1);
+    EXPECT_NEAR(events[k].time, 1, 128 * roundoff);
+    EXPECT_EQ(events[k].a.after.path.velocity, Vector(0, 0, 0));
+    EXPECT_EQ(events[k].b->after.path.velocity, Vector(1, 0, 0));
+  }
+}
+
+TEST(SphereSimulation, TakesOfEqualTimesTheLowerSpheresFirst) {
+  // One ball hits two at once. In any order of the list, the pair with the lower numbers comes first.
+  std::vector<std::size_t> order{0, 1, 2};
+  do {
+    Scene scene = unit::empty_scene(Law::frictionless, elastic, 4);
+    scene.spheres.resize(3);
+    const std::array<Vector, 3> positions{Vector(-3, 0, 0), Vector(0, 0.75, 0), Vector(0, -0.75, 0)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Sphere& sphere = scene.spheres[order[k]];
+      sphere.radius = 0.5;
+      sphere.position = positions[k];
+      sphere.velocity = k == 0 ? Vector(1, 0, 0) : Vector(0, 0, 0);
+    }
+    const std::vector<Event> events = unit::events_of(scene, 100);
+    ASSERT_GE(events.size(), 2U);
+    const std::size_t low = std::min(order[1], order[2]);
+    EXPECT_EQ(events[0].a.body, std::min(low, order[0]));
+    EXPECT_EQ(events[0].b->body, std::max(low, order[0]));
+    const std::size_t high = std::max(order[1], order[2]);
+    EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
+    EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
+    // √(1 − 0.75²) from the centre. The terms of the squared gap are up to 14, each accurate to about 28 u. Divided
+    // by √D = 1.3, this is twice 3 · 14 · 28 u/1.3.
+    EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
+    EXPECT_NEAR(events[1].time, events[0].time, 2048 * roundoff);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(SphereSimulation, CountsExactTies) {
+  // Pairs that are mirror images, and two balls that reach one plane at the same time.
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 3);
+  for (const double side : {1.0, -1.0}) {
+    unit::add_sphere(scene, 0.3, {3 * side, 0.1, 0}, {0, 0, 0});
+    unit::add_sphere(scene, 0.4, {6 * side, 0, 0}, {-1.7 * side, 0, 0});
+  }
+  SphereSimulation simulation(scene);
+  const Event* event = simulation.advance();
+  ASSERT_NE(event, nullptr);
+  const double first = event->time;
+  EXPECT_EQ(event->a.body, 0U);
+  event = simulation.advance();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->time, first);
+  EXPECT_EQ(event->a.body, 2U);
+  EXPECT_GE(simulation.counts().exact.ties, 1U);
+}
+
+Scene gas(std::uint64_t seed, Law law) {
+  Scene scene = unit::box_of_spheres(law, {1, 0.25, 0.5, 0, 0}, 2, 100, seed);
+  scene.gravity = {0, 0, -1};
+  return scene;
+}
+
+TEST(SphereSimulation, IsDeterministic) {
+  const std::vector<Event> one = unit::events_of(gas(1, Law::rough), 300);
+  const std::vector<Event> two = unit::events_of(gas(1, Law::rough), 300);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].time, two[k].time);
+    EXPECT_EQ(one[k].a.after.path.velocity, two[k].a.after.path.velocity);
+  }
+}
+
+/// The tolerance for two runs that round differently. An impact enlarges a difference by 1 + 2 l/(R cos θ). This is
+/// less than 32 for paths shorter than 2 and radii above 0.2, except for grazing impacts. In 24 events of 8 spheres,
+/// a sphere has about 3 in a row, up to 6: 32⁶ · 2⁻⁵² is 2⁻²².
+constexpr std::size_t early_events = 24;
+constexpr double early_tolerance = 0x1p-22;
+
+TEST(SphereSimulation, DoesNotDependOnTheOrderOfTheSpheres) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    for (const Law law : {Law::frictionless, Law::coulomb}) {
+      const Scene scene = gas(seed, law);
+      Scene reversed = scene;
+      std::reverse(reversed.spheres.begin(), reversed.spheres.end());
+      std::rotate(reversed.spheres.begin(), reversed.spheres.begin() + 3, reversed.spheres.end());
+      const std::vector<Event> events = unit::events_of(scene, early_events);
+      const std::vector<Event> others = unit::events_of(reversed, early_events);
+      ASSERT_EQ(events.size(), others.size());
+      for (std::size_t k = 0; k < events.size(); ++k) {
+        ASSERT_EQ(who(scene, events[k]), who(reversed, others[k])) << "seed " << seed << ", event " << k;
+        EXPECT_NEAR(events[k].time, others[k].time, early_tolerance);
+      }
+    }
+  }
+}
+
+TEST(SphereSimulation, TurnsWithTheScene) {
+  const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Scene scene = gas(seed, Law::rough);
+    Scene other = scene;
+    for (Sphere& sphere : other.spheres) {
+      sphere.position = turned(sphere.position);
+      sphere.velocity = turned(sphere.velocity);
+      sphere.angular_velocity = turned(sphere.angular_velocity);
+    }
+    for (Plane& plane : other.planes) {
+      plane.point = turned(plane.point);
+      plane.normal = turned(plane.normal);
+    }
+    const std::vector<Event> events = unit::events_of(scene, early_events);
+    const std::vector<Event> others = unit::events_of(other, early_events);
+    ASSERT_EQ(events.size(), others.size());
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      ASSERT_EQ(who(scene, events[k]), who(other, others[k])) << "seed " << seed << ", event " << k;
+      EXPECT_NEAR(events[k].time, others[k].time, early_tolerance);
+      EXPECT_LE((turned(events[k].a.after.path.velocity) - others[k].a.after.path.velocity).norm(), early_tolerance);
+    }
+  }
+}
+
+using Wide = long double;
+
+/// The first time from `now` on at which the quadratic falls below 0; never if it does not.
+Wide first_fall(Wide c0, Wide c1, Wide c2) {
+  const Wide discriminant = c1 * c1 - 4 * c0 * c2;
+  if (c1 >= 0 && c2 >= 0) {
+    return never;
+  }
+  if (c1 < 0) {
+    return discriminant <= 0 ? never : std::max<Wide>(0, 2 * c0 / (std::sqrt(discriminant) - c1));
+  }
+  return (c1 + std::sqrt(discriminant)) / (-2 * c2);
+}
+
+/// The next event and its time, computed from the current state over all pairs and planes. It uses no grid, queue or
+/// bounds.
+struct Next {
+  Wide time = never;
+  std::uint32_t sphere = 0;
+  std::optional<std::uint32_t> partner;
+  std::uint32_t plane = 0;
+};
+
+Next next_of_all(const SphereSimulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const Wide now = simulation.time();
+  const auto position = [&](std::size_t k) -> Vector3<Wide> {
+    const Path path = simulation.arc(k).path;
+    const Wide s = now - path.start;
+    return path.position.cast<Wide>() + s * (path.velocity.cast<Wide>() + s / 2 * path.acceleration.cast<Wide>());
+  };
+  const auto velocity = [&](std::size_t k) -> Vector3<Wide> {
+    const Path path = simulation.arc(k).path;
+    return path.velocity.cast<Wide>() + (now - path.start) * path.acceleration.cast<Wide>();
+  };
+  Next next;
+  for (std::uint32_t a = 0; a < simulation.size(); ++a) {
+    const Wide radius = scene.spheres[a].radius;
+    for (std::uint32_t b = a + 1; b < simulation.size(); ++b) {
+      const Vector3<Wide> d = position(a) - position(b);
+      const Vector3<Wide> v = velocity(a) - velocity(b);
+      const Wide radii = radius + scene.spheres[b].radius;
+      const Wide time = now + first_fall(d.squaredNorm() - radii * radii, 2 * d.dot(v), v.squaredNorm());
+      if (time < next.time) {
+        next = {time, a, b, 0};
+      }
+    }
+    for (std::uint32_t k = 0; k < scene.planes.size(); ++k) {
+      const Vector3<Wide> n = scene.planes[k].normal.cast<Wide>();
+      const Wide height = n.dot(position(a) - scene.planes[k].point.cast<Wide>()) - radius * n.norm();
+      const Wide time = now + first_fall(height, n.dot(velocity(a)), n.dot(scene.gravity.cast<Wide>()) / 2);
+      if (time < next.time) {
+        next = {time, a, std::nullopt, k};
+      }
+    }
+  }
+  return next;
+}
+
+TEST(SphereSimulation, LosesNoEvent) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Scene scene = gas(seed, seed % 2 == 0 ? Law::frictionless : Law::rough);
+    scene.gravity.z() = seed % 3 == 0 ? 0 : -1;
+    SphereSimulation simulation(scene);
+    for (int k = 0; k < 200; ++k) {
+      const Next expected = next_of_all(simulation);
+      const Event* const event = simulation.advance();
+      ASSERT_NE(event, nullptr);
+      ASSERT_EQ(event->a.body, expected.sphere) << "seed " << seed << ", event " << k << ": " << text_of(*event);
+      ASSERT_EQ(event->b.has_value(), expected.partner.has_value());
+      if (event->b) {
+        ASSERT_EQ(event->b->body, *expected.partner);
+      } else {
+        ASSERT_EQ(event->plane, expected.plane);
+      }
+      // Not later, and earlier only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
+      EXPECT_LE(static_cast<Wide>(event->time), expected.time + 1e-15L * (1 + expected.time));
+      EXPECT_NEAR(event->time, static_cast<double>(expected.time), 1e-11);
+    }
+  }
+}
+
+/// A possible result of `keep_apart`: the sphere does not get anywhere within the scene's time.
+TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
+  unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0});
+  EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
+}
+
+/// A ball rolls to another. They meet in contact, for any span that the search covers.
+TEST(SphereSimulation, LetsRollingBallsMeetWhereTheyTouch) {
+  for (const double duration : {1.0, 1.1, 2.0, 3.0}) {
+    Scene scene = unit::empty_scene(Law::coulomb, {1, 0.25, 0, 0.125, 0}, duration);
+    scene.gravity = {0, 0, -8};  // μ_r g is 1
+    unit::add_plane(scene, {0, 0, 1}, {0, 0, -0.5});
+    unit::add_sphere(scene, 0.5, {-1.875, 0, 0}, {2, 0, 0});
+    scene.spheres[0].angular_velocity = {0, 4, 0};
+    unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
+    // Far away, so that cells are wide and the duration ends the span.
+    unit::add_sphere(scene, 0.5, {100, 100, 0}, {0, 0, 0});
+    int impacts = 0;
+    for (const Event& event : unit::events_of(scene, 1000)) {
+      if (event.kind == EventKind::impact) {
+        ++impacts;
+        const Vector apart = event.a.after.path.position - event.b->after.path.position;
+        EXPECT_LE(apart.norm(), 1 + 1e-12) << "at " << event.time << ", up to " << duration;
+      }
+    }
+    EXPECT_EQ(impacts, 1);
+  }
+}
+
+TEST(SphereSimulation, CapturesWithoutRestitutionAtOnceAndRollsToAStop) {
+  Scene scene = unit::empty_scene(Law::coulomb, {0, 0.25, 0, 0.05, 0.05}, 100);
+  scene.gravity = {0, -10, 0};
+  unit::add_plane(scene, {0, 4, 0}, {0, -1, 0});
+  unit::add_sphere(scene, 0.25, {0, 1, 0}, {1, 0, 0.5});
+  scene.spheres[0].angular_velocity = {0, 3, 0};
+  const std::vector<Event> events = unit::events_of(scene, 100);
+  ASSERT_GE(events.size(), 3U);
+  EXPECT_EQ(events[0].kind, EventKind::capture);
+  EXPECT_NEAR(events[0].time, std::sqrt(2 * 1.75 / 10), 128 * roundoff);
+  for (std::size_t k = 1; k < events.size(); ++k) {
+    EXPECT_EQ(events[k].kind, EventKind::phase);
+    EXPECT_GE(events[k].time, events[k - 1].time);
+  }
+  const Arc& last = events.back().a.after;
+  EXPECT_EQ(last.turning.phase, Phase::resting);
+  EXPECT_EQ(last.turning.angular_velocity, Vector(0, 0, 0));
+  EXPECT_EQ(last.path.position.y(), events[0].a.after.path.position.y());
+}
+
+}  // namespace
+}  // namespace carom::scene
