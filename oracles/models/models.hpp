@@ -42,8 +42,8 @@ decltype(auto) with_law(Law law, Branch branch, Use&& use) {
   return with_law(law == Law::rough && branch == Branch::only ? Law::frictionless : law, std::forward<Use>(use));
 }
 
-/// A type whose impulse is linear in the change of relative velocity that it requires. Every other type combines two such
-/// laws, with a share that is not linear.
+/// A type whose impulse is linear in the change of relative velocity that it requires. Every other type combines two
+/// such laws, with a share that is not linear.
 template <class LawType>
 concept LinearLaw = requires {
   &LawType::template wanted_change<double>;
@@ -141,15 +141,15 @@ template <class T, class Sign>
 /// The equations that the answer of every law satisfies for every contact to which they apply. `restitution` applies
 /// if the contact collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
 inline constexpr std::array kept_by_every_law{AffineEquation::linear_momentum,
-                                                AffineEquation::angular_momentum_of_a,
-                                                AffineEquation::angular_momentum_of_b,
-                                                AffineEquation::total_angular_momentum,
-                                                AffineEquation::restitution,
-                                                AffineEquation::non_penetration,
-                                                AffineEquation::untouched_velocity_of_a,
-                                                AffineEquation::untouched_angular_velocity_of_a,
-                                                AffineEquation::untouched_velocity_of_b,
-                                                AffineEquation::untouched_angular_velocity_of_b};
+                                              AffineEquation::angular_momentum_of_a,
+                                              AffineEquation::angular_momentum_of_b,
+                                              AffineEquation::total_angular_momentum,
+                                              AffineEquation::restitution,
+                                              AffineEquation::non_penetration,
+                                              AffineEquation::untouched_velocity_of_a,
+                                              AffineEquation::untouched_angular_velocity_of_a,
+                                              AffineEquation::untouched_velocity_of_b,
+                                              AffineEquation::untouched_angular_velocity_of_b};
 
 namespace detail {
 
@@ -178,7 +178,8 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
 /// Whether the impulse of the law on this branch does not vanish with N·V⁻. If so, and if inputs within rounding
 /// include both colliding and separating contacts, an outcome may be either of the two answers.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
-  return with_law(law, branch, [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });
+  return with_law(law, branch,
+                  [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });
 }
 
 /// Whether the law never adds energy, apart from the work of a driven wall.

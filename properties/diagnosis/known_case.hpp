@@ -15,8 +15,7 @@ struct LawAnswer {
 
 /// The law's answer to a collision. `approach` replaces the collision's own approach. Preconditions: the collision is
 /// valid; the law determines an outcome.
-[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law,
-                                   std::optional<oracles::Approach> approach = {});
+[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
 /// A case that has an outcome as its answer, with the law's answer.
 struct KnownCase {

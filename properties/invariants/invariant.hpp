@@ -126,8 +126,8 @@ struct Invariant {
   std::string_view statement;  // one sentence
   std::string_view formula;    // LaTeX
   std::string_view source;
-  std::string_view domain;    // the collisions to which it applies
-  std::vector<Law> laws;  // the laws for which it is claimed
+  std::string_view domain;  // the collisions to which it applies
+  std::vector<Law> laws;    // the laws for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
   /// If several invariants are violated, the one with the lowest rank explains the others.

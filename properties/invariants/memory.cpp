@@ -72,8 +72,8 @@ std::vector<Invariant> memory_invariants() {
                     "invalid collision, and in a separate session. The answers of a program are equal as numbers, and "
                     "all other answers are equal bit for bit.",
                     R"(y_2(x) = y_1(x))", "caches, warm starts, and state that a refused request leaves behind",
-                    "collisions that the gate asks a second time", every_law(), AboutSession{check_memoryless},
-                    Proof{}, 3}};
+                    "collisions that the gate asks a second time", every_law(), AboutSession{check_memoryless}, Proof{},
+                    3}};
 }
 
 }  // namespace carom::properties

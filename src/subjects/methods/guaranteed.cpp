@@ -18,8 +18,8 @@ Method guaranteed_method(Law law) {
   Method method;
   impulse::with_law(law, [&](const auto& solver) {
     method = method_of<double>(
-        {std::string(name_of(law)) + "-guaranteed",
-         description_in_words(law) + "; the exact N·V⁺ is never negative", law, law != Law::frictionless},
+        {std::string(name_of(law)) + "-guaranteed", description_in_words(law) + "; the exact N·V⁺ is never negative",
+         law, law != Law::frictionless},
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
