@@ -87,7 +87,7 @@ void write_call(const Method& method, CallableCandidate& one) {
   }
 }
 
-std::optional<CallableCandidate> callable_candidate(const Method& method) {
+std::optional<CallableCandidate> candidate_of(const Method& method) {
   if (method.form == MethodForm::in_basis) {
     return std::nullopt;
   }
@@ -112,13 +112,13 @@ std::optional<CallableCandidate> callable_candidate(const Subject& subject) {
   if (found == methods.end()) {
     throw std::logic_error(fmt::format("{} is not the name of a method", subject.name));
   }
-  return callable_candidate(*found);
+  return candidate_of(*found);
 }
 
 std::vector<CallableCandidate> callable_candidates() {
   std::vector<CallableCandidate> all;
   for (const Method& method : subjects::methods()) {
-    if (std::optional<CallableCandidate> one = callable_candidate(method)) {
+    if (std::optional<CallableCandidate> one = candidate_of(method)) {
       all.push_back(std::move(*one));
     }
   }
