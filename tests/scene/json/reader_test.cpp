@@ -147,7 +147,7 @@ TEST(SceneJson, ReadsAHundredThousandSpheresInASecond) {
 TEST(SceneJson, SaysWhatIsWrongAndWhere) {
   using Change = std::function<void(json&)>;
   const std::vector<std::pair<std::string, Change>> changes{
-      {"/duration: is missing", [](json& s) { s.erase("duration"); }},
+      {"/duration: is missing; add this field", [](json& s) { s.erase("duration"); }},
       {"/duration: expected a finite number of at least 0, found -1", [](json& s) { s["duration"] = -1; }},
       {"/duration: expected a finite number, found \"inf\"", [](json& s) { s["duration"] = "inf"; }},
       {"/spheres/0/velocity/1: expected a finite number, found \"nan\"",
@@ -209,7 +209,7 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
        [](json& s) { s["lattices"][0]["density"] = 0; }},
       {"/lattices/0: sphere 2 (row 1) overlaps sphere 1 (row 0)",
        [](json& s) { s["lattices"][0]["spacing"][0] = 0x1.fffffffffffffp-1; }},
-      {"/spheres/0: sphere 0 (sphere 0) overlaps plane 4 (room -z), or is behind it",
+      {"/spheres/0: sphere 0 (sphere 0) overlaps plane 4 (room -z), or is behind it; move one of them",
        [](json& s) { s["spheres"][0]["position"][2] = 0.25; }},
       {"/spheres/0: expected radius and density that give a moment of inertia from 2.22507e-308 to 1.79769e+308, not 0",
        [](json& s) { s["spheres"][0]["radius"] = 1e-90; }},
@@ -241,7 +241,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
   using Change = std::function<void(json & first)>;
   const std::vector<std::pair<std::string, Change>> changes{
       {"/polyhedra/0: expected an object, found 1", [](json& p) { p = 1; }},
-      {"/polyhedra/0/vertices: is missing", [](json& p) { p.erase("vertices"); }},
+      {"/polyhedra/0/vertices: is missing; add this field", [](json& p) { p.erase("vertices"); }},
       {"/polyhedra/0/vertices: expected an array, found 7", [](json& p) { p["vertices"] = 7; }},
       {"/polyhedra/0/vertices: expected 4 to 100 points, found 3",
        [](json& p) { p["vertices"].erase(p["vertices"].begin() + 3, p["vertices"].end()); }},
@@ -255,10 +255,10 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
        }},
       {"/polyhedra/0/vertices/2/1: expected a finite number, found \"nan\"",
        [](json& p) { p["vertices"][2][1] = "nan"; }},
-      {"/polyhedra/0/density: is missing", [](json& p) { p.erase("density"); }},
+      {"/polyhedra/0/density: is missing; add this field", [](json& p) { p.erase("density"); }},
       {"/polyhedra/0/density: expected a number greater than 0, found 0", [](json& p) { p["density"] = 0; }},
       {"/polyhedra/0/density: expected a number greater than 0, found -1", [](json& p) { p["density"] = -1; }},
-      {"/polyhedra/0/position: is missing", [](json& p) { p.erase("position"); }},
+      {"/polyhedra/0/position: is missing; add this field", [](json& p) { p.erase("position"); }},
       {"/polyhedra/0/position: expected an array of 3 numbers, found [1,2]",
        [](json& p) {
          p["position"] = {1, 2};

@@ -139,7 +139,7 @@ TEST_F(CompareCommand, NamesFileAndPlaceOfWhatIsWrong) {
       {"/subjects/0/name: expected a string", [](json& r) { r["subjects"][0]["name"] = 3; }},
       {"/subjects/1/name: 'frictionless-double' occurs twice",
        [](json& r) { r["subjects"][1]["name"] = "frictionless-double"; }},
-      {"/subjects/0/families/1/family: expected \"generic\"",
+      {"/subjects/0/families/1/family: expected the family \"generic\"",
        [](json& r) { r["subjects"][0]["families"][1]["family"] = "head_on"; }},
       {"/subjects/0/families/0/invariants/restitution/holds: expected a count",
        [](json& r) { count_of(r, "restitution")["holds"] = 1.5; }},
@@ -151,7 +151,7 @@ TEST_F(CompareCommand, NamesFileAndPlaceOfWhatIsWrong) {
     change(bad);
     const RunResult result = compare(bad, real_report());
     EXPECT_EQ(result.exit_status, 2) << place;
-    EXPECT_NE(result.errors.find("old.json: is not a report.json"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("old.json: this is not a report.json"), std::string::npos) << result.errors;
     EXPECT_NE(result.errors.find(place), std::string::npos) << place << '\n' << result.errors;
     EXPECT_TRUE(result.output.empty());
   }

@@ -166,7 +166,7 @@ TEST_F(Merge, WantsEachShardOnce) {
   EXPECT_NE(missing.errors.find("shard 2 of 3 is missing"), std::string::npos) << missing.errors;
   const RunResult twice = merge({path("shard1"), path("shard1"), path("shard2"), path("shard3")});
   EXPECT_EQ(twice.exit_status, 2);
-  EXPECT_NE(twice.errors.find("shard 1 of 3 is there twice"), std::string::npos) << twice.errors;
+  EXPECT_NE(twice.errors.find("shard 1 of 3 occurs twice"), std::string::npos) << twice.errors;
   const RunResult whole = merge({path("whole")});
   EXPECT_EQ(whole.exit_status, 2);
   EXPECT_NE(whole.errors.find("this report is not of a shard"), std::string::npos) << whole.errors;
