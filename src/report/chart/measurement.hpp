@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include <carom/collision/law.hpp>
+#include <carom/collision/precision.hpp>
+
 /// The measurements of `carom chart`, before they are drawn.
 namespace carom::report {
 
