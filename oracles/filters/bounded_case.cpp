@@ -21,7 +21,7 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// An upper bound of the sum of the sizes of the terms of N·V⁻: N·v and N·(w × (P − X)) of each body. A product of
+/// An upper bound of Σ|t| over the terms t of N·V⁻, which are N·v and N·(w × (P − X)) of each body. A product of
 /// vectors is bounded by the product of their 1-norms.
 double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };

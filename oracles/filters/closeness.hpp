@@ -8,10 +8,11 @@
 
 namespace carom::oracles {
 
-/// If an outcome ŷ is close to the truth y, it keeps every law within the allowance, and no law has to be evaluated.
-/// The truth satisfies each law g exactly: ExactCase::truth is certified, and tests prove the inequalities. g is affine
-/// in the outcome, or convex (the kinetic energy). The residual of g is therefore at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖.
-/// The inequalities in closeness_bounds.hpp show that this is within the allowance, including all rounding.
+/// If an outcome ŷ is close to the truth y, it satisfies every equation within the allowance, and no equation has to be
+/// evaluated. The truth satisfies each equation g exactly: ExactCase::truth is certified, and tests prove the
+/// inequalities. g is affine in the outcome, or convex (the kinetic energy). The residual of g is therefore at most Σ_k
+/// ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. The inequalities in closeness_bounds.hpp show that this is within the allowance, including
+/// all rounding.
 class Closeness {
  public:
   /// A closeness that shows nothing.

@@ -15,8 +15,8 @@
 namespace carom::oracles {
 namespace {
 
-/// Twice the kinetic energy, m v² + Σ I_i w_i² over the movable bodies, with w along the body axes. The sum has no
-/// cancellation.
+/// Twice the kinetic energy of the movable bodies: for each, m v² + Σ I_i w_i², with w_i the components of w along the
+/// body axes. Nothing cancels in the sum.
 template <class T>
 T twice_energy(const BasicCollision<T>& collision, const Outcome<T>& change) {
   T sum(0);
@@ -44,7 +44,7 @@ std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
 template <class T>
 inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;
 
-/// The collision and the outcome in the field of the truth.
+/// The collision and the outcome as numbers of the truth's type (ℚ or ℚ(√s)).
 template <class T>
 BasicCollision<T> collision_in(const ExactCase& exact_case) {
   return map_numbers<T>(exact_case.collision(), [](double number) { return T(number); });
@@ -64,7 +64,8 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
-/// An outcome's deviation from the truth in one arithmetic, and the part of the accuracy that follows from it alone.
+/// The deviation of an outcome from the truth, as numbers of type T, and the part of the accuracy that needs no
+/// sensitivity.
 template <class T>
 struct Deviation {
   PerVector<Components<T>> of_vector;
@@ -103,7 +104,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, con
                                       ? exact_case.energy_norm_of_change(law, is_exact<T>, find_norm_of_change)
                                       : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
-    // If the squares leave the range of numbers, the error counts as infinite, and nothing passes by it.
+    // If the squares leave the range of numbers, the error counts as infinite, so no digit counts as correct.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
     accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
@@ -173,7 +174,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 
 namespace {
 
-/// The accuracy with respect to the answer to a contact with approach `as`.
+/// The accuracy of the outcome, measured against the law's answer for the approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
@@ -256,13 +257,14 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   if (!passes(result, yardstick)) {
     return own;
   }
-  // If both answers pass, the outcome counts as the nearer answer.
+  // If the outcome passes by both answers, the nearer one counts.
   const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
   if (passes(own, yardstick) && !is_nearer) {
     return own;
   }
   result.is_of_truth = false;
-  result.error_above = Accuracy{}.error_above;  // this answer is not the truth
+  // `error_above` bounds the distance to the truth, and this answer is another one.
+  result.error_above = Accuracy{}.error_above;
   return result;
 }
 

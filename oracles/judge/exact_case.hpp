@@ -73,23 +73,24 @@ class ExactCase {
   /// The exception is a law that acts at once, whose two answers are judged separately. Near the cone's surface, the
   /// sensitivity is the larger one of both sides, whose answers meet there.
   ///
-  /// If the first order is blind (PermittedInputs), the sensitivity is at least the distance of the answers to
-  /// permitted inputs, divided by the allowance.
+  /// If the first order is blind (PermittedInputs::first_order_is_blind), the sensitivity is at least the distance of
+  /// the answers to permitted inputs, divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
   /// The sensitivity that the answer would have if the contact had approach `as`, away from the grazing band.
   [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
 
-  /// Whether inputs that differ relatively by `allowance` have answers that are far from each other. This is so for a
-  /// law that acts at once in the grazing band. `rough` acts at once if friction by itself lies in the cone.
+  /// Whether inputs that differ relatively by `allowance` have answers that are far from each other. This is so in the
+  /// grazing band (`is_grazing`) for a law that acts at once: its impulse does not vanish with N·V⁻. `rough` acts at
+  /// once if the impulse of friction by itself lies in the cone.
   [[nodiscard]] bool has_two_answers(Law law, double allowance) const;
 
   /// Whether every number is moderate, so that the law's sensitivity is certainly finite.
   [[nodiscard]] bool is_moderate(Law law) const;
 
-  /// Whether inputs that differ relatively by `allowance` have answers of every kind. Some collide and some do not. If
-  /// they collide, F lies inside the friction cone or on it, so the law acts at once or does not. The judge then
-  /// requires nothing of an outcome by itself.
+  /// Whether inputs that differ relatively by `allowance` have answers of every kind. Some inputs collide and some do
+  /// not. Among those that collide, F lies inside the friction cone for some, and on it for others. The judge then
+  /// requires nothing of a single outcome.
   [[nodiscard]] bool is_open(Law law, double allowance) const;
 
   /// A lower bound of `sensitivity`, at a small part of its cost. If the contact collides, it is the bound of
@@ -99,12 +100,13 @@ class ExactCase {
   /// K, exactly (`response_matrix`).
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
 
-  /// Σ_q ‖∂K/∂q‖ ‖q‖. If the first order is blind, the sum includes the squares of the perturbations of the lever arms.
+  /// Σ_q ‖∂K/∂q‖ ‖q‖. If the first order is blind (PermittedInputs::first_order_is_blind), the sum includes the squares
+  /// of the perturbations of the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
 
-  /// Whether λI ⪯ K, decided exactly. If a body is movable, this is always true: K − λI is the sum of [r]ᵀ J⁻¹ [r] over
-  /// the movable bodies. Each term is a congruence of a positive diagonal matrix. The tests prove this identity by
-  /// exact random testing. A filtered yardstick does not ask for it.
+  /// Whether λI ⪯ K, decided exactly, with λ = 1/m_A + 1/m_B. If a body is movable, this is always true: K − λI is the
+  /// sum of [r]ᵀ J⁻¹ [r] over the movable bodies. Each term is a congruence of a positive diagonal matrix. The tests
+  /// prove this identity by exact random testing. A filtered yardstick does not ask for it.
   [[nodiscard]] bool is_definite() const;
 
   /// Whether K ⪯ bound I, decided exactly.

@@ -7,11 +7,12 @@
 namespace carom::oracles {
 
 /// All collisions whose quantities differ from those of a given collision by at most `allowance` times their lengths
-/// (quantities.hpp). The class encloses the law over them. It judges the cases in which the first order of the backward
-/// error is blind. In these cases, a lever arm or a body is not much longer than the rounding of its position.
+/// (quantities.hpp). The class encloses the law's answers to them. It judges the cases in which the first order of the
+/// backward error is blind (`first_order_is_blind`). There, a lever arm or a body is not much longer than the rounding
+/// of its position.
 ///
-/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K. An impulse that cancels
-/// a relative velocity of length d is at most d / λ, for any lever arms.
+/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K with
+/// λ = 1/m_A + 1/m_B. An impulse that cancels a relative velocity of length d is at most d / λ, for any lever arms.
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.

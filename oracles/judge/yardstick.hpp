@@ -8,7 +8,7 @@
 
 namespace carom::oracles {
 
-/// The limit of the backward error [ulps]. Sound outcomes were found to stay below it on every physically possible
+/// The limit of the backward error [ulps]. In measurements, sound outcomes stay below it on every physically possible
 /// body.
 inline constexpr double default_limit_ulps = 32;
 
@@ -17,9 +17,9 @@ inline constexpr double default_limit_ulps = 32;
 inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
 /// The amount of rounding that is allowed. A residual passes if it is at most `allowance` times its scale. The scale is
-/// the sum of ‖∂g/∂q‖ ‖q‖ over the quantities (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs. The
-/// residual then vanishes for inputs and outputs that differ by at most the allowance. In binary32 the outputs are also
-/// allowed the loss by underflow.
+/// the sum of ‖∂g/∂q‖ ‖q‖ over the quantities (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over the outputs. To
+/// first order, the residual then vanishes for some inputs and outputs that differ by at most the allowance. In
+/// binary32 the outputs are also allowed the loss by underflow.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, which is allowed no rounding
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision

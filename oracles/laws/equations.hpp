@@ -10,7 +10,8 @@
 #include <carom/oracles/laws/truth.hpp>
 
 /// The equations, and the set of equations that defines each law. The judge judges everything by these equations, so
-/// they have to be trusted.
+/// they have to be trusted. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
+/// (docs/findings/note.md).
 namespace carom::oracles {
 
 template <class T, int N>

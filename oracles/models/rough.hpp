@@ -78,7 +78,7 @@ struct Rough {
   /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
   /// they apply.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
-  /// Whether the law never adds energy, apart from the work of a driven wall. P_I and D are K-orthogonal, so ΔE = −½ (1
+  /// Whether the law never adds energy, apart from the work of a driven wall. P_IᵀK D = 0, so ΔE = −½ (1
   /// − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.
   static constexpr bool creates_no_energy = true;
 

@@ -16,8 +16,8 @@
 
 /// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. They draw with
 /// RapidCheck's random numbers. Small sizes give simple collisions. From size 50 on, a generator gives the family's
-/// whole distribution. A collision shrinks to small dyadic numbers. Each step on the way is a collision that its
-/// generator could draw.
+/// whole distribution. A collision shrinks to numbers with few binary digits. Each step on the way is a collision
+/// that its generator could draw.
 namespace carom {
 
 namespace properties {

@@ -31,7 +31,7 @@ namespace carom::properties {
 [[nodiscard]] double least(const Vector3<double>& v);
 [[nodiscard]] double greatest(const Vector3<double>& v);
 
-/// The index of the least component; the first of equal ones.
+/// The index of the least component; the first index if several components are equal.
 [[nodiscard]] int place_of_least(const Vector3<double>& v);
 
 /// v + s u. The product is rounded, then the sum.

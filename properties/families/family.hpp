@@ -29,15 +29,15 @@ struct MeasuredQuantity {
 /// The turn of a family without a rank.
 inline constexpr int last_turn = 1000;
 
-/// A named distribution of collisions, and its properties.
+/// A named distribution of random collisions, and its properties.
 struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
   /// The families take turns in this order. A family of rank 1 to 10 found the most planted defects (tests/mutants)
-  /// that the families before it had missed, with its first two cases of eight seeds. The other families found none
-  /// that these had missed. Their order is the number of defects that each finds alone; the last two are in the order
-  /// in which they were added. `first_violation --families` (tests/benchmarks) computes the ranks.
+  /// that the families before it had missed. Only its first two cases of eight seeds counted. The other families found
+  /// no defect that these had missed. Their order is the number of defects that each finds alone; the last two are in
+  /// the order in which they were added. `first_violation --families` (tests/benchmarks) computes the ranks.
   int turn = last_turn;
   int weight = 1;        // factor of the number of cases that the gate draws
   bool is_valid = true;  // false if a subject must refuse each of its collisions
@@ -48,7 +48,7 @@ struct Family {
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }
 };
 
-/// Every family of the claimed domain, in the order of the design.
+/// Every family of the claimed domain, in the order of the reports.
 [[nodiscard]] std::span<const Family> all_families();
 
 /// Every family beyond the claimed domain.

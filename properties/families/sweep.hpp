@@ -11,7 +11,7 @@
 namespace carom::properties {
 
 /// A distribution of colliding contacts with one quantity that is set to 10^k, from one exponent to another. A family
-/// tests whether a method holds. A sweep shows up to which value it holds.
+/// tests whether a method is sound. A sweep shows up to which value of the quantity it is sound.
 struct Sweep {
   std::string_view name;
   std::string_view quantity;  // the label of an axis

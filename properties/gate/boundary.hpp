@@ -10,15 +10,15 @@
 
 namespace carom::properties {
 
-/// The limit of a method: of the violations in a family beyond the claimed domain, the one at the least value of the
-/// family's quantity.
+/// The limit of a method: the violation at the least value of the family's quantity, in a family beyond the claimed
+/// domain.
 struct Boundary {
   double quantity = 0;
   std::uint64_t index = 0;  // number of the case in its family
   std::string invariant;
 };
 
-/// Keeps the boundary with the lesser quantity; of equal ones, the case with the lesser number.
+/// Keeps the boundary with the lesser quantity. If the quantities are equal, it keeps the case with the lesser number.
 void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other);
 
 /// The boundary that a judged case shows; none if the family has no such quantity, or if nothing is violated.

@@ -21,7 +21,7 @@ struct Count {
   Count& operator+=(const Count& other);
 };
 
-/// The case of a family with the most serious violation of an invariant; of equal ones, the first.
+/// The case of a family with the most serious violation of an invariant; the first one if several are equally serious.
 struct WorstViolation {
   std::uint64_t index;
   Case original;
@@ -50,11 +50,11 @@ struct FamilyResult {
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
   std::uint64_t sampled = 0;                    // number of cases that are sampled: the first ones
-  // The numbers of the sampled cases that violated each invariant. When the run is over, they ascend and each stands
+  // The numbers of the sampled cases that violated each invariant. When the run is over, they ascend and each occurs
   // once.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // Violated cases in ascending order of number, at most most_violated_kept of each kind: answers that are wrong alone,
-  // and answers that only further questions show to be wrong.
+  // Violated cases in ascending order of number, at most most_violated_kept in each list. The first list has answers
+  // that are wrong alone. The second one has answers that only further questions show to be wrong.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
 

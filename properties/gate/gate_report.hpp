@@ -40,8 +40,8 @@ struct GateOptions {
   Workers workers = {};          // each worker opens a session of every subject
   /// Each invariant that relates a collision to others is judged on one case in this many, and successive invariants on
   /// different cases. The value 0 means 1 for subjects in this process, and 4 for programs.
-  /// There, a question costs a hundred times as much. The worst case is a fault in one of 100 answers that only one
-  /// such invariant shows, in one family. With 250 judged cases and two answers in each, one run in 150 misses it
+  /// For a program, a question costs a hundred times as much. The worst case is a fault in one of 100 answers that only
+  /// one such invariant shows, in one family. With 250 judged cases and two answers in each, one run in 150 misses it
   /// (0.99^500).
   std::uint64_t relations_every = 0;
   /// A subject that violates an invariant is not asked further. One violation is reported for it, the same for any
@@ -55,15 +55,15 @@ struct GateOptions {
   bool shrinks = true;
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;
-  /// Called from time to time with the number of cases done and of all cases; with a budget, with the milliseconds
-  /// spent and those available. Any thread may call it, one at a time.
+  /// Called from time to time with the number of judged cases and the number of all cases. With a budget, it gets the
+  /// milliseconds spent and the milliseconds available. Any thread may call it, one at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
 /// The number of cases that are drawn of the family; the largest std::uint64_t with a budget.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
 
-/// Counts of the cases that a family held.
+/// Counts of the cases of a family.
 struct Coverage {
   std::uint64_t cases = 0;
   std::uint64_t colliding = 0;

@@ -24,32 +24,34 @@ enum class Status {
 struct Verdict {
   Status status = Status::holds;
   std::string detail;  // set if violated or skipped: the comparison, or the reason for the skip
-  // The members below are set if an outcome violates the invariant. If it violates several equations, they are of the
-  // equation with the largest ratio of residual to allowance.
+  // `residual`, `allowed`, `left` and `right` are set if an outcome violates the invariant. If it violates several
+  // equations, they are of the equation with the largest ratio of residual to allowance.
   double residual = 0;
   double allowed = 0;
   std::vector<double> left;  // both sides of the formula
   std::vector<double> right;
-  bool is_undecided = false;  // set if skipped: inside the domain, but beyond the range of numbers
+  bool is_undecided = false;  // a skip inside the domain, because numbers leave their range
 
-  /// The residual divided by the allowance if violated. Infinite if there are no such numbers, and 0 if not violated.
+  /// 0 if not violated. Otherwise the residual divided by the allowance, or infinite if either is not set or zero.
   [[nodiscard]] double severity() const;
 
   /// The residual, relative to the largest compared number. 0 if not violated, or if nothing was compared.
   [[nodiscard]] double relative_residual() const;
 };
 
-/// The size of the error in a case, as one order for all verdicts of an invariant. It is the severity if rounding is
-/// allowed. If no rounding is allowed, it is the residual in units of 2⁻⁵³ L. L is the largest velocity or angular
-/// velocity of the collision or compared number, or 1 if all are zero. A rounding error therefore does not rank above a
-/// wrong outcome, even if no rounding is allowed.
+/// How bad a violation is, as one number that ranks all verdicts of an invariant: 0 if nothing is violated, and
+/// infinite if a violation has no residual. It is the severity if rounding is allowed. If no rounding is allowed, it is
+/// the residual in units of 2⁻⁵³ L. L is the largest absolute value among all components of the velocities and angular
+/// velocities before the impulse, and the compared numbers. It is 1 if all are zero. So if no rounding is allowed, a
+/// mere rounding error still ranks below a wrong outcome.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
-/// A lifted answer. An outcome with a number that is not finite cannot be lifted.
+/// An answer with its numbers converted for exact arithmetic (*lifted*). `NotFinite` stands for an outcome with an
+/// infinity or NaN.
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused, Failed>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
-/// Lifts in place, because an answer is large to move.
+/// Writes into `into`, because moving an answer is expensive.
 void lift(const Answer& answer, ExactAnswer& into);
 
 /// A further collision that an invariant asks about, with exact facts about it and the answer to it.
@@ -61,7 +63,8 @@ struct Related {
 /// The input of an invariant: one subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  bool convex_uniform;  // from the case: C ⪯ 16 λI is claimed
+  /// The family knows the bodies to be uniform and convex, so C ⪯ 16 λI must hold (λ = 1/m_A + 1/m_B).
+  bool convex_uniform;
   Law law;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
@@ -71,7 +74,7 @@ struct Evidence {
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
 
-/// An invariant of the answer itself, to a valid or to an invalid collision.
+/// An invariant of the answer itself. `to_valid` says whether the collision is valid.
 struct AboutAnswer {
   bool to_valid;
   Verdict (*check)(const Collision&, const ExactAnswer&, Law);
@@ -82,8 +85,8 @@ struct AboutOutcome {
   Verdict (*check)(const Evidence&);
 };
 
-/// An invariant of the collision matrix that a subject shows with the outcome of a valid collision. Only subjects that
-/// show one claim it.
+/// An invariant of the collision matrix that a subject shows with the outcome of a valid collision. Only a subject that
+/// shows a matrix claims such an invariant.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
   /// Whether it depends on the bodies' shapes, which the family knows. If the collision is changed, the shapes are
@@ -91,8 +94,8 @@ struct AboutMatrix {
   bool rests_on_shapes = false;
 };
 
-/// An invariant that relates the outcome to the outcomes of further collisions. These collisions are made from the
-/// collision alone or with the outcome, and the subject answers them. `check` gets one answer for each of them.
+/// An invariant that relates the outcome to the outcomes of further collisions. They are made from the collision, or
+/// from the collision and its outcome. The subject answers them, and `check` gets one answer for each of them.
 struct AboutRelation {
   using OfCollision = std::vector<Collision> (*)(const Collision&);
   using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
@@ -117,10 +120,10 @@ struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
-/// The rank of an invariant that explains no other.
+/// The value of `rank_as_cause` of an invariant that explains no other violation.
 inline constexpr int explains_none = 1000;
 
-/// A named statement about a collision and its outcome, with its source, domain, models, check and proof.
+/// A named statement about a collision and its outcome, with its source, domain, laws, check and proof.
 struct Invariant {
   std::string_view name;
   std::string_view statement;  // one sentence

@@ -10,8 +10,8 @@
 namespace carom::properties {
 
 /// Simpler collisions close to this one, the boldest simplifications first: a body becomes immovable, a vector zero, a
-/// number rounded to few bits. Each is valid and has a smaller `complexity`, so that shrinking ends, with small dyadic
-/// numbers. Precondition: the collision is valid.
+/// number rounded to few bits. Each is valid and has a smaller `complexity`, so that shrinking ends, with numbers of
+/// few binary digits. Precondition: the collision is valid.
 [[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
 
 /// A measure of how hard a collision is to read: the bits of its numbers, and the distance of their exponents from 0.

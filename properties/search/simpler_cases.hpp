@@ -19,8 +19,8 @@ struct Edit {
 };
 
 /// The simpler cases that the same definition draws, the boldest changes of the choices first. Each has a smaller
-/// `complexity` than the case, so that shrinking ends, with small dyadic numbers. Each is computed only when it is
-/// requested.
+/// `complexity` than the case, so that shrinking ends, with numbers of few binary digits. Each is computed only when it
+/// is requested.
 class SimplerCases {
  public:
   /// `first` is the number of the change to begin with. The changes before it come last.

@@ -12,6 +12,8 @@
 #include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/principal_inertia.hpp>
 
+/// The input of the solvers. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
+/// (docs/findings/note.md).
 namespace carom::impulse {
 
 /// The input of a solver for one body, in world coordinates. Inertia is the representation of J⁻¹: `PrincipalInertia`

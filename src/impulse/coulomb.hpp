@@ -17,8 +17,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the resistance to slip ν: V_T⁺ + ν F_T =
-/// 0.
+/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. It is defined by
+/// V_T⁺ + ν F_T = 0, with T for the parts across N.
 template <class S>
 class SlipResistance {
  public:
@@ -73,8 +73,8 @@ class SlipResistance {
 ///
 /// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P the projection across N. The contact
 /// point sticks at ν = 0, and slips without friction as ν → ∞. In that limit F lies in the cone. So if F is outside the
-/// cone at ν = 0, some ν > 0 puts it on the surface. A solution always exists (docs/guide/laws.md), and bisection finds
-/// one.
+/// cone at ν = 0, some ν > 0 puts F on the surface of the cone. A solution always exists (docs/guide/laws.md), and
+/// bisection finds one.
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
 template <class S, class See = UnseenMatrix>

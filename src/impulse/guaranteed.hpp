@@ -39,8 +39,8 @@ struct Adjustable {
   double ulp = 0;
 };
 
-/// Whether x is the body to move if both bodies would do: the lighter one, otherwise the slower one, component by
-/// component. The choice depends neither on the names A and B nor on the signs that a mirror changes.
+/// Whether x is the body to move if both bodies can be: the lighter one, or the slower one if the masses are equal,
+/// component by component. The choice depends neither on the names A and B nor on the signs that a mirror changes.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {

@@ -5,8 +5,8 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/solve3.hpp>
 
-/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`, the residual
-/// is computed in the wide type S, and its correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
+/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`. The residual
+/// is computed in the wide type S, and the correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
 /// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², with a small number
 /// c. The range is that of Low.
 namespace carom::impulse {

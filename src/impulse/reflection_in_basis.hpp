@@ -77,8 +77,9 @@ template <class S, class See = UnseenMatrix>
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
-/// The reflection law as note §2 prints it. If V⁻ has no tangential part, it uses eq. 18, as implementations do. Kept
-/// because it fails: near a head-on collision T0 is rounding error and not orthogonal to N. Use `reflection` instead.
+/// The reflection law as note §2 prints it. If V⁻ has no tangential part, it uses eq. 18, as implementations do. It
+/// is kept because it fails: near a head-on collision T0 is rounding error and not orthogonal to N. Use `reflection`
+/// instead.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);

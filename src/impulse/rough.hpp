@@ -31,10 +31,10 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
-/// F, or a part of it. F is the impulse that changes the relative velocity by V, so K F = V. It removes the energy F·V
-/// − ½ F·K F. If K is singular except for rounding, a solve may return an F so long that it adds energy: F·K F > 2 F·V.
-/// The function then returns the part of F that removes the most energy. F·K F is a sum of terms ≥ 0 here, so nothing
-/// cancels.
+/// F, or a fraction of F. F is the impulse that changes the relative velocity by V = `change`, so K F = V. The impulse
+/// −F removes the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular except for rounding, a
+/// solve may return an F so long that it adds energy: F·K F > 2 F·V. The function then returns the fraction of F that
+/// removes the most energy. F·K F is a sum of terms ≥ 0 here, so nothing cancels.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
                                                 const Vector3<S>& change) {

@@ -26,7 +26,7 @@ template <class S>
 }
 
 /// J⁻¹ as engines store it: one matrix in world coordinates. It needs less storage and fewer multiplications than
-/// `PrincipalInertia`. Kept because it fails: slender bodies lose the angular momentum about their long axes.
+/// `PrincipalInertia`. It is kept because it fails: slender bodies lose the angular momentum about their long axes.
 template <class S>
 struct WorldInertia {
   Matrix3<S> inverse;  // about the centre of mass; 0 if immovable [1/(kg m²)]

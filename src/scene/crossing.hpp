@@ -36,10 +36,11 @@ struct Crossing {
 /// Unit roundoff of the stored state (binary64).
 inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 
-/// Precondition: the value at s = 0 is at least 0 within its radius, c₀ ≥ −e₀.
+/// The first crossing of a quadratic, with a bound of its error. Precondition: the value at s = 0 is at least 0 within
+/// its radius, c₀ ≥ −e₀.
 ///
 /// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic and D = c₁² − 4 c₀ c₂ its discriminant. Then |s₂ − s₁| =
-/// √D/|c₂|. The computed s lies on the side of s₁ from the vertex. If |q(s)| |c₂| ≤ D/4, then |s − s₂| ≥ √D/(2|c₂|),
+/// √D/|c₂|. The computed s lies on the same side of the vertex as s₁. If |q(s)| |c₂| ≤ D/4, then |s − s₂| ≥ √D/(2|c₂|),
 /// and so |s − s₁| ≤ 2 |q(s)|/√D. An upper bound of |q(s)| comes from its computed value and the radii. If D may be 0
 /// or the side is not certain, the crossing is undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {

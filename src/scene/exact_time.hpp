@@ -42,8 +42,7 @@ class ExactTime {
 /// Bodies that touch while the gap does not fall below 0 have no contact. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
-/// The first instant from `now` on at which the gap N·x − reach of a sphere and a plane falls below 0, as for two
-/// spheres.
+/// The same instant for the gap N·x − reach of a sphere and a plane.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& sphere, const Reach& plane, double now);
 
 /// The sign of the gap at a time: −1, 0 or 1.

@@ -8,8 +8,8 @@
 #include <carom/scene/crossing.hpp>
 #include <carom/scene/exact_time.hpp>
 
-/// The time at which a sphere next touches another sphere or a plane. Bounds allow for rounding errors. If they do not
-/// decide, exact arithmetic does.
+/// The time at which a sphere next touches another sphere or a plane. The time is computed with error bounds. If they
+/// do not decide, exact arithmetic does.
 namespace carom::scene {
 
 /// The position and velocity of a path at a time, in double, with bounds of their errors. In a coordinate x + s (v +
@@ -59,15 +59,17 @@ struct RelativeState {
     return (2 * distance_size + distance_error) * distance_error +
            8 * roundoff * (distance_size * distance_size + radii * radii);
   }
-  /// d·v, and a bound of its rounding error.
+  /// distance · velocity, which is positive if the spheres recede.
   [[nodiscard]] double receding() const { return distance.dot(velocity); }
+  /// A bound of the error of `receding`.
   [[nodiscard]] double receding_error() const {
     return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
            4 * roundoff * distance_size * velocity_size;
   }
 };
 
-/// |d + v s|² − R² as a function of s = t − now, for two paths with the same acceleration.
+/// The squared distance minus the squared sum of the radii, as a function of s = t − now. Precondition: both paths have
+/// the same acceleration.
 [[nodiscard]] inline UncertainQuadratic squared_gap(const RelativeState& pair) {
   return {pair.squared_gap(),
           2 * pair.receding(),
@@ -99,23 +101,23 @@ struct ExactCounts {
   unsigned long long ties = 0;         // two events at one instant, exactly
 };
 
-/// The time at which the gap of two spheres first falls below 0, from `now` up to `horizon`; `never` if it does not, or
-/// only later. Precondition: at `now` the gap is at least 0.
+/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both are `never` if this does
+/// not happen, or certainly happens after `horizon`. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now,
                                          double horizon, ExactCounts& counts);
 
-/// The time at which the gap of a sphere and a plane first falls below 0, as for two spheres.
+/// The same bounds for a sphere and a plane.
 [[nodiscard]] TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon,
                                          ExactCounts& counts);
 
-/// Whether two spheres are certain not to touch up to the horizon, because they are too far apart or recede. Most
-/// neighbours are. `bends` says that their accelerations differ. Only then is `acceleration_size` used, the sum of the
-/// sizes of both.
+/// Whether two spheres are certain not to touch up to the horizon, because they are too far apart, or recede with equal
+/// accelerations. This is so for most neighbours. `bends` says that their accelerations differ. `acceleration_size` is
+/// the sum of the sizes of both accelerations. It is used only if `bends`.
 [[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
   const double bend = bends ? 0.5 * acceleration_size * span : 0;
-  // Some products and sums of positive numbers. A relative 16 u covers their rounding errors.
+  // `reach` is made of products and sums of positive numbers only, so a relative 16 u covers their rounding errors.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
   // Computes both without a branch, because a processor cannot predict which of them holds.

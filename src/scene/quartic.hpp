@@ -19,9 +19,9 @@ struct UncertainQuartic {
 
 [[nodiscard]] UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span);
 
-/// The least s in [0, span] at which the quartic falls below 0, as for a quadratic. The search halves the interval (R.
-/// T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). The quartic lies
-/// between its least and its greatest coefficient.
+/// The first crossing in [0, span]: the least s at which the quartic falls below 0 (see `Crossing`). The search halves
+/// the interval (R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). The
+/// quartic lies between its least and its greatest coefficient.
 [[nodiscard]] Crossing first_crossing(const UncertainQuartic& quartic);
 
 }  // namespace carom::scene

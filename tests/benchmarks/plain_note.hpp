@@ -8,8 +8,8 @@
 
 /// The note as a game developer would implement it, in plain C++ and double. Each body is an object with its momenta
 /// as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3 matrix. It is the
-/// baseline of the batches. It shares no code with the library, and makes the assumptions that such code makes: it
-/// fails if the relative velocity is nearly along the normal (docs/findings/note.md).
+/// baseline of the batches. It shares no code with the library. As the note does, it fails if the relative velocity
+/// is nearly along the normal (docs/findings/note.md).
 namespace carom::benchmarks::plain {
 
 struct Vector {

@@ -224,7 +224,7 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
-/// If rounding destroys the margin λ of C, each component of the impulse is still at most 2 ‖b‖∞ / λ.
+/// If the rounded C has eigenvalues below λ, each component of the impulse is still at most 2 ‖b‖∞ / λ.
 TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};

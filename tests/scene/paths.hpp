@@ -8,7 +8,7 @@
 
 #include "support/exact.hpp"
 
-/// Paths of spheres, drawn for the tests.
+/// Builds paths of spheres for the tests.
 namespace carom::unit {
 
 using Vector = Vector3<double>;
@@ -29,7 +29,7 @@ using Vector = Vector3<double>;
   return path_of(position, Vector::Zero(), Vector::Zero(), radius);
 }
 
-/// The exact position on a path.
+/// The exact position of the centre on a path at a time [m].
 [[nodiscard]] inline ExactVector exact_position(const scene::Path& path, double time) {
   const Rational s = Rational(time) - Rational(path.start);
   ExactVector result;

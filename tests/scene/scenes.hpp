@@ -10,7 +10,7 @@
 #include <carom/scene/sphere_simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
 
-/// Scenes for the tests.
+/// Builds scenes for the tests.
 namespace carom::unit {
 
 /// A scene without bodies, with one material.

@@ -100,7 +100,7 @@ struct Comparison {
 [[nodiscard]] Comparison compare_runs(const Run& before, const std::string& file_before, const Run& now,
                                       const std::string& file_now);
 
-/// Whether the subject violates the invariant, and in no family newly.
+/// Whether the subject violates the invariant, and none of these violations is new.
 [[nodiscard]] bool is_known(const Comparison& comparison, const std::string& subject, const std::string& invariant);
 
 /// "2 new, 3 known, 1 fixed", with "1 no longer judged" if there are any.

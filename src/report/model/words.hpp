@@ -14,21 +14,22 @@ namespace carom::report {
 /// A third party's text, as one line that is safe to print.
 [[nodiscard]] std::string shown(const std::string& text);
 
-/// The cases in which the invariant held or was violated.
+/// The number of cases in which the invariant held or was violated.
 [[nodiscard]] inline std::uint64_t judged(const properties::Count& count) { return count.holds + count.violated; }
 
 /// "32 ulps" or "8 digits".
 [[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);
 
-/// "1000 cases of each of 26 families" or "10 s on 26 families in turn", and whether each subject ended at its first
-/// violation.
+/// "1000 cases of each of 26 families" or "10 s on 26 families in turn". If the run is one of several shards, the shard
+/// follows. If each subject stopped at its first violation, a note says so.
 [[nodiscard]] std::string extent_of(const Run& run);
 
 /// For a run with a budget: the number of cases that the subject was judged on, and the family with the fewest cases. A
 /// verdict "sound" refers to these cases. Precondition: there is a family.
 [[nodiscard]] std::string cases_judged(const Run& run, const JudgedSubject& subject);
 
-/// The changes that families made to cases after they drew them: a sentence for each reason, with the number of cases.
+/// The changes that families made to cases after drawing them: one sentence for each kind of change, with its number
+/// of cases.
 [[nodiscard]] std::string adjusted_sentences(const Run& run);
 
 /// "3 violated", or the status.
@@ -43,7 +44,8 @@ namespace carom::report {
 /// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
-/// The first `most_named` pairs of features that no case had, as "a with b", after `before`; empty if none is missing.
+/// The first `most_named` missing pairs (no case had both features), each as "a with b". `before` precedes the list,
+/// and "…" ends a shortened one. Empty if no pair is missing.
 [[nodiscard]] std::string missing_pairs(const Features& features, const char* before, std::size_t most_named);
 
 /// The result of a run in a sentence.

@@ -37,8 +37,9 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   return b;
 }
 
-/// The derivative of ω at the end of a step with respect to ω at its beginning, as a series along that of ω. Nine terms
-/// suffice: with a ‖ω‖ × length ≤ 0.14 the rest is below 2⁻⁴⁰.
+/// The derivative of ω at the end of a step with respect to ω at its beginning: the Taylor series of the variational
+/// equation, from the coefficients of ω. Nine terms suffice: a step has |a| ‖ω‖ length ≤ 0.14, so the rest is below
+/// 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;
@@ -64,16 +65,17 @@ double growth_rate(const Vector3<double>& a) {
   return greatest * std::numbers::inv_sqrt3;
 }
 
-/// The greatest ‖ω'‖² of all ω' with the energy and the angular momentum of ω. With yᵢ = ω'ᵢ² this is a linear
-/// programme with two equations. At each of its corners a component k is zero, and Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ −
-/// Iₖ)/(Iᵢ Iⱼ).
+/// The greatest ‖v‖² of all angular velocities v with the same energy and the same size of the angular momentum as ω.
+/// In the unknowns yᵢ = vᵢ² this is a linear programme: maximise Σ y for y ≥ 0 and two equations, energy and squared
+/// angular momentum. At each vertex of the feasible set one yₖ is 0. There Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ − Iₖ)/(Iᵢ
+/// Iⱼ).
 double greatest_squared_rate(const Vector3<double>& moments, const Vector3<double>& rate) {
   const Vector3<double> squares = rate.cwiseAbs2();
   double greatest = squares.sum();
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    // A corner with a negative y is not feasible. If rounding leaves the sign open, the corner can only make the bound
+    // A vertex with a negative y is not feasible. If rounding leaves the sign open, the vertex can only make the bound
     // larger.
     const auto is_negative = [&](int p, int q) {
       const double own = moments[p] * (moments[p] - moments[q]) * squares[p];
@@ -117,7 +119,7 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       rate[k + 1] = rate[k] * a * x;
       rotation[k + 1] = rotation[k] * x * (0.5 + n * a) / (n + 1);
     }
-    const double ratio = x * std::max(0.5, a);  // of a coefficient to the preceding one, from the second on
+    const double ratio = x * std::max(0.5, a);  // upper bound of the ratio of each coefficient to the one before
     if (ratio < 0.9) {
       rest_of_rate = rate[order + 1] / (1 - a * x);
       rest_of_rotation = rotation[order + 1] / (1 - ratio);
@@ -128,13 +130,13 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
   }
   bounds.scaled_length = x;
 
-  // The recurrences again, for bounds of the errors of the computed coefficients, in units of roundoff. A sum of k + 1
-  // products has an error of k + 1 roundings of the sum of its terms' sizes. Seven more roundings are for aᵢ, the
+  // The same recurrences once more, now for bounds of the errors of the computed coefficients, in units of the unit
+  // roundoff u. The error of a sum of k + 1 products is at most (k + 1) u Σ|terms|. Seven more roundings cover aᵢ, the
   // length and the division.
   std::array<double, order + 1> rate_error{};
   std::array<double, order + 1> rotation_error{};
-  double rate_units = 1;      // the last sum rounds the whole
-  double rotation_units = 5;  // the last sum, and four more for the division by the length
+  double rate_units = 1;      // the last addition of Horner's scheme rounds the whole value
+  double rotation_units = 5;  // that addition, and four roundings for the division of the quaternion by its norm
   for (std::size_t k = 0; k < order; ++k) {
     const auto n = static_cast<double>(k);
     double of_rate = 0;
@@ -144,14 +146,15 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       of_rotation += rotation_error[j] * rate[k - j] + rotation[j] * rate_error[k - j];
     }
     rate_error[k + 1] = of_rate * a * x / (n + 1) + (n + 8) * rate[k + 1];
-    // The absolute values in a product of quaternions add up to at most twice its length.
+    // If each term of a product of quaternions is replaced by its absolute value, the norm of the result is at most
+    // twice the product of their norms.
     rotation_error[k + 1] = of_rotation * x / (2 * (n + 1)) + 2 * (n + 8) * rotation[k + 1];
-    // Horner's scheme rounds the coefficient of the k-th power 2 k times, and the power comes from a rounded time.
+    // Horner's scheme rounds the term of the k-th power 2 k + 1 times. Its argument is rounded once, which adds k.
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
     rotation_units += rotation_error[k + 1] + (3 * (n + 1) + 1) * rotation[k + 1];
   }
   bounds.relative_rate = rest_of_rate + unit_roundoff * rate_units;
-  // An error of a unit quaternion turns by twice this angle.
+  // An error e of a unit quaternion is a rotation by an angle of about 2 ‖e‖.
   bounds.angle = 2.01 * (rest_of_rotation + unit_roundoff * rotation_units);
   return bounds;
 }
@@ -180,15 +183,15 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
   const double growth_per_angle = growth_rate(a_);
   BoundedRotation now{start_, 4 * unit_roundoff, 0};
   double by_norms = 0;  // rate_error by Gronwall's inequality
-  // The second bound, by derivatives: the error is frame · e with |eᵢ| ≤ widths[i] (R. Lohner's parallelepipeds, with
-  // orthogonal frames).
+  // The second bound of the error of ω: the error is frame · e, |eᵢ| ≤ widths[i], and each step multiplies it by its
+  // derivative (R. Lohner's parallelepipeds, with orthogonal frames).
   Matrix3<double> frame = Matrix3<double>::Identity();
   Vector3<double> widths = Vector3<double>::Zero();
   double greatest_error = 0;
   for (double time = 0; time < duration;) {
     const double rate = now.state.body_rate.norm();
-    // Except for the first, no step is longer than the time before it. So differences of times within a step are exact
-    // (P. Sterbenz).
+    // Each step except for the first is at most as long as the time from 0 to its start. So differences of times within
+    // a step are exact (P. Sterbenz).
     const double furthest = time > 0 ? std::min(duration, 2 * time) : duration;
     const double end = std::min(furthest, time + bounds_.scaled_length / rate);
     add_step(now, time, end - time);
@@ -202,7 +205,7 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     const Matrix3<double> moved = derivative_of_step(a_, step.rate, step.length) * frame;
     const Eigen::HouseholderQR<Matrix3<double>> factors(moved);
     frame = factors.householderQ();
-    // The relative 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in an error of
+    // The factor 1 + 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in an error of
     // less than 2⁻²⁰ ‖ω‖.
     widths = (frame.transpose() * moved).cwiseAbs() * widths * (1 + 0x1p-20) + Vector3<double>::Constant(added);
     const double by_derivatives = widths.norm();
@@ -260,9 +263,10 @@ BoundedRotation RotationPath::at(double time) const {
   }
   const double rate = start_.body_rate.norm();
   if (rate == 0 || time == 0) {
-    return {start_, 4 * unit_roundoff, 0};  // because the orientation was divided by its length
+    return {start_, 4 * unit_roundoff, 0};  // 4 u: the constructor divided the quaternion by its norm
   }
-  // Half the angle is accurate to four roundings, its sine and cosine to an ulp, and the product to ten more roundings.
+  // The half angle has at most four roundings, its sine and cosine an error of an ulp, and the rest at most ten
+  // roundings more.
   const double half_angle = rate * time / 2;
   const Vector3<double> axis = start_.body_rate / rate;
   const Quaternion<double> turned =

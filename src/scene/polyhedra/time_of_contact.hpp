@@ -49,7 +49,8 @@ struct TimeOfContact {
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
                                             double begin, double horizon, double tolerance);
 
-/// The first time of contact of a shape with a half-space, which does not move, as for two shapes.
+/// The first time of contact of a shape with a half-space, which does not move. The parameters and preconditions are
+/// those for two shapes.
 [[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b,
                                             double begin, double horizon, double tolerance);
 

@@ -108,8 +108,8 @@ template <class S>
 }
 
 /// The reason why a solve that is stable only by norms fails in binary32. Far from the origin, rounding of the
-/// positions may move the contact off a thin body. There, κ(K) u is 1 or more, and the solve loses the margin λ of K.
-/// The impulse then pulls the bodies together, or leaves their velocities unchanged.
+/// positions may move the contact off a thin body. There, κ(K) u is 1 or more, and the computed K may have eigenvalues
+/// below λ = 1/m_A + 1/m_B. The impulse then pulls the bodies together, or leaves their velocities unchanged.
 inline constexpr const char* stable_by_norms_alone = "stable only in norm: loses the margin λ of K if κ(K) u ≥ 1";
 
 /// The methods that every scalar type has.

@@ -71,7 +71,7 @@ TEST(Kept, Fail) {
   EXPECT_GT(kept, 20U);
 }
 
-/// In the same cases, LDLᵀ written out keeps the margin λ of K. In double, every solve does.
+/// In the same cases, LDLᵀ written out is sound, because it takes no pivot below λ. In double, every solve is sound.
 TEST(Kept, FailWhereOthersDoNot) {
   for (const auto& [name, number] : rare) {
     const std::string in_double = name.substr(0, name.rfind('-')) + "-double";
