@@ -56,6 +56,7 @@ draw() {
   local name=$1 runner=$2
   shift 2
   mkdir -p "$work/$name"
+  rm -f "$work/$name"/*.o # of sources that are gone
   # The compiling shell gets the folder as $0, and the file as $1 before the command.
   # shellcheck disable=SC2016
   printf '%s\0' "$source"/properties/{draws,families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
