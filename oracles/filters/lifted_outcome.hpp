@@ -31,7 +31,7 @@ class LiftedOutcome {
       : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
         further_(std::make_unique<Further>(
             Further{Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
-                    Lazy<Outcome<Rational>>(exact)})) {
+                    Lazy<Outcome<Rational>>(static_cast<const Outcome<Rational>&>(exact))})) {
     if (exact.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*exact.collision_matrix);
     }
