@@ -6,11 +6,18 @@ include(${CMAKE_CURRENT_LIST_DIR}/../consumer/commands.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component carom)
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed --component carom-scene)
 set(prefix "${WORK}/moved to/here")
 file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")
 set(carom "${prefix}/bin/carom")
+
+# Without carom-scene beside it, the program refuses scenes and says what is missing. It still plans collisions.
+run_expecting(2 "${carom}" scene "${prefix}/share/carom/examples/scenes/cradle.json")
+expect_output("the program carom-scene is not in the directory of this program")
+run_expecting(2 "${carom}" plan "${prefix}/share/carom/examples/scenes/cradle.json")
+expect_output("this file is a scene; to plan it, install carom-scene")
+run("${carom}" plan "${prefix}/share/carom/examples/contacts.jsonl" --repetitions 0)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix "${prefix}" --component carom-scene)
 
 # The program contains no path of the tree or of the build.
 file(STRINGS "${carom}" paths REGEX "${SOURCE}/|${BUILD}/")

@@ -49,7 +49,7 @@ def check_program(system):
                   "is not installed: cp -r /usr/share/carom/npm ~/carom-engines && npm ci --prefix ~/carom-engines && "
                   "export CAROM_ENGINES=~/carom-engines")
     system.expect("apt-get install -y --no-install-recommends gnuplot-nox python3")
-    system.expect("carom scene x", "carom-scene does not stand beside this one", status=2)
+    system.expect("carom scene x", "carom-scene is not in the directory of this program", status=2)
     system.expect("apt-get install -y --no-install-recommends /packages/carom-scene_*.deb")
     system.expect("carom scene /usr/share/carom/examples/scenes/cradle.json --out /tmp/scene && ls /tmp/scene", "report.html")
     system.expect("carom gate frictionless-double --cases 5 --out /tmp/report && carom badge /tmp/report/report.json", '"1 sound"')

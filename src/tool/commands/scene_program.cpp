@@ -13,8 +13,11 @@ namespace carom::tool {
 
 void become_scene_program(int argc, char** argv) noexcept {
   const std::string_view command = argc > 1 ? argv[1] : "";
+  if (command != "scene" && command != "plan") {
+    return;
+  }
   const std::filesystem::path directory = subjects::program_directory();
-  if (!directory.empty() && (command == "scene" || command == "plan")) {
+  if (!directory.empty()) {
     execv((directory / "carom-scene").c_str(), argv);  // it returns only if the program cannot be run
   }
 }
