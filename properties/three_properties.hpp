@@ -18,10 +18,10 @@
 /// two contact points before and after the impulse F, and C is the collision matrix: C F = V⁺ − V⁻.
 ///
 /// A solver is any callable from a collision to the velocities after the impulse: const Collision& → Outcome<S>. S is
-/// float, double or long double. A solver that shows its matrix returns SolvedOutcome<S>. Each property below is a
-/// function of a solver and a valid collision. The invariants that the property names judge the answer in exact
-/// arithmetic. They allow for the rounding of the solver's precision: the inputs and outputs may move by 32 units in
-/// the last place to satisfy the property exactly.
+/// float, double or long double. A solver that shows its collision matrix returns SolvedOutcome<S>. Each property below
+/// is a function of a solver and a valid collision. Exact arithmetic checks the answer by the invariants in
+/// `Property::invariants`. The property must hold exactly for some inputs and outputs within 32 units in the last place
+/// of the solver's precision.
 ///
 ///     RC_GTEST_PROP(MySolver, NeverPenetrates, (const carom::Collision& collision)) {
 ///       RC_ASSERT(carom::properties::non_penetrating_post_velocity(my_solver, collision));
@@ -33,8 +33,8 @@ struct Property {
   std::string_view name;       // a key in lower case, with underscores
   std::string_view title;      // in words
   std::string_view statement;  // one sentence
-  /// The catalogue names of the invariants that judge the property. Their theorems prove it (`Proof`,
-  /// invariants/proof.hpp).
+  /// The names, in `all_invariants()`, of the invariants that judge the property. The theorems of these invariants
+  /// prove the property (`Proof`, invariants/proof.hpp).
   std::vector<std::string_view> invariants;
 };
 
@@ -55,8 +55,8 @@ inline void showValue(const Ruling& ruling, std::ostream& out) { out << (ruling.
 
 namespace detail {
 
-/// The ruling of the property of this name on the answer to a collision. Preconditions: there is such a property, and
-/// the collision is valid.
+/// The ruling of the property of this name on the answer to a collision. Preconditions: `three_properties()` has this
+/// name, and the collision is valid (`validate`).
 [[nodiscard]] Ruling ruling(std::string_view property, const Collision& collision, const ReportedOutcome& answer,
                             Precision precision);
 
@@ -75,16 +75,17 @@ template <class S>
 
 // Pass `precision` if the solver computes in another precision than that of S.
 
-/// After the impulse the bodies do not approach at the contact: N·V⁺ ≥ 0. It applies to contacts with a movable body.
+/// After the impulse the bodies do not approach at the contact: N·V⁺ ≥ 0. The property applies to contacts with a
+/// movable body.
 template <class Solver>
 [[nodiscard]] Ruling non_penetrating_post_velocity(Solver&& solver, const Collision& collision,
                                                    std::optional<Precision> precision = std::nullopt) {
   return detail::ruling("non_penetrating_post_velocity", collision, solver(collision), precision);
 }
 
-/// The collision matrix is symmetric and positive definite, with λI ⪯ C and λ = 1/m_A + 1/m_B > 0. It is the matrix of
-/// the solve: C F = V⁺ − V⁻. The property applies to contacts with a movable body for which the solver shows C [1/kg],
-/// in world axes.
+/// The collision matrix is symmetric and positive definite, with λI ⪯ C and λ = 1/m_A + 1/m_B > 0. It also fits the
+/// answer: C F = V⁺ − V⁻. The property applies to contacts with a movable body for which the solver shows C [1/kg], in
+/// world axes.
 template <class Solver>
 [[nodiscard]] Ruling positive_definiteness(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {
@@ -96,7 +97,7 @@ template <class Solver>
 
 /// One body gains the linear momentum that the other loses: m_A Δv_A = −m_B Δv_B. Each body turns by the moment of its
 /// impulse, J Δw = r × (m Δv), so the angular momentum about every point is kept as well. If one body is immovable,
-/// only the second part applies.
+/// only J Δw = r × (m Δv) of the other body applies.
 template <class Solver>
 [[nodiscard]] Ruling momentum_conservation(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {

@@ -1,32 +1,36 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
-# Builds and checks Carom from a fresh Debian 12 on: bash src/bootstrap.sh [COMMAND] [ARG…]. The default COMMAND is build.
+# Builds and checks Carom from a fresh Debian 12 on: bash src/bootstrap.sh [COMMAND] [ARG…]. The default is `build`.
 #   packages  install the missing packages of all components (with sudo if you are not root)
 #   build     install the packages that the program needs, and build it at build/carom, without scenes
 #   package   build the Debian packages in build/package: carom, carom-scene, and libcarom-PART-dev for each component
 #   package-test  package, then install and test every package in a bare Debian 12 made by debootstrap, as root
-#   component-test  [COMPONENT…]: configure, build, install and use each component in a bare Debian 12, with its packages only, as root
-#   ci-test   [NAME…]: run the scripts of docs/guide/ci.md unchanged in a bare Debian 12, as root. NAME is action, github, gitlab,
-#             script or container. All of them take an hour on two cores
+#   component-test  [COMPONENT…]: configure, build, install and use each component in a bare Debian 12, with only the
+#             packages that it needs, as root
+#   ci-test   [NAME…]: run the scripts of docs/guide/ci.md unchanged in a bare Debian 12, as root. NAME is action,
+#             github, gitlab, script or container. All of them take an hour on two cores
 #   gate      build, then run `build/carom gate ARG…`
 #   engines   build, install the npm engines, then run `build/carom gate --engines ARG…`
-#   scenes    build carom-scene too, run every scene of docs/examples/scenes into build/scenes, and print one verdict a line
+#   scenes    build carom-scene too, run every scene of docs/examples/scenes into build/scenes, and print one verdict
+#             a line
 #   quick     build and run the fastest unit tests: the first answer to an edit
-#   test      build, then run the tests that a change needs (`ctest ARG…`); the heavy tests run a sample of their cases
-#   test all  run all tests with all their cases, the proofs, the browser, the installed libraries and every instruction set
-#   proofs    build, check the proofs, print the axioms of each theorem, and compare the oracle that is extracted from the proofs
-#             with the C++ oracle on 10,000 collisions. It takes six minutes on two cores
-#   bench     build, then print the times of solvers, batches, judge and gate. The exit status is 1 if a solver takes more than
-#             four times as long as the note's plain C++, or if a batch is slower than the plain C++
+#   test      build, then run the tests that a change needs (`ctest ARG…`). The heavy tests run a sample of their cases
+#   test all  run all tests with all their cases, the proofs, the browser, the installed libraries and every
+#             instruction set
+#   proofs    build, check the proofs, and print the axioms of each theorem. Then compare the oracle that is extracted
+#             from the proofs with the C++ oracle on 10,000 collisions. It takes six minutes on two cores
+#   bench     build, then print the times of solvers, batches, judge and gate. The exit status is 1 if a solver takes
+#             more than four times as long as the plain C++ of tests/benchmarks/plain_note.cpp, or if a batch is slower
+#             than that plain C++
 #   compare   REVISION: run the benchmarks of that revision and of this tree in turn, and print the ratios
 #   sanitize  run the tests with assertions, AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 #   tsan      run the tests that start programs and threads under ThreadSanitizer, in build-tsan
 #   fuzz      [SECONDS]: run each target of tests/fuzz for that long (default 30) with clang's libFuzzer, in build-fuzz
-#   same-cases [CASES]: build the families with other compilers and instruction sets, including 32-bit x86 and 64-bit Arm under
-#             qemu, in build-same-cases, and compare every bit of the cases that they draw
+#   same-cases [CASES]: build the families with other compilers and instruction sets, including 32-bit x86 and 64-bit
+#             Arm under qemu, in build-same-cases, and compare every bit of the cases that they draw
 #   coverage  run the tests and print the share of the lines of each folder that they run, in build-coverage
-#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and check that the tests notice,
-#             in build-mutation; `mutation --help` explains its figures
+#   mutation  change one operator, sign, number, comparison or term of the judge at a time, and check that the tests
+#             notice, in build-mutation; `mutation --help` explains its figures
 #   lint      run clang-format, shellcheck, and clang-tidy on all files, in build-lint-all
 #   lint FILE…  run clang-tidy on these files only, in build-lint; `lint change` takes the files that differ from HEAD
 set -euo pipefail
@@ -83,8 +87,8 @@ install_test_programs() {
   install_packages "${programs[@]}" "$@"
 }
 
-# Installs the programs of all tests: those above, a browser for the report, the proof checker, and the compilers that must
-# draw the same cases.
+# Installs the programs of all tests: those of install_test_programs, a browser for the report, the proof checker, and
+# the compilers that must draw the same cases.
 install_all_test_programs() {
   local browser=()
   command -v chromium >/dev/null || browser=(chromium)
@@ -129,8 +133,8 @@ build_program() {
   cmake --build build --parallel "$jobs" --target carom_programs >&2
 }
 
-# run_tests DIRECTORY [ARG…]: runs one test more than there are processors, because some tests wait for programs that
-# hang.
+# run_tests DIRECTORY [ARG…]: runs one test more at a time than there are processors, because some tests wait for
+# programs that hang.
 run_tests() {
   exec ctest --test-dir "$1" --output-on-failure --parallel "$((jobs + 1))" "${@:2}"
 }
@@ -190,8 +194,8 @@ fuzz_one() {
   fi
 }
 
-# run_scene FILE [ARG…]: writes to build/scenes/NAME and prints the verdict in one line. It judges every 100th of the
-# gas's impulses.
+# run_scene FILE [ARG…]: writes to build/scenes/NAME and prints the verdict in one line. It judges only every 100th
+# impulse of the scene `gas`.
 run_scene() {
   local file=$1 name options=()
   shift

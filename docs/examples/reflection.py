@@ -43,7 +43,7 @@ class Body:
         self.spin = vector(record["angular_velocity"])
         self.lever_arm = plus(vector(point), vector(record["position"]), -1)
         self.inverse_mass = 0.0
-        self.turns = []  # for each body axis e: e, e × r and 1/I. An impulse F has the torque (e × r)·F about e
+        self.turns = []  # for each body axis e with moment I: e, e × r, 1/I. An impulse F has torque (e × r)·F about e
         if not record.get("immovable", False):
             self.inverse_mass = 1 / float(record["mass"])
             moments = vector(record["principal_inertia"])
@@ -109,7 +109,7 @@ def solve(record):
     k = collision_matrix(bodies)
     wanted = [-(1 + record["restitution"]) * approach * n for n in normal]
     if all(body.inverse_mass == 0 or not any(cross(body.lever_arm, normal)) for body in bodies):
-        impulse = [x / total for x in wanted]  # K N = λ N
+        impulse = [x / total for x in wanted]  # K N = λ N, because r × N = 0; λ is `total`
     else:
         impulse = solved(k, wanted, total)
         impulse = plus(impulse, solved(k, plus(wanted, change_at_contact(bodies, impulse), -1), total))
@@ -119,7 +119,7 @@ def solve(record):
 
 
 def vector(numbers):
-    return [float(x) for x in numbers]  # also "nan", "inf" and "-inf"
+    return [float(x) for x in numbers]  # also takes "nan", "inf" and "-inf"
 
 
 def defect(record):

@@ -20,7 +20,7 @@ carom::BodyVelocity<double> pushed(const ContactBody<double>& body, const Vector
           body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse)};
 }
 
-/// NᵀKN of one body. Precondition: N has length 1.
+/// The part of one body in N·K N, with K the collision matrix [1/kg]. Precondition: N has length 1.
 double inverse_effective_mass(const ContactBody<double>& body, const Vector3<double>& normal) {
   return body.inverse_mass + angular_part_along(body.inertia, body.lever_arm, normal);
 }

@@ -23,7 +23,7 @@ function rotation(quaternion) {
   ];
 }
 
-/** J⁻¹ (r × N), with J⁻¹ = R diag(1/I) Rᵀ. */
+/** The change of spin by a unit impulse along N: J⁻¹ (r × N), J⁻¹ = R diag(1/I) Rᵀ, R = rotation(orientation). */
 function spinPerImpulse({ orientation = [1, 0, 0, 0], principal_inertia }, leverArm, normal) {
   const axes = rotation(orientation);
   const torque = cross(leverArm, normal);
@@ -57,7 +57,7 @@ function solve({ a, b, point, normal: anyLength, restitution }) {
 
 const finite = (v) => v.every(Number.isFinite);
 
-/** The defect of the input; undefined if there is none. A number that is not finite comes as a string. */
+/** The defect of the input; undefined if there is none. JSON has no NaN or infinity, so these come as strings. */
 function defect({ a, b, point, normal, restitution }) {
   for (const body of [a, b]) {
     if (!finite([...body.position, ...body.velocity, ...body.angular_velocity])) {

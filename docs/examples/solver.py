@@ -70,7 +70,7 @@ def solve(record):
 
 
 def vector(numbers):
-    return [float(x) for x in numbers]  # also "nan", "inf" and "-inf"
+    return [float(x) for x in numbers]  # also takes "nan", "inf" and "-inf"
 
 
 def defect(record):

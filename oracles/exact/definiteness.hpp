@@ -5,7 +5,7 @@
 
 #include <carom/oracles/exact/rational.hpp>
 
-/// These functions read only the lower triangle of a matrix.
+/// The functions of this file read only the lower triangle of a matrix.
 namespace carom::oracles {
 
 /// The seven principal minors, the determinant last. T is a ring.
@@ -20,11 +20,11 @@ template <class T>
 /// Whether xᵀ M x > 0 for every x ≠ 0, by the leading minors (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
 
-/// Whether xᵀ M x ≥ 0 for every x. All seven principal minors are needed: leading minors can vanish and do not decide
-/// this.
+/// Whether xᵀ M x ≥ 0 for every x. All seven principal minors are needed. The leading minors alone do not suffice,
+/// because those of diag(0, 0, −1) are all zero.
 [[nodiscard]] bool is_positive_semidefinite(const Matrix3<Rational>& matrix);
 
-/// M − bound I.
+/// M − bound · I.
 template <class T>
 [[nodiscard]] Matrix3<T> less_multiple_of_identity(Matrix3<T> matrix, const T& bound) {
   for (int i = 0; i < 3; ++i) {
@@ -33,10 +33,10 @@ template <class T>
   return matrix;
 }
 
-/// Whether bound I ⪯ M.
+/// Whether bound · I ⪯ M.
 [[nodiscard]] bool is_at_least(const Matrix3<Rational>& matrix, const Rational& bound);
 
-/// Whether M ⪯ bound I.
+/// Whether M ⪯ bound · I.
 [[nodiscard]] bool is_at_most(const Matrix3<Rational>& matrix, const Rational& bound);
 
 }  // namespace carom::oracles

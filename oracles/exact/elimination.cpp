@@ -52,7 +52,8 @@ Rows3 inertia_tensor(const BasicBody<Rational>& body) {
   return tensor;
 }
 
-/// Newton's and Euler's laws for one body in six rows: m v⁺ ∓ F = m v⁻ and J w⁺ ∓ r × F = J w⁻.
+/// Newton's and Euler's laws for one body in six rows: m v⁺ ∓ F = m v⁻ and J w⁺ ∓ r × F = J w⁻. The upper sign is for
+/// A.
 void write_body(System& system, std::size_t first, const BasicBody<Rational>& body, const Vector3<Rational>& point,
                 int sign) {
   const Rows3 tensor = body.immovable ? Rows3{} : inertia_tensor(body);
@@ -114,7 +115,6 @@ std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
   return result;
 }
 
-/// Writes the law's equation along a tangent t.
 void write_tangential_law(System& system, std::size_t row, const BasicCollision<Rational>& c,
                           const Vector3<Rational>& t, Law law) {
   switch (law) {

@@ -15,9 +15,9 @@ class Radical;
 /// −1, 0 or 1.
 [[nodiscard]] int sign_of(const Radical& number);
 
-/// The exact number p + q √s with rational p, q and s ≥ 0. The truth of a law with friction lies in this field, ℚ(√s).
-/// Two numbers cannot be combined if their roots differ by more than a rational factor. A law needs only one root for
-/// each collision. √s is irrational if q is not zero.
+/// The exact number p + q √s with rational p, q and s ≥ 0. The exact answer of the law `rough` (laws/rough.hpp)
+/// consists of such numbers. Two numbers cannot be combined if their roots √s differ by more than a rational factor.
+/// The law needs only one root for each collision. √s is irrational if q is not zero.
 class Radical {
  public:
   Radical() = default;
@@ -72,13 +72,13 @@ class Radical {
 /// √x. Precondition: x is rational and not negative.
 [[nodiscard]] inline Radical sqrt(const Radical& x) { return Radical::root_of(x.rational_part()); }
 
-/// Within 2⁻¹⁵⁰ of the number, relatively.
+/// A rational with a relative error of at most 2⁻¹⁵⁰.
 [[nodiscard]] Rational approximately(const Radical& number);
 
-/// Within one unit in the last place. Use it for scales and for print.
+/// Accurate to one unit in the last place. Use it for sensitivities and for print.
 [[nodiscard]] double to_double(const Radical& number);
 
-/// The nearest binary64 number, except if the number is within 2⁻¹⁵⁰ of the middle between two of them.
+/// The nearest binary64 number, except if the number is within 2⁻¹⁵⁰ of the middle between two binary64 numbers.
 [[nodiscard]] double nearest_double(const Radical& number);
 
 /// "p + q √(s)", or "p" if the number is rational.

@@ -82,7 +82,7 @@ int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number
 
 RootBelow root_below(const Rational& number) {
   CAROM_EXPECTS(number >= 0, number);
-  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root of a number of at least 320 bits has a relative error below 2⁻¹⁶⁰.
+  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root of a number of `least_bits` bits has a relative error below 2⁻¹⁶⁰.
   constexpr std::size_t least_bits = 322;
   const CGAL::Gmpq& x = Rational::Number::of(number);
   const CGAL::Gmpz product = x.numerator() * x.denominator();
@@ -117,7 +117,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 
 Rational lift(long double number) {
   CAROM_EXPECTS(std::isfinite(number), number);
-  // The loop takes the mantissa off in doubles, so it works for every format of long double.
+  // The loop splits the mantissa into doubles, so it works for every format of long double.
   int exponent = 0;
   Rational result;
   for (long double rest = std::frexp(number, &exponent); rest != 0;) {

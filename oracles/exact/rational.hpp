@@ -15,12 +15,13 @@
 namespace carom::oracles {
 
 /// An exact rational number, which hides a CGAL::Gmpq. Every finite floating-point number is a rational number. Only
-/// the files that include gmpq.hpp see CGAL, because its headers take seconds to compile. The operators of Gmpq are
-/// some hundred functions. They would take part in overload resolution for each sum and product of matrices.
+/// the files that include gmpq.hpp see CGAL, for two reasons. CGAL's headers take seconds to compile. The operators of
+/// Gmpq are some hundred functions, which would take part in overload resolution for each sum and product of matrices.
 class Rational {
  public:
   Rational();  // zero
-  /// Formulas contain 0, 1 and 2. No other type is accepted: a double would lose its fraction in the conversion to int.
+  /// An int converts implicitly, because formulas contain 0, 1 and 2. A double would lose its fraction in the
+  /// conversion to int, so no other type is accepted.
   template <std::same_as<int> Int>
   Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.
@@ -41,7 +42,7 @@ class Rational {
   Rational& operator*=(const Rational& other) { return *this = *this * other; }
   Rational& operator/=(const Rational& other) { return *this = *this / other; }
 
-  /// The number · 2^exponent. The exponent may be outside the range of double.
+  /// The number · 2^exponent. The exponent may exceed the exponents of double.
   [[nodiscard]] Rational times_power_of_two(int exponent) const;
 
   friend Rational operator+(const Rational& left, const Rational& right);
@@ -85,7 +86,7 @@ class Rational {
 /// Precondition: every number of the outcome is finite.
 [[nodiscard]] Outcome<Rational> lift(const Outcome<long double>& outcome);
 
-/// Within one unit in the last place. Use it for scales and for print.
+/// Accurate to one unit in the last place. Use it for sensitivities and for print.
 [[nodiscard]] double to_double(const Rational& number);
 
 /// The nearest binary64 number, ties to even.
@@ -94,14 +95,14 @@ class Rational {
 /// −1, 0 or 1.
 [[nodiscard]] int sign_of(const Rational& number);
 
-/// √x rounded down, with a relative error of at most 2⁻¹⁶⁰. It is exact if √x is rational. Precondition: x ≥ 0.
+/// √x rounded down, with a relative error of at most 2⁻¹⁶⁰. The root is exact if √x is rational. Precondition: x ≥ 0.
 struct RootBelow {
   Rational root;
   bool is_exact;
 };
 [[nodiscard]] RootBelow root_below(const Rational& number);
 
-/// √x. Throws std::domain_error if it is irrational. Precondition: x ≥ 0.
+/// √x. Throws std::domain_error if √x is irrational. Precondition: x ≥ 0.
 [[nodiscard]] Rational sqrt(const Rational& number);
 
 /// "p/q" in lowest terms, or "p" if q = 1.

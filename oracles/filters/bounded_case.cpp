@@ -11,8 +11,8 @@
 namespace carom::oracles {
 namespace {
 
-/// An upper bound of the condition number of a symmetric positive definite matrix. Its largest eigenvalue is at most
-/// the trace t. The product of the other two is at most (t/2)². Hence κ ≤ t³ / (4 det).
+/// An upper bound of the condition number κ of a symmetric positive definite matrix with eigenvalues a ≥ b ≥ c. κ = a/c
+/// = a · a b / det. With the trace t, a ≤ t and a b ≤ (t/2)². Hence κ ≤ t³ / (4 det).
 double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
   const Vector3<Approximation> c0 = matrix.col(0);
@@ -21,8 +21,8 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// An upper bound of Σ|t| over the terms t of N·V⁻, which are N·v and N·(w × (P − X)) of each body. A product of
-/// vectors is bounded by the product of their 1-norms.
+/// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, and of Σ|t| over the terms t of N·V⁻. The terms are N·v and N·(w × (P − X))
+/// of each body. The product of the 1-norms of two vectors bounds the product of the vectors.
 double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;
@@ -33,7 +33,7 @@ double sum_of_sizes(const Collision& c) {
   return size(c.normal) * sum;
 }
 
-/// Whether the number, and so its sign, is known to six digits (bounded_case_bounds.hpp).
+/// Whether N·V⁻, and so its sign, is known to six digits (bounded_case_bounds.hpp).
 bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
   return std::abs(normal_velocity) > bounded_case_bounds::known_share_of_normal_velocity * sensitivity_above;
 }
@@ -41,7 +41,7 @@ bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
-/// At most ‖y‖.
+/// A lower bound of ‖y‖.
 double norm_below(const Vector3<Approximation>& y) {
   return std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
                    y[2].magnitude_below() * y[2].magnitude_below());

@@ -15,11 +15,12 @@
 
 namespace carom::oracles {
 
-/// The facts that the filters know of a valid collision: approximations with bounds. Each is computed on first use. For
-/// one thread.
+/// Facts about a valid collision, in arithmetic with error bounds. The filters, fast decisions by bounds, use them.
+/// Each fact is computed on first use. For one thread. N is the normal, V⁻ the relative velocity before the impulse.
+/// y_k are the vectors of an outcome, y_k⁻ those before the impulse.
 class BoundedCase {
  public:
-  /// Precondition: the collision is valid.
+  /// Precondition: validate(collision) is empty.
   explicit BoundedCase(const Collision& collision) : collision_(collision) {
     CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   }
@@ -28,20 +29,21 @@ class BoundedCase {
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
   [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
 
-  /// Whether every number is moderate (moderate.hpp). Scales and sensitivities are then certainly finite.
+  /// Whether the collision is moderate (moderate.hpp). Its scales (yardstick.hpp) and sensitivities (sensitivity.hpp)
+  /// are then certainly finite.
   [[nodiscard]] bool is_moderate() const;
 
   struct NormalVelocity {
     double value;  // rounded, correct to six digits
     int sign;      // −1, 0 or 1
   };
-  /// N·V⁻, if the bounds decide it.
+  /// N·V⁻. No value if the bounds do not give six digits.
   [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
 
-  /// At least Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
+  /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
-  /// ‖y_k⁻‖. It is also a lower bound of every sensitivity, because it is a term of the sensitivity.
+  /// ‖y_k⁻‖. It is a term of every sensitivity, and so a lower bound of it.
   [[nodiscard]] const Sensitivity& norms_before() const;
 
   /// The norms of the derivatives of an equation with respect to the vectors of an outcome. `differentiate` computes
@@ -54,18 +56,19 @@ class BoundedCase {
   /// The collision, with its numbers as inputs of differentiation.
   [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
-  /// The law's answer to a contact that collides, to about 100 bits, with its bound. It is not certified, because no
-  /// equation holds exactly for it. Preconditions: those of the function `colliding_truth` (models.hpp).
+  /// The law's answer to a contact that collides, to about 100 bits, with error bounds. `certify` cannot check it,
+  /// because rounded numbers satisfy no equation exactly. Preconditions: those of the function `colliding_truth`
+  /// (models.hpp).
   [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
-  /// A lower bound of the sensitivity of `colliding_truth`, at a small part of its cost: ‖y_k⁻‖ + ½ ‖y_k‖. The law's
-  /// answer is homogeneous of degree one in the velocities. So the sum over the velocities alone is at least ‖y_k‖
-  /// (Euler). The factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten digits.
-  /// Preconditions: is_moderate(), and those of `colliding_truth`.
+  /// ‖y_k⁻‖ + ½ ‖y_k‖ for the answer y of `colliding_truth`: a lower bound of its sensitivity that costs much less. The
+  /// answer is homogeneous of degree one in the velocities. So the sensitivity's sum over the velocities alone is at
+  /// least ‖y_k‖ (Euler). The factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten
+  /// digits. Preconditions: is_moderate(), and those of `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
-  /// Whether the law `rough` answers inside the cone, and whether its answer may lie on the surface (models.hpp). No
-  /// value if the bounds do not decide it. Precondition: a body is movable.
+  /// Whether F by the law `rough` lies inside the friction cone, and whether F can lie on its surface (models.hpp). No
+  /// value if the bounds do not decide. Precondition: a body is movable.
   [[nodiscard]] std::optional<bool> is_inside_cone() const;
   [[nodiscard]] std::optional<bool> reaches_cone() const;
 
@@ -73,24 +76,24 @@ class BoundedCase {
   /// is movable.
   [[nodiscard]] bool has_clear_divisor() const;
 
-  /// Whether κ(K) < 2²⁰. Binary64 loses about κ(K) u of the sensitivities, and then keeps ten digits.
+  /// Whether bounds show that the condition number κ(K) is below 2²⁰. A sensitivity in binary64 has a relative error of
+  /// about κ(K) u, so it then keeps ten digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  /// K and λ, with bounds.
+  /// The collision matrix K and λ = 1/m_A + 1/m_B, with bounds.
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if that is larger and rounding cannot have destroyed
-  /// it (bounded_case_bounds.hpp). Precondition: is_moderate().
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if ‖K‖_F is larger than λ and than its rounding
+  /// errors (bounded_case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
-  /// The inertia tensor of a body in world coordinates, rounded. It is zero if the body is immovable.
+  /// The inertia tensor of a body in world coordinates, rounded. The tensor is zero if the body is immovable.
   [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
 
  private:
-  /// The facts about one law.
   struct OfLaw {
     Lazy<Truth<Enclosure>> truth;
     Lazy<Sensitivity> sensitivity_below;

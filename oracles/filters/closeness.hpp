@@ -8,29 +8,31 @@
 
 namespace carom::oracles {
 
-/// If an outcome ŷ is close to the truth y, it satisfies every equation within the allowance, and no equation has to be
-/// evaluated. The truth satisfies each equation g exactly: ExactCase::truth is certified, and tests prove the
-/// inequalities. g is affine in the outcome, or convex (the kinetic energy). The residual of g is therefore at most Σ_k
-/// ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. The inequalities in closeness_bounds.hpp show that this is within the allowance, including
-/// all rounding.
+/// Shows that an outcome ŷ satisfies equations within the allowance because it is close to the truth y, a law's exact
+/// answer. The equations then need no evaluation.
+///
+/// The truth satisfies each equation exactly. `certify` substitutes the truth into the equations that define the law.
+/// closeness_test.cpp checks the other equations and the inequalities. An equation g is affine in the outcome, or
+/// convex (the kinetic energy). So the residual of g is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. closeness_bounds.hpp shows
+/// that this sum, with all rounding, is within the allowance.
 class Closeness {
  public:
   /// A closeness that shows nothing.
   Closeness() = default;
 
-  /// `error_above` is at least ‖ŷ_k − y_k‖. Preconditions: the law is one of `laws_with_truth`; the allowance
-  /// belongs to a yardstick that uses bounds; collision and outcome are moderate.
+  /// `error_above` is at least ‖ŷ_k − y_k‖, and `allowance` is Yardstick::allowance(). Preconditions: the law is one of
+  /// `laws_with_truth`; Yardstick::uses_bounds(), BoundedCase::is_moderate() and LiftedOutcome::is_moderate() are true.
   Closeness(const BoundedCase& bounds, Law law, const LiftedOutcome& outcome, const PerVector<double>& error_above,
             double allowance);
 
   /// Whether closeness shows that the equation holds. Precondition: the equation applies to this collision.
   [[nodiscard]] bool shows(const Equation& equation) const;
 
-  /// Whether closeness shows that the energy grows by at most the work of a driven wall.
+  /// Whether closeness shows that equation::Energy holds.
   [[nodiscard]] bool shows_energy() const;
 
-  /// Whether closeness shows that the vectors are unchanged by the impulse, to within a · ‖y_k⁻‖. Precondition: the
-  /// truth leaves these vectors unchanged.
+  /// Whether closeness shows that the impulse leaves the vectors unchanged, to within the allowance times ‖y_k⁻‖. y_k⁻
+  /// is the vector before the impulse. Precondition: the truth leaves these vectors unchanged.
   [[nodiscard]] bool shows_untouched(std::span<const OutcomeVector> which) const;
 
  private:

@@ -15,7 +15,8 @@
 
 namespace carom::oracles {
 
-/// The collision matrix that a subject shows, as reported and without rounding. For one thread.
+/// A collision matrix in several number types, reported by a subject (a solver under test) or computed in ℚ. For one
+/// thread.
 class LiftedMatrix {
  public:
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
@@ -37,7 +38,7 @@ class LiftedMatrix {
   }
 
   /// The matrix in numbers of type T: exact rationals, or approximations and enclosures with their bounds. Any other T
-  /// is rounded. Precondition for approximations: the matrix was reported.
+  /// is rounded. Precondition for approximations: `reported` is not nullptr.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
     CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));

@@ -17,7 +17,8 @@
 
 namespace carom::oracles {
 
-/// An outcome in the forms in which it is judged: exact, approximate, enclosed, and rounded. For one thread.
+/// An outcome in the number types in which it is judged, reported by a subject (a solver under test) or computed in ℚ.
+/// For one thread.
 class LiftedOutcome {
  public:
   /// If a number is not finite, only `is_moderate` may be called.
@@ -40,14 +41,14 @@ class LiftedOutcome {
   /// The outcome as the subject reported it; nullptr if it was computed in ℚ.
   [[nodiscard]] const Outcome<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 
-  /// The collision matrix that was shown with the outcome; nullptr if there was none.
+  /// The collision matrix that was reported with the outcome; nullptr if there was none.
   [[nodiscard]] const LiftedMatrix* collision_matrix() const { return collision_matrix_.get(); }
 
-  /// Whether the outcome was reported and every number in it is moderate (moderate.hpp). Its products then stay in the
-  /// range of numbers.
+  /// Whether `reported` is set and no number in it exceeds `largest_moderate_outcome`. Products with its numbers then
+  /// stay in the range of binary64.
   [[nodiscard]] bool is_moderate() const { return is_moderate_; }
 
-  /// Precondition: the outcome was reported.
+  /// Precondition: `reported` is not nullptr.
   [[nodiscard]] Outcome<Approximation> approximate() const {
     CAROM_EXPECTS(reported_.has_value());
     return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
@@ -65,7 +66,7 @@ class LiftedOutcome {
     return further().exact.get([this] { return lift(*reported_); });
   }
 
-  /// Whether `rounded` is the reported outcome itself. Precondition: the outcome was reported.
+  /// Whether `rounded` equals the reported outcome. Precondition: `reported` is not nullptr.
   [[nodiscard]] bool is_exactly_rounded() const {
     CAROM_EXPECTS(reported_.has_value());
     bool is_exact = true;
@@ -75,7 +76,7 @@ class LiftedOutcome {
     return is_exact;
   }
 
-  /// ‖ŷ_k‖, up to a few roundings.
+  /// The lengths of the four vectors, up to a few roundings.
   [[nodiscard]] PerVector<double> norms() const { return norms_of(rounded()); }
 
  private:
@@ -89,7 +90,6 @@ class LiftedOutcome {
     return *further_.get([] { return std::make_unique<Further>(); });
   }
 
-  /// Whether every number is moderate.
   static bool is_moderate(const Outcome<long double>& reported) {
     bool moderate = true;
     for (const Vector3<long double>* part : vectors(reported)) {

@@ -27,7 +27,6 @@ Outcome<Approximation> ApproximateResponse::operator()(const Vector3<Approximati
 
 namespace {
 
-/// A collision in the number types that refinement uses.
 struct Arithmetics {
   const Collision& rounded;
   const BasicCollision<Enclosure>& enclosed;

@@ -16,7 +16,6 @@ namespace carom::oracles {
 
 [[nodiscard]] Enclosure enclosure_of(const Approximation& x);
 
-/// The approximate response of a collision to impulses.
 struct ApproximateResponse {
   explicit ApproximateResponse(const BasicCollision<Approximation>& collision);
 
@@ -27,10 +26,11 @@ struct ApproximateResponse {
   Matrix3<Approximation> matrix;
 };
 
-/// The law's answer to a contact that collides, to about 100 bits, at a small part of the cost. It takes one step of
-/// iterative refinement (J. Wilkinson), with bounds. Any impulse F̂ that the law permits leaves the change ΔV − K F̂. The
-/// impulse F is exactly F̂ plus the impulse for this remaining change, so F̂ needs no bound. The second impulse is
-/// smaller by the precision of binary64, so approximations suffice for it. Preconditions: those of impulse_for.
+/// The law's answer to a contact that collides, to about 100 bits. The function costs much less than `colliding_truth`
+/// in enclosures. It takes one step of iterative refinement (J. Wilkinson), with bounds. The law requires a change ΔV
+/// of relative velocity. After any impulse F̂ that the law permits, the change ΔV − K F̂ remains. F is exactly F̂ plus
+/// the impulse for the remaining change, so F̂ needs no bound. The second impulse is smaller by the precision of
+/// binary64, so approximations suffice for it. Preconditions: a body is movable; the law is one of `laws_with_truth`.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
                                              const BasicCollision<Approximation>& approximate, Law law, Branch branch,
                                              const ApproximateResponse& approximate_response);

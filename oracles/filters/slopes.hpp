@@ -34,7 +34,7 @@ template <class S, std::size_t N, class OneEquation, class R>
   return slopes;
 }
 
-/// Σ_q ‖∂g/∂q‖ ‖q‖ over the quantities of the collision.
+/// Σ_q ‖∂g/∂q‖ ‖q‖ over the quantities of the collision (quantities.hpp).
 template <class S, class OneEquation, class R>
 [[nodiscard]] S part_by_inputs(const OneEquation& equation, const DualInputs<S, collision_inputs>& inputs,
                                const Outcome<R>& outcome) {
@@ -46,11 +46,11 @@ template <class S, class OneEquation, class R>
 }
 
 /// ‖∂g/∂ŷ_k‖ for an equation that is affine in the outcome. These norms do not depend on the outcome. Precondition:
-/// name_of(equation) is set.
+/// name_of(equation) has a value.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 
-/// The vectors of an outcome that occur in an equation. The derivative with respect to each of them is not zero, for a
-/// collision in which nothing vanishes.
+/// The vectors of an outcome that occur in an equation. A vector occurs if the derivative with respect to it is not
+/// zero, for a collision without zeros.
 [[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
 
 }  // namespace carom::oracles

@@ -8,7 +8,8 @@
 
 namespace carom::oracles {
 
-/// The stages of a decision, from cheap to expensive. The cheapest stage that can decide does so.
+/// The ways in which the judge decides a comparison, from cheap to expensive. The cheapest stage that can decide does
+/// so.
 enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
 inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
@@ -27,9 +28,9 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
 
-/// The bounds of an approximation are at least n u times the sum of the sizes of a law's terms. n = 30 is the largest
-/// number of roundings of a term. For an allowance below some tens of n u, approximations decide too seldom to be worth
-/// trying.
+/// Below this allowance, approximations decide too seldom to be worth trying. Their error bound of an equation is at
+/// least n u times the sum of the sizes of its terms. n = 30 is the largest number of roundings of a term. The limit is
+/// some tens of n u.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

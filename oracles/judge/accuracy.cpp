@@ -44,7 +44,7 @@ std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
 template <class T>
 inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;
 
-/// The collision and the outcome as numbers of the truth's type (ℚ or ℚ(√s)).
+/// The collision and the outcome in the field of the truth, which is a law's exact answer: ℚ or ℚ(√s).
 template <class T>
 BasicCollision<T> collision_in(const ExactCase& exact_case) {
   return map_numbers<T>(exact_case.collision(), [](double number) { return T(number); });
@@ -54,7 +54,8 @@ Outcome<T> outcome_in(const LiftedOutcome& outcome) {
   return map_outcome<T>(outcome.exact(), [](const Rational& x) { return T(x); });
 }
 
-/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm. No value if the arithmetic does not decide it.
+/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm, with ŷ the outcome, y the truth and y⁻ the velocities
+/// before. No value if the arithmetic does not decide it.
 template <class T>
 std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
                                            const Outcome<T>& outcome) {
@@ -111,8 +112,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, con
   return result;
 }
 
-/// The accuracy with this sensitivity. No value if the arithmetic cannot decide it, or cannot give it precisely enough
-/// for print.
+/// The accuracy with this sensitivity. No value if T cannot decide it, or is not precise enough for print.
 template <class T>
 std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick) {
@@ -199,8 +199,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
-  // If a lower bound of the sensitivity allows an error, the sensitivity allows it too, provided that the sensitivity
-  // is finite. The errors are the same in both cases, so the reported errors do not depend on `known`.
+  // If a lower bound of the sensitivity allows an error, the sensitivity, which is finite for moderate numbers, allows
+  // it too. The errors do not depend on the sensitivity, so `known` does not change the reported errors.
   if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(law) &&
       outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
@@ -233,7 +233,6 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   });
 }
 
-/// Whether an outcome with this accuracy passes.
 bool passes(const Accuracy& accuracy, const Yardstick& yardstick) {
   return accuracy.is_decided && (accuracy.is_allowed() || (yardstick.digits && accuracy.has_digits));
 }
@@ -257,13 +256,13 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   if (!passes(result, yardstick)) {
     return own;
   }
-  // If the outcome passes by both answers, the nearer one counts.
+  // If the outcome passes by both answers, the nearer answer counts.
   const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
   if (passes(own, yardstick) && !is_nearer) {
     return own;
   }
   result.is_of_truth = false;
-  // `error_above` bounds the distance to the truth, and this answer is another one.
+  // `error_above` bounds the distance to the truth, but the outcome passes by the other answer.
   result.error_above = Accuracy{}.error_above;
   return result;
 }

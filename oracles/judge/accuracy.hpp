@@ -9,7 +9,7 @@
 
 namespace carom::oracles {
 
-/// The distance of an outcome from the truth.
+/// The distance of an outcome ŷ from the truth y, the exact answer of a law. y_k⁻ are the vectors before the impulse.
 struct Accuracy {
   PerVector<double> error{};                 // ‖ŷ_k − y_k‖
   PerVector<double> error_above = infinite;  // at least the error; infinite if the judge is not filtered
@@ -36,15 +36,17 @@ struct Accuracy {
   static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
-/// Correct decimal digits of the change of the velocities of a computed outcome, compared with an exact one (see
-/// Accuracy::digits).
+/// Correct decimal digits of the change of the velocities of a computed outcome, compared with that of an exact outcome
+/// (see Accuracy::digits).
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// The accuracy of an outcome. If the case has two answers by this law, it refers to the answer by which the outcome
-/// passes. If the outcome passes by neither, it refers to the truth. With a filtered yardstick, a backward error that
-/// is certainly at most `known` may be computed with a lower bound of the sensitivity. This costs much less. The
-/// backward error is then too large, but at most `known`. Precondition: the law is one of `laws_with_truth`.
+/// The accuracy of an outcome by this law. If the case has two answers (ExactCase::has_two_answers), the accuracy
+/// refers to the answer by which the outcome passes. If the outcome passes by neither answer, it refers to the truth.
+///
+/// `known` saves time with a filtered yardstick. A backward error that is certainly at most `known` may be computed
+/// with a lower bound of the sensitivity. It is then too large, but at most `known`. Precondition: the law is one of
+/// `laws_with_truth`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

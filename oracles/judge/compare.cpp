@@ -32,8 +32,8 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
   return result;
 }
 
-/// The components that may be missing, for numbers with error bounds. A component whose sign is uncertain counts as
-/// missing.
+/// The components that `missing` may give, for numbers with error bounds. A component whose sign is uncertain is
+/// included.
 template <class OneEquation, class T>
 Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
                             const Outcome<T>& outcome) {
@@ -41,8 +41,9 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// The loss of the outputs by underflow, divided by u. s = η/u, so an error of η equals u s. F, and the approach
-/// velocity from which F is computed, have an error of u s. So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
+/// The loss of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, with η the
+/// least positive number and s = η/u. F, and the approach velocity from which F is computed, each have an error of u s.
+/// So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
 PerVector<double> lost_to_underflow(const Collision& c, double s) {
   PerVector<double> lost{};
   const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -59,8 +60,9 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. An output is the sum of its velocity before the impulse and a change, so
-/// its error is u times the larger of both. The size of the output alone would allow no error if the exact sum is zero.
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. An output is the sum of a velocity before the impulse and a change, so
+/// its error is u times the larger of these terms. The size of the output alone would allow no error if the exact sum
+/// is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
   PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
@@ -86,8 +88,8 @@ bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
-/// Whether the slopes must be computed from all digits of the outcome. The slopes of a law that is not affine may
-/// cancel. The digits of extended beyond binary64 may be all that remains.
+/// Whether the slopes must be computed from all digits of the outcome. The slopes of an equation that is not affine may
+/// cancel, so that only the digits beyond binary64 remain.
 template <class OneEquation>
 bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
@@ -97,7 +99,8 @@ bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome)
   }
 }
 
-/// The part by outputs, in binary64. If a law is affine in the outcome, its slopes are those that the case stores.
+/// The part of the scale by outputs, in binary64. The case stores the slopes of an equation that is affine in the
+/// outcome.
 template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                        const PerVector<double>& sizes) {
@@ -114,9 +117,9 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
   return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
 
-/// The second-order part of the scale of a law that is quadratic in the outcome, divided by the allowance a. The slopes
-/// do not contain it. The outputs have errors s_k = a (‖ŷ_k‖ + ‖y_k⁻‖). So the energy has an error of (m s_v² + I s_w²)
-/// / 2 if its slopes vanish, for example for a body that moves with a driven wall.
+/// The second-order error of an equation that is quadratic in the outcome, divided by the allowance a. The slopes do
+/// not contain it. The outputs have errors s_k = a (‖ŷ_k‖ + ‖y_k⁻‖). So the energy has an error of (m s_v² + I s_w²) /
+/// 2 if its slopes vanish, for example for a body that moves with a moving wall.
 template <class OneEquation>
 double part_by_curvature(const OneEquation& /*affine*/, const ExactCase& /*exact_case*/,
                          const LiftedOutcome& /*outcome*/, double /*allowance*/) {
@@ -137,7 +140,7 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
-/// F has an error of a m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body that F is computed from. If the
+/// F has an error of a m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body from which F is computed. If the
 /// slopes vanish, the squares of F have the square of this error.
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
@@ -148,8 +151,8 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
-/// Friction and slip have errors of a times the velocities that they are computed from. If their slopes vanish, their
-/// product has the product of both errors.
+/// Friction and slip have errors of a times the velocities from which they are computed. If the slopes vanish, the
+/// error of the product of friction and slip is the product of their errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                       double allowance) {
   const Collision& c = exact_case.collision();
@@ -173,7 +176,7 @@ double part_by_curvature(const equation::FrictionAgainstSlip& against, const Exa
   return curvature_of_friction_and_slip(against.read_off_a, exact_case, outcome, allowance);
 }
 
-/// V⁺ − V⁻ = C F for the C that a subject shows.
+/// V⁺ − V⁻ = C F for the collision matrix C that a subject (a solver under test) reports.
 struct ByShownMatrix {
   const LiftedMatrix& shown;
   bool read_off_a;
@@ -184,8 +187,8 @@ struct ByShownMatrix {
   }
 };
 
-/// C stands for K, which the inputs determine. K has an error of a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius norm. C F has an
-/// error of ‖F‖ times that.
+/// C stands for the exact matrix K, which the inputs determine. K has an error of a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius
+/// norm. C F has ‖F‖ times this error.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
@@ -198,8 +201,8 @@ double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs&
                                       sizes);
 }
 
-/// Whether the product in part_by_curvature keeps its digits. For a moderate collision, the sensitivity of K is no
-/// extreme number.
+/// Whether the product in part_by_curvature keeps its digits. For a moderate collision, the sensitivity of K is not
+/// extreme.
 bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                         double allowance) {
   const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
@@ -211,7 +214,7 @@ bool is_moderate(const LiftedMatrix& shown) {
   return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
 }
 
-/// The sum of all parts. No value if it leaves the range of numbers.
+/// The scale of an equation, as the sum of all parts. No value if the sum leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                const PerVector<double>& sizes, double allowance) {
@@ -235,8 +238,8 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
-/// A lower bound of the scale at a small part of its cost: the part by outputs alone. Precondition: collision and
-/// outcome are moderate.
+/// A lower bound of the scale that costs much less: the part by outputs alone. Precondition: `is_moderate` of the
+/// bounds and of the outcome.
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
@@ -245,7 +248,7 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
   return is_in_range(part) ? part : 0;
 }
 
-/// Whether approximations alone show that the law holds. If false, nothing is known.
+/// Whether approximations alone show that the equation holds. If false, nothing is known.
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                   const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {

@@ -9,7 +9,7 @@
 
 namespace carom::oracles {
 
-/// Scales between these limits can be multiplied by an allowance without leaving the range of binary64.
+/// Scales (yardstick.hpp) between these limits can be multiplied by an allowance without leaving the range of binary64.
 inline constexpr double smallest_scale = 0x1p-900;
 inline constexpr double largest_scale = 0x1p+1000;
 
@@ -27,16 +27,16 @@ struct Comparison {
   std::vector<double> right;
 };
 
-/// Evaluates an equation exactly at an outcome. The residual may be at most yardstick.allowance() times the scale of
-/// the equation. The equation then holds for inputs and outputs within that distance. A filtered yardstick uses the
-/// first of these that decides: approximations and a lower bound of the scale; enclosures and that bound; enclosures
-/// and the scale; rationals. Precondition: the equation applies to this collision.
+/// Evaluates an equation exactly at an outcome. The equation holds if its residual is at most yardstick.allowance()
+/// times its scale. A filtered yardstick uses the first of these that decides: approximations with a lower bound of the
+/// scale; enclosures with this lower bound; enclosures with the scale; rationals. Precondition: that of the equation
+/// (equations.hpp).
 [[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick);
 
-/// Compares V⁺ − V⁻ with C F in the same way, for the collision matrix C that a subject shows. C may differ from K by
-/// as much as the permitted inputs can change K. F is computed from the velocity change of the lighter movable body.
-/// Preconditions: a body is movable; C is finite.
+/// Compares V⁺ − V⁻ with C F as `compare` does, for the collision matrix C that a subject (a solver under test)
+/// reports. C may differ from the exact K by as much as permitted inputs (permitted_inputs.hpp) change K. F is computed
+/// from the velocity change of the lighter movable body. Preconditions: a body is movable; shown.is_finite().
 [[nodiscard]] Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case,
                                            const LiftedOutcome& outcome, const Yardstick& yardstick);
 

@@ -9,8 +9,8 @@
 
 namespace carom::oracles {
 
-/// All answers of the law `coulomb` to a case. If the case does not collide, the only answer is the unchanged
-/// velocities.
+/// All answers of the law `coulomb` to the collision of a case. If the case does not collide, the only answer is the
+/// unchanged velocities.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case);
 
 /// The answer nearest to an outcome, and its distance in digits.
@@ -19,7 +19,7 @@ struct NearestAnswer {
   double digits;       // correct digits of the change of the velocities (see Accuracy::digits)
 };
 
-/// The answer nearest to `outcome`. Preconditions: `answers` are those of the case; the outcome is finite.
+/// The answer nearest to `outcome`. Preconditions: `answers` come from `coulomb_answers`; the outcome is finite.
 [[nodiscard]] NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,
                                            const Outcome<long double>& outcome);
 

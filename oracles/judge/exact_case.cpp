@@ -15,7 +15,6 @@
 namespace carom::oracles {
 namespace {
 
-/// Whether bounds show that a vector is not zero.
 bool is_surely_not_zero(const Vector3<Approximation>& v) {
   return v[0].sign().value_or(0) != 0 || v[1].sign().value_or(0) != 0 || v[2].sign().value_or(0) != 0;
 }
@@ -28,9 +27,9 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// τ_k of `sensitivity`. It is zero if it is beyond the range of numbers.
+/// τ_k of ExactCase::sensitivity, or zero if τ_k is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
-  // A lever arm is a difference of two positions, so both of their lengths perturb it.
+  // A lever arm is a difference of two positions, and perturbations of both change it.
   const auto reach = [&](const Body& body) { return norm_of(c.point) + length_of_position(body); };
   double speed = 0;
   double lambda = 0;
@@ -60,7 +59,7 @@ Sensitivity second_order_scale(const Collision& c) {
 /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖. The derivatives of N·(v + w × r) are: V with respect to N, N with respect to v, r × N with
 /// respect to w, and N × w with respect to r = P − X.
 double sensitivity_of_normal_velocity(const Collision& c) {
-  // A zero cannot be perturbed relatively, even if its derivative is infinite.
+  // A quantity that is zero has no relative perturbation, even if its derivative is infinite.
   const auto weighted = [](const Vector3<double>& derivative, double length) {
     return length == 0 ? 0 : norm_of(derivative) * length;
   };
@@ -155,7 +154,6 @@ bool ExactCase::reaches_cone() const {
 
 namespace {
 
-/// The certified truth of the law `rough` in the field T.
 template <class T>
 Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
   Truth<T> truth = colliding_truth(c, Law::rough, branch);

@@ -9,7 +9,8 @@
 
 namespace carom::oracles {
 
-/// A valid collision and exact facts about it. Each fact is computed on first use. For one thread.
+/// A valid collision and exact facts about it. Each fact is computed on first use. For one thread. N is the normal, V⁻
+/// the relative velocity before the impulse, F the impulse, K the collision matrix, and λ = 1/m_A + 1/m_B.
 class ExactCase {
  public:
   /// If `filtered` is false, the facts that decide (the sign of N·V⁻, collinear, head-on, bounds of K) are computed in
@@ -19,16 +20,16 @@ class ExactCase {
   [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
 
-  /// The facts that the filters know.
+  /// The same facts in arithmetic with bounds, for the filters.
   [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
 
   [[nodiscard]] Approach approach() const;
 
-  /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
+  /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity() const;
 
-  /// The permitted inputs, if the first order does not describe their effect. nullptr otherwise, and also if the
-  /// allowance is 0 or at least ½.
+  /// The permitted inputs, if the first order is blind (PermittedInputs::first_order_is_blind). nullptr otherwise, and
+  /// also if the allowance is 0 or at least ½.
   [[nodiscard]] const PermittedInputs* permitted_inputs(double allowance) const;
 
   /// Whether the inputs that differ relatively by `allowance` include both colliding and separating contacts.
@@ -39,14 +40,14 @@ class ExactCase {
   [[nodiscard]] Branch branch(Law law) const;
 
   /// The law's answer, certified: both sides of each defining equation are equal. Throws std::logic_error if they are
-  /// not. Preconditions: the law is one of `laws_with_truth`; its answer is rational, so it does not lie on the
-  /// cone.
+  /// not. Preconditions: the law is one of `laws_with_truth`; its answer is rational, because the contact does not
+  /// collide or `branch` is not `on_cone`.
   [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, approach()); }
 
   /// The certified answer that the law would give if the contact had approach `as`.
   [[nodiscard]] const Truth<Rational>& truth(Law law, Approach as) const;
 
-  /// The certified answer if it lies on the cone, in ℚ(√s).
+  /// The certified answer in ℚ(√s), if `branch` is `on_cone`.
   [[nodiscard]] const Truth<Radical>& truth_on_cone(Law law) const;
 
   /// Calls use(truth) with the rational truth or with the truth on the cone.
@@ -60,41 +61,44 @@ class ExactCase {
   /// The outcome of the truth, each number rounded to the nearest binary64 number.
   [[nodiscard]] Outcome<double> nearest_truth(Law law) const;
 
-  /// The truth to about 100 bits, with its bound. It is not certified, because no equation holds exactly for it.
+  /// The truth to about 100 bits, with error bounds. `certify` cannot check it, because rounded numbers satisfy no
+  /// equation exactly.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
 
-  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ and a the
-  /// allowance. τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 V / λ, with V an upper bound of
-  /// ‖V⁻‖. The first order vanishes for some contacts, such as a central one that grazes. Only products of two
-  /// roundings then remain.
+  /// The sensitivity of the law's answer, to second order: σ_k + a τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖
+  /// (sensitivity.hpp) and a the allowance. τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 s / λ,
+  /// with s an upper bound of ‖V⁻‖. The first order vanishes for some contacts, such as a central contact that grazes.
+  /// Only products of two roundings then remain.
   ///
-  /// In the grazing band, the sensitivity is that of the colliding answer, because inputs within the allowance collide.
-  /// The exception is a law that acts at once, whose two answers are judged separately. Near the cone's surface, the
-  /// sensitivity is the larger one of both sides, whose answers meet there.
+  /// In the grazing band (`is_grazing`), the sensitivity is that of the colliding answer, because some inputs within
+  /// the allowance collide. The exception is a law that acts at once (`has_two_answers`), because its two answers are
+  /// judged separately. Near the surface of the friction cone, the answers inside the cone and on it meet. The
+  /// sensitivity is then the larger of the two.
   ///
-  /// If the first order is blind (PermittedInputs::first_order_is_blind), the sensitivity is at least the distance of
-  /// the answers to permitted inputs, divided by the allowance.
+  /// If the first order is blind (PermittedInputs::first_order_is_blind), the sensitivity is at least
+  /// PermittedInputs::distance_of_answers divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
-  /// The sensitivity that the answer would have if the contact had approach `as`, away from the grazing band.
+  /// The sensitivity that the answer would have if the contact had approach `as` and did not graze.
   [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers that are far from each other. This is so in the
-  /// grazing band (`is_grazing`) for a law that acts at once: its impulse does not vanish with N·V⁻. `rough` acts at
-  /// once if the impulse of friction by itself lies in the cone.
+  /// grazing band (`is_grazing`) for a law that acts at once, whose impulse does not tend to 0 with N·V⁻. `rough` acts
+  /// at once if its impulse of friction D (models/rough.hpp) by itself lies in the cone.
   [[nodiscard]] bool has_two_answers(Law law, double allowance) const;
 
-  /// Whether every number is moderate, so that the law's sensitivity is certainly finite.
+  /// Whether the collision is moderate (moderate.hpp) and the law's sensitivity is certainly finite.
   [[nodiscard]] bool is_moderate(Law law) const;
 
   /// Whether inputs that differ relatively by `allowance` have answers of every kind. Some inputs collide and some do
-  /// not. Among those that collide, F lies inside the friction cone for some, and on it for others. The judge then
-  /// requires nothing of a single outcome.
+  /// not. Among the colliding inputs, F lies inside the friction cone for some, and on it for others. `accuracy` then
+  /// decides nothing.
   [[nodiscard]] bool is_open(Law law, double allowance) const;
 
-  /// A lower bound of `sensitivity`, at a small part of its cost. If the contact collides, it is the bound of
-  /// BoundedCase. Otherwise it is ‖y_k⁻‖, grazing or not. Precondition: is_moderate(law).
+  /// A lower bound of `sensitivity` that costs much less. If the contact collides, it is
+  /// BoundedCase::colliding_sensitivity_below. Otherwise it is ‖y_k⁻‖, even if the contact grazes. Precondition:
+  /// is_moderate(law).
   [[nodiscard]] const Sensitivity& sensitivity_below(Law law) const;
 
   /// K, exactly (`response_matrix`).
@@ -104,12 +108,12 @@ class ExactCase {
   /// of the perturbations of the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
 
-  /// Whether λI ⪯ K, decided exactly, with λ = 1/m_A + 1/m_B. If a body is movable, this is always true: K − λI is the
-  /// sum of [r]ᵀ J⁻¹ [r] over the movable bodies. Each term is a congruence of a positive diagonal matrix. The tests
-  /// prove this identity by exact random testing. A filtered yardstick does not ask for it.
+  /// Whether λI ⪯ K, decided exactly. If a body is movable, this is always true, because K − λI is the sum of [r]ᵀ J⁻¹
+  /// [r] over the movable bodies. Each term is a congruence of a positive diagonal matrix. The tests prove this
+  /// identity by exact random testing. The judge calls the function only if bounds do not decide.
   [[nodiscard]] bool is_definite() const;
 
-  /// Whether K ⪯ bound I, decided exactly.
+  /// Whether K ⪯ bound · I, decided exactly.
   [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
   /// The kinetic-energy norm of the change of the velocities by the law, rounded. `from_truth` computes it on first
@@ -127,7 +131,6 @@ class ExactCase {
   [[nodiscard]] bool is_head_on() const;
 
  private:
-  /// The facts about one law.
   struct OfLaw {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
@@ -141,13 +144,14 @@ class ExactCase {
   [[nodiscard]] const Sensitivity& colliding_first_order(Law law, Branch branch) const;
   [[nodiscard]] bool is_inside_cone() const;
   [[nodiscard]] bool reaches_cone() const;
-  /// Whether the law acts at once: its impulse does not vanish with N·V⁻. On the cone it vanishes.
+  /// Whether the law acts at once, so that its impulse does not tend to 0 with N·V⁻. On the cone the impulse tends to
+  /// 0.
   [[nodiscard]] bool acts_at_once_here(Law law, double allowance) const;
   /// Whether the answers to inputs that differ relatively by `allowance` lie on both sides of the cone's surface.
   [[nodiscard]] bool is_near_cone_surface(Law law, double allowance) const;
-  /// The approach of the answer if the contact is treated as `as`. A contact that does not collide, and whose answer as
-  /// a colliding contact would lie on the cone, keeps its own approach. On the cone the impulse vanishes with N·V⁻, so
-  /// there is no other answer.
+  /// The approach of the answer if the contact is treated as if it had approach `as`. A contact that does not collide,
+  /// and whose answer as a colliding contact would lie on the cone, keeps its own approach. On the cone the impulse
+  /// tends to 0 with N·V⁻, so there is no other answer.
   [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 

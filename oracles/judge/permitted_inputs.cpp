@@ -28,7 +28,7 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   };
   a_ = body_with_arm(c.a);
   b_ = body_with_arm(c.b);
-  // ‖δ‖ ≤ a ‖N‖ turns N by at most asin(a), which is a chord of less than a / (1 − a).
+  // A change of N by at most a ‖N‖ turns N by at most asin(a). The chord of this angle is less than a / (1 − a).
   unit_normal_ = {c.normal / norm_of(c.normal), allowance / (1 - allowance)};
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
@@ -75,7 +75,8 @@ bool PermittedInputs::is_finite() const {
   return finite && std::isfinite(response_at_point(unit_normal_).largest());
 }
 
-/// A quaternion that moves by a of its length turns by at most 2 asin(a), and moves v by 2 a ‖v‖.
+/// If a quaternion changes by a of its length, its rotation changes by at most 2 asin(a). So v moves by at most 2 a
+/// ‖v‖.
 VectorBall PermittedInputs::rotated(const VectorBall& v, const Quaternion<double>& orientation) const {
   return {turned<double>(orientation, v.centre), v.radius + 2 * allowance_ * v.largest()};
 }
@@ -102,7 +103,8 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// N·K F′ = N·b for F′ = φ′ N. φ′ − φ is N·(b − K φ N) over N·K N, which is at least λ for a unit normal.
+/// F′ = φ′ N has N·K F′ = N·b. For the given impulse φ N, φ′ − φ = N·(b − K φ N) / (N·K N). The divisor N·K N is at
+/// least λ for a unit normal.
 VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
@@ -111,7 +113,7 @@ VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const S
   return ScalarBall{share, missed / divisor} * unit_normal_;
 }
 
-/// K F′ = b. F′ − F is K⁻¹ (b − K F), and its length is at most ‖b − K F‖ / λ.
+/// F′ has K F′ = b. For the given impulse F, F′ − F = K⁻¹ (b − K F), of length at most ‖b − K F‖ / λ.
 VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const {
   const double missed = wanted.radius + response_at_point({impulse, 0}).radius;
   return {impulse, missed / least_inverse_mass_};
@@ -192,7 +194,7 @@ double PermittedInputs::second_order_of_matrix() const {
   double sum = 0;
   for (const OfBody* of : {&a_, &b_}) {
     if (!of->body.immovable) {
-      // The Frobenius norm of [δr] is √2 ‖δr‖.
+      // The matrix [δr] with [δr] y = δr × y has the Frobenius norm √2 ‖δr‖.
       sum += std::sqrt(2.0) * of->arm.radius * of->arm.radius / of->body.principal_inertia.minCoeff();
     }
   }

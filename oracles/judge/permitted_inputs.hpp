@@ -7,19 +7,20 @@
 namespace carom::oracles {
 
 /// All collisions whose quantities differ from those of a given collision by at most `allowance` times their lengths
-/// (quantities.hpp). The class encloses the law's answers to them. It judges the cases in which the first order of the
-/// backward error is blind (`first_order_is_blind`). There, a lever arm or a body is not much longer than the rounding
-/// of its position.
+/// (quantities.hpp). The class encloses the law's answers to them. It serves collisions for which the first order of
+/// the backward error is blind (`first_order_is_blind`), for example because a lever arm is not much longer than its
+/// rounding.
 ///
-/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K with
-/// λ = 1/m_A + 1/m_B. An impulse that cancels a relative velocity of length d is at most d / λ, for any lever arms.
+/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K with λ = 1/m_A + 1/m_B
+/// and the collision matrix K. An impulse that cancels a relative velocity of length d is at most d / λ, for any lever
+/// arms.
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
   PermittedInputs(const BoundedCase& bounds, double allowance);
 
   /// Whether derivatives do not describe the law's answers to these inputs. a is the allowance, and ρ = a (‖P‖ + ‖X‖ +
-  /// s) is the allowance of a lever arm r. True if, for a movable body:
+  /// s) is the permitted change of a lever arm r. s is the extent (quantities.hpp). True if, for a movable body:
   ///
   ///   (1) 32 ρ > ‖r‖, r ≠ 0: the lever arm changes by a large part of itself;
   ///   (2) 32 ρ > √(min I / m): the body's thickness is no more than the rounding of its position;
@@ -34,18 +35,19 @@ class PermittedInputs {
   /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;
 
-  /// The distance of the answers to permitted inputs from the law's answer to a contact that collides. `impulse` is the
-  /// impulse of that answer. If `from_rest`, the distance is from the answer without an impulse. Infinite beyond the
-  /// range of numbers. Preconditions: a body is movable; the law is one of `laws_with_truth`.
+  /// An upper bound of the distance of the answers to permitted inputs from the law's answer to a contact that
+  /// collides. `impulse` is the impulse of the latter answer. If `from_rest`, the distance is from the velocities
+  /// before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is one of
+  /// `laws_with_truth`.
   [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
-  /// Whether the answers of the law `rough` to permitted inputs lie on both sides of the cone's surface. Precondition:
-  /// a body is movable.
+  /// Whether the answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface.
+  /// Precondition: a body is movable.
   [[nodiscard]] bool reach_both_sides_of_cone() const;
 
-  /// At least Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies. This is the change of K by the squares of the changes δr of lever
-  /// arms.
+  /// An upper bound of Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies, with [δr] y = δr × y. The sum is the change of K by the
+  /// squares of the changes δr of lever arms.
   [[nodiscard]] double second_order_of_matrix() const;
 
   /// V⁻ and N·V⁻ / ‖N‖.
@@ -70,7 +72,8 @@ class PermittedInputs {
     VectorBall velocity;
     VectorBall angular_velocity;
   };
-  /// The impulses P_I and D = P_II − P_I of the law `rough`, and the least and the largest κ that put F on its cone.
+  /// The impulses P_I and D = P_II − P_I of the law `rough` (models/rough.hpp), and the least and the largest κ that
+  /// put F on the cone.
   struct RoughParts {
     VectorBall stops_approach;
     VectorBall difference;

@@ -4,7 +4,7 @@
 namespace carom::oracles {
 namespace {
 
-/// The residual of each equation for permitted inputs and outputs.
+/// For each equation, an upper bound of its residual for permitted inputs and outputs.
 class Residual {
  public:
   Residual(const PermittedInputs& inputs, const Collision& collision, const Outcome<double>& after,
@@ -33,7 +33,7 @@ class Residual {
   double operator()(const equation::FrictionAgainstSlip& of) const {
     return squared_normal() * dot(friction(of.read_off_a), slip()).radius;
   }
-  /// The work of a driven wall depends on the wall's velocity at the contact point and on the impulse on the other
+  /// The work of a moving wall depends on the wall's velocity at the contact point and on the impulse on the other
   /// body.
   double operator()(const equation::Energy&) const {
     double radius = 0;
@@ -63,7 +63,7 @@ class Residual {
   }
 
  private:
-  /// A vector of the outcome.
+  /// A vector of the outcome and its permitted error.
   [[nodiscard]] VectorBall output(OutcomeVector k) const {
     return {*vectors(after_)[k], inputs_.allowance() * sizes_[k]};
   }
@@ -82,7 +82,7 @@ class Residual {
             cross(output(OutcomeVector::angular_velocity_of_b), inputs_.lever_arm_of_b()));
   }
 
-  /// N × V⁺ and N × F, over ‖N‖.
+  /// N × V⁺ and N × F, divided by ‖N‖.
   [[nodiscard]] VectorBall slip() const { return cross(inputs_.unit_normal(), velocity_after()); }
   [[nodiscard]] VectorBall friction(bool read_off_a) const {
     return cross(inputs_.unit_normal(), impulse_on(read_off_a));

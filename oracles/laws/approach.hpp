@@ -3,7 +3,7 @@
 
 namespace carom::oracles {
 
-/// The state of the contact before the impulse.
+/// The state of the contact before the impulse. N is the normal from B to A, and V⁻ is V_A − V_B at the contact.
 enum class Approach {
   colliding,   // N·V⁻ < 0 and a body can move
   resting,     // N·V⁻ = 0
@@ -11,7 +11,7 @@ enum class Approach {
   inert,       // both bodies immovable
 };
 
-/// The approach at a contact that has a movable body. `sign` is the sign of N·V⁻: −1, 0 or 1.
+/// The approach at a contact that has a movable body, for the sign −1, 0 or 1 of N·V⁻.
 [[nodiscard]] constexpr Approach approach_of_sign(int sign) {
   if (sign < 0) {
     return Approach::colliding;

@@ -6,7 +6,7 @@
 namespace carom::oracles {
 
 /// The traits that Eigen requires of a scalar type T that is its own real type. T is signed, is constructed from int,
-/// and has no functions of analysis. `Read`, `Add` and `Multiply` are costs in approximate cycles. NumTraits<T> derives
+/// and has no functions such as sin. `Read`, `Add` and `Multiply` are costs in approximate cycles. NumTraits<T> derives
 /// from this struct.
 template <class T, int Read, int Add, int Multiply>
 struct EigenScalar : Eigen::GenericNumTraits<T> {

@@ -9,8 +9,8 @@
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/laws/truth.hpp>
 
-/// The equations, and the set of equations that defines each law. The judge judges everything by these equations, so
-/// they have to be trusted. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
+/// The equations, and the set of equations that defines each law. Every verdict rests on these equations, so they have
+/// to be trusted. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
 /// (docs/findings/note.md).
 namespace carom::oracles {
 
@@ -72,8 +72,9 @@ enum class AffineEquation {
 };
 /// Each struct maps (collision, outcome) to the two sides of an equation or inequality. The outcome may be exact or
 /// not, and T may be any field. `name` is set if the equation is affine in the outcome. `slopes_may_cancel` is true if
-/// the derivatives with respect to the outcome are sums that may cancel, such as r × N. Rounding may then be most of
-/// their value.
+/// the derivatives with respect to the outcome are sums that may cancel, such as r × N. Their computed values may then
+/// be mostly rounding errors. `read_off_a` selects the body, A or B, from whose velocity change F is computed.
+/// Precondition: this body is movable.
 namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
@@ -172,7 +173,7 @@ struct NonPenetration {
   }
 };
 
-/// N·F ≥ 0: contacts push. F is computed from the velocity change of A or of B. Precondition: that body is movable.
+/// N·F ≥ 0: contacts push.
 struct Push {
   bool read_off_a;
 
@@ -188,8 +189,7 @@ struct Push {
   }
 };
 
-/// N × F = 0 (note eq. 10 to 18). F is computed from the velocity change of A or of B. Precondition: that body is
-/// movable.
+/// N × F = 0 (note eq. 10 to 18).
 struct FrictionlessDirection {
   bool read_off_a;
 
@@ -206,7 +206,7 @@ struct FrictionlessDirection {
   }
 };
 
-/// N × V⁺ = N × V⁻ (note eq. 20 and 21, without the basis).
+/// N × V⁺ = N × V⁻ (note eq. 20 and 21, without the note's basis).
 struct ReflectionPlane {
   static constexpr bool slopes_may_cancel = false;
 
@@ -230,8 +230,7 @@ struct Sticks {
   }
 };
 
-/// ‖N × F‖² ≤ (μ N·F)², which is the friction cone if N·F ≥ 0. F is computed from the velocity change of A or of B. Not
-/// affine. Precondition: that body is movable.
+/// ‖N × F‖² ≤ (μ N·F)², which is the friction cone if N·F ≥ 0. Not affine.
 struct FrictionCone {
   bool read_off_a;
 
@@ -245,8 +244,7 @@ struct FrictionCone {
   }
 };
 
-/// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse. F is computed from the velocity change
-/// of A or of B. Not affine. Precondition: that body is movable.
+/// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse. Not affine.
 struct FrictionAlongSlip {
   bool read_off_a;
 
@@ -261,8 +259,7 @@ struct FrictionAlongSlip {
   }
 };
 
-/// (N × F)·(N × V⁺) ≤ 0: friction does not act in the direction of the slip. F is computed from the velocity change of
-/// A or of B. Not affine. Precondition: that body is movable.
+/// (N × F)·(N × V⁺) ≤ 0: friction does not act in the direction of the slip. Not affine.
 struct FrictionAgainstSlip {
   bool read_off_a;
 
@@ -277,9 +274,9 @@ struct FrictionAgainstSlip {
   }
 };
 
-/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W. W is the work of a driven wall, computed
-/// with the wall's velocity at the contact point. Not affine, but convex in the outcome. Precondition: a body is
-/// movable.
+/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W. W is the work of a driven wall (an
+/// immovable body that moves), computed with the wall's velocity at the contact point. Not affine, but convex in the
+/// outcome. Precondition: a body is movable.
 struct Energy {
   static constexpr bool slopes_may_cancel = true;
 
@@ -337,7 +334,6 @@ inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomen
   return std::visit([](const auto& one) { return one.name(); }, equation);
 }
 
-/// One value for each affine equation.
 template <class T>
 using PerAffineEquation = EnumArray<AffineEquation, T, affine_equations.size()>;
 
@@ -353,9 +349,9 @@ consteval bool stand_in_the_order_of_their_names() {
 }  // namespace detail
 static_assert(detail::stand_in_the_order_of_their_names());
 
-/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach.
-/// For every law except `rough`, these equations determine the answer; `certify_rough` checks the rest of `rough`.
-/// Precondition: the law is one of `laws_with_truth`.
+/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach. They
+/// determine the answer of every law except `rough`. `certify_rough` checks the rest of `rough`. Precondition: the law
+/// is one of `laws_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {

@@ -14,8 +14,9 @@ template <class T>
   return {q[0], -q[1], -q[2], -q[3]};
 }
 
-/// q v q* / ‖q‖²: v turned by the rotation that q represents. These are Hamilton's products without the terms that the
-/// zero real part of v multiplies. q v = (−u·v, t) with t = w v + u × v, and the second factor is q* = (w, −u).
+/// q v q* / ‖q‖²: v turned by the rotation that q = (w, u) represents. The code omits the terms of Hamilton's products
+/// that the zero real part of v multiplies. The first product is q v = (−u·v, t) with t = w v + u × v. The second
+/// factor is q* = (w, −u).
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const T& w = q[0];

@@ -32,8 +32,8 @@ template <class T>
   return body.mass * Vector3<T>(after.velocity - body.velocity);
 }
 
-/// Whether A is the lighter movable body, so that its velocity change gives the impulse best. Precondition: a body is
-/// movable.
+/// Whether A is the lighter movable body, so that its velocity change gives the impulse most accurately. Precondition:
+/// a body is movable.
 template <class T>
 [[nodiscard]] bool reads_impulse_off_a(const BasicCollision<T>& c) {
   CAROM_EXPECTS(has_movable_body(c));
@@ -54,8 +54,8 @@ template <class T>
          apply_inertia<T>(body, after.angular_velocity - body.angular_velocity);
 }
 
-/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). The code multiplies
-/// sums by differences, so that a large common velocity cancels.
+/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). The code writes v⁺² −
+/// v⁻² as (v⁺ + v⁻)·(v⁺ − v⁻), so that a large common velocity cancels.
 template <class T>
 [[nodiscard]] T kinetic_energy_gain(const BasicBody<T>& body, const BodyVelocity<T>& after) {
   const Vector3<T> sum = after.velocity + body.velocity;

@@ -9,7 +9,7 @@
 namespace carom::oracles {
 namespace {
 
-/// The number of bits to which a slip resistance is isolated.
+/// The number of bits of a slip resistance ν (coulomb.hpp).
 constexpr int bits_of_resistance = 120;
 
 /// The linear system of one collision (see coulomb_answers).

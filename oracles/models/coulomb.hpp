@@ -8,7 +8,6 @@
 
 namespace carom::oracles {
 
-/// The kind of an answer of the law `coulomb`.
 enum class AnswerKind {
   untouched,     // no impulse acts
   sticks,        // N × V⁺ = 0
@@ -41,15 +40,15 @@ struct CoulombAnswer {
 
 /// All answers of the law `coulomb` to a contact that collides:
 ///
-///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
+///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and either N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
 ///
-/// Let P be the projection across N, M(ν) = K + ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b, and ν = 0 is
-/// sticking. By Cramer's rule F = n(ν) / det M(ν), with n quadratic and the determinant positive. So the answers that
-/// slip are the positive roots of the quartic ‖N × n‖² − (μ N·n)² with N·n > 0. These roots are isolated, and so
-/// counted, exactly.
+/// ν is the slip resistance, and T marks the part across N. Let P be the projection onto the plane across N, M(ν) = K +
+/// ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b, and ν = 0 is sticking. By Cramer's rule F = n(ν) / det
+/// M(ν), with n quadratic and the determinant positive. So the answers that slip are the positive roots of the quartic
+/// ‖N × n‖² − (μ N·n)² with N·n > 0. CGAL isolates and counts these roots exactly.
 ///
-/// There is at least one answer. If F(0) is not in the cone, F(ν) crosses the surface for some ν, because the
-/// frictionless F(∞) is in the cone. Preconditions: the contact collides; a body is movable.
+/// There is at least one answer. If F(0) is not in the friction cone, F(ν) crosses the cone's surface for some ν,
+/// because the frictionless F(∞) is in the cone. Preconditions: the contact collides; a body is movable.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& collision);
 
 }  // namespace carom::oracles

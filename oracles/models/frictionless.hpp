@@ -10,10 +10,10 @@
 
 namespace carom::oracles {
 
-/// The law `frictionless` (note eq. 18): F = φ N with N·K F = −(1 + ε) N·V⁻.
+/// The law `frictionless` (eq. 18 of the note, docs/findings/note.md): F = φ N with N·K F = −(1 + ε) N·V⁻.
 struct Frictionless {
-  // The truth. F causes the component of the wanted change of relative velocity along the normal, and F is linear in
-  // this change.
+  // The truth, the law's exact answer. F causes the normal component of the wanted change of relative velocity, and F
+  // is linear in this change.
 
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
@@ -21,7 +21,7 @@ struct Frictionless {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
+  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -33,7 +33,7 @@ struct Frictionless {
 
   // The refinement (filters/refined_truth.hpp) uses these members.
 
-  /// A multiple of N near `impulse`, which the law permits exactly.
+  /// A multiple of N near `impulse`. The law permits such multiples exactly.
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
                                                     const Vector3<double>& impulse) {
     const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
@@ -41,15 +41,15 @@ struct Frictionless {
   }
 
   /// The component of a change along the normal, which is the part that the law must cause. In refinement, this
-  /// component is small and the rest is not.
+  /// component is small, unlike the tangential components.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
     return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
   // The sensitivity uses this member.
 
-  /// N·(K F − b) = 0, so dF = φ dN + N dφ. The responses to N are computed directly. If a lever arm is along N, they
-  /// would cancel in sums over the columns of the matrices.
+  /// N·(K F − b) = 0 and F = φ N, so dF = φ dN + N dφ. b is the wanted change. The responses to N are computed
+  /// directly. As sums over the columns of matrices they would cancel if a lever arm is along N.
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
     const Vector3<S>& n = c.normal;
@@ -75,19 +75,18 @@ struct Frictionless {
     return {impulse, change};
   }
 
-  // Closeness uses these members.
+  // `Closeness` uses these members.
 
-  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
-  /// they apply.
+  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,
                                     AffineEquation::frictionless_direction_read_off_b};
   /// Whether the law never adds energy, apart from the work of a driven wall: ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
   static constexpr bool creates_no_energy = true;
 
-  // The grazing band uses this member.
+  // ExactCase::has_two_answers uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻.
+  /// Whether the impulse does not tend to 0 with N·V⁻.
   static constexpr bool acts_at_once = false;
 };
 

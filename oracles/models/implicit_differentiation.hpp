@@ -9,15 +9,16 @@
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
-/// Implicit differentiation of a law's answer. The impulse F solves K F = b, so K dF = db − dK F. Bodies respond
-/// linearly to F, so only their response to one fixed impulse is differentiated. S is double or Enclosure.
+/// Implicit differentiation of a law's answer. The impulse F solves K F = b, with b the change of relative velocity
+/// that the law requires. So K dF = db − dK F. Bodies respond linearly to F, so only their response to one fixed
+/// impulse is differentiated. S is double or Enclosure.
 namespace carom::oracles {
 
 /// The derivatives of a vector with respect to all numbers of a collision.
 template <class S>
 using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
-/// The indices of the numbers of a collision among its inputs.
+/// The indices of the numbers of a collision among the inputs of differentiation.
 struct InputIndices {
   struct OfBody {
     Eigen::Index position = 0;  // after mass, principal inertia and orientation, if the body has them

@@ -11,8 +11,8 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The laws that determine an outcome, each as a type. Nothing in these types has to be trusted: the defining
-/// equations certify a truth, and the tests check the rest against the truth.
+/// The laws that determine an outcome, each as a type. Nothing in these types has to be trusted. `certify` checks each
+/// truth (a law's exact answer), and tests compare the rest with the truth.
 namespace carom::oracles {
 
 /// Calls use(type) with an object of the type that stands for the law. Throws std::invalid_argument if the law is
@@ -42,14 +42,14 @@ decltype(auto) with_law(Law law, Branch branch, Use&& use) {
   return with_law(law == Law::rough && branch == Branch::only ? Law::frictionless : law, std::forward<Use>(use));
 }
 
-/// A type whose impulse is linear in the change of relative velocity that it requires. Every other type combines two
-/// such laws, with a share that is not linear.
+/// A type whose impulse is linear in the change of relative velocity that it requires. Every other law type combines
+/// two such types by a share that is not linear, κ of `rough`.
 template <class LawType>
 concept LinearLaw = requires {
   &LawType::template wanted_change<double>;
 };
 
-/// The laws of these laws. One formula gives their truth, which is rational.
+/// The laws whose types are linear. One formula gives their truth, which is rational.
 inline constexpr std::array linear_laws{Law::frictionless, Law::reflection, Law::sticking};
 
 /// The change of relative velocity that a linear type requires.
@@ -60,13 +60,13 @@ template <class LawType, class T>
 
 namespace detail {
 
-/// The impulses P_I and D = P_II − P_I of the law `rough`.
+/// The impulses P_I and P_II of the law `rough`, and D = P_II − P_I.
 template <class T>
 struct RoughImpulses {
   Vector3<T> stops_approach;
   Vector3<T> stops_point;
 
-  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
+  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
   RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
     CAROM_EXPECTS(has_movable_body(c));
     const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
@@ -79,8 +79,8 @@ struct RoughImpulses {
 }  // namespace detail
 
 /// The impulse on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or the
-/// other side of the cone. `matrix` is the response matrix if it is already known. T is a field, with square roots on
-/// the cone. The function does not check the sign of N·V⁻. Precondition: a body is movable.
+/// other side of the cone. `matrix` is K if it is known. T is a field, with square roots if `branch` is `on_cone`. The
+/// function does not check the sign of N·V⁻. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Law law, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
@@ -110,8 +110,8 @@ template <class T>
   return approach == Approach::colliding ? colliding_truth(c, law, branch) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
-/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. No value if the
-/// known signs do not decide it. Precondition: a body is movable.
+/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. The result has no
+/// value if the known signs do not decide it. Precondition: a body is movable.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> is_inside_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix,
                                                  const Sign& sign) {
@@ -125,8 +125,8 @@ template <class T, class Sign>
   return along_normal && slack ? std::optional(true) : std::nullopt;
 }
 
-/// Whether some κ > 0 puts F on the cone's surface, so that this formula has an answer too. `sign` and the precondition
-/// are those of `is_inside_cone`.
+/// Whether some κ > 0 puts F on the cone's surface, so that the formula of `on_cone` has an answer. `sign` and the
+/// precondition are those of `is_inside_cone`.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> reaches_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix, const Sign& sign) {
   const auto reach = Rough::reach<T>(c, detail::RoughImpulses<T>(c, matrix).difference());
@@ -170,13 +170,13 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
 
 }  // namespace detail
 
-/// Whether the answer of the law satisfies the equation for every contact to which it applies.
+/// Whether the answer of the law satisfies the equation for every contact to which the equation applies.
 [[nodiscard]] inline bool keeps(Law law, AffineEquation equation) {
   return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the law on this branch does not vanish with N·V⁻. If so, and if inputs within rounding
-/// include both colliding and separating contacts, an outcome may be either of the two answers.
+/// Whether the impulse of the law on this branch does not tend to 0 with N·V⁻. If rounding of the inputs then decides
+/// whether the contact collides, there are two answers, and an outcome may be either.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });

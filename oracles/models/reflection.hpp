@@ -10,9 +10,9 @@
 
 namespace carom::oracles {
 
-/// The law `reflection` (note eq. 17, 20, 21): K F = −(1 + ε) (N·V⁻) / (N·N) N.
+/// The law `reflection` (eq. 17, 20, 21 of the note, docs/findings/note.md): K F = −(1 + ε) (N·V⁻) / (N·N) N.
 struct Reflection {
-  // The truth. F causes the wanted change of relative velocity and is linear in it.
+  // The truth, the law's exact answer. F causes the wanted change of relative velocity and is linear in it.
 
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
@@ -20,7 +20,7 @@ struct Reflection {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
+  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -48,18 +48,17 @@ struct Reflection {
     return derivatives_by_matrix<S>(of);
   }
 
-  // Closeness uses these members.
+  // `Closeness` uses these members.
 
-  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
-  /// they apply.
+  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::reflection_plane};
   /// Whether the law never adds energy, apart from the work of a driven wall.
   static constexpr bool creates_no_energy = false;
 
-  // The grazing band uses this member.
+  // ExactCase::has_two_answers uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻.
+  /// Whether the impulse does not tend to 0 with N·V⁻.
   static constexpr bool acts_at_once = false;
 };
 

@@ -12,9 +12,9 @@
 namespace carom::oracles {
 
 /// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach,
-/// and P_II stops the contact point. κ = 1 + e_t if the resulting F lies in the friction cone. Otherwise κ is the value
-/// that puts F on the cone's surface. P_I and P_II are the impulses of two linear laws without restitution. For fixed
-/// κ, F is linear in them.
+/// and P_II stops the contact point. κ = 1 + e_t, with the tangential restitution e_t, if the resulting F lies in the
+/// friction cone. Otherwise κ is the value that puts F on the cone's surface. P_I and P_II are the impulses of two
+/// linear laws without restitution. For fixed κ, F is linear in them.
 struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;
@@ -73,19 +73,18 @@ struct Rough {
     return Vector3<T>(stops_approach * T(T(1) + c.restitution)) + Vector3<T>(d * share);
   }
 
-  // Closeness uses these members.
+  // `Closeness` uses these members.
 
-  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
-  /// they apply.
+  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
   /// Whether the law never adds energy, apart from the work of a driven wall. P_IᵀK D = 0, so ΔE = −½ (1
   /// − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.
   static constexpr bool creates_no_energy = true;
 
-  // The grazing band uses this member.
+  // ExactCase::has_two_answers uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻ inside the cone. It does not vanish if D itself lies in the cone,
-  /// which large friction causes.
+  /// Whether the impulse inside the cone does not tend to 0 with N·V⁻. The impulse tends to κ D, which lies in the cone
+  /// for large friction.
   static constexpr bool acts_at_once = true;
 };
 

@@ -13,7 +13,7 @@
 namespace carom::oracles {
 namespace {
 
-/// V⁻ from enclosures, because its terms may cancel. The rest determines the direction of the slip.
+/// V⁻ from enclosures, because its terms may cancel. The remainder determines the direction of the slip.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
@@ -24,7 +24,7 @@ Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   }
 }
 
-/// A collision whose law is differentiated.
+/// A collision and the inputs with respect to which a law is differentiated.
 template <class S>
 struct Differentiable {
   explicit Differentiable(const Collision& collision)
@@ -96,7 +96,7 @@ Differentiated<S> differentiated(const Differentiable<S>& of, const Dual<S, 7>& 
 template <class S>
 using Row = Eigen::Matrix<S, 1, collision_inputs>;
 
-/// κ of `rough`, and its derivatives.
+/// κ of `rough` (rough.hpp), and its derivatives.
 template <class S>
 struct Share {
   S value{0};
@@ -204,8 +204,8 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
 }
 
 /// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
-/// bounds κ(K), and it covers cancellation in r × F. On the cone's surface, the divisor ‖N × D‖ − μ N·D of κ may cancel
-/// too. Its terms are as large as the impulses, at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+/// bounds the condition number of K, and it covers cancellation in r × F. On the cone's surface, the divisor ‖N × D‖ −
+/// μ N·D of `rough` may cancel too. Its terms are as large as the impulses, at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
@@ -226,8 +226,9 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middles lose fewer than 2⁹ roundings of double-double arithmetic (2⁻¹⁰² each), times their growth. Up to this
-/// growth, the middles are correct to a thousandth. The radii are larger, because they do not use K ⪰ λI.
+/// The middles of enclosures lose fewer than 2⁹ roundings of double-double arithmetic (2⁻¹⁰² each), times
+/// `growth_of_roundings`. Up to this growth, the middles are correct to a thousandth. The radii are larger, because
+/// they do not use K ⪰ λI.
 constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
@@ -323,8 +324,8 @@ Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch
 
 namespace {
 
-/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t. Near the surface this difference is as small as a
-/// rounding error.
+/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t. Enclosures are needed because this difference can be as
+/// small as a rounding error.
 double distance_from_cone(const BasicCollision<Enclosure>& c) {
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),

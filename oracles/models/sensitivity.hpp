@@ -18,10 +18,11 @@
 namespace carom::oracles {
 
 /// For each vector y_k of an outcome, the sum of ‖∂y_k/∂q‖ ‖q‖ over the quantities q (quantities.hpp), plus ‖y_k⁻‖.
-/// This is the denominator of the backward error, without the unit roundoff. The last term stands for the rounding of
-/// the sum y_k⁻ + Δy_k. No change of the inputs explains that rounding if the sum nearly vanishes and the law is
-/// insensitive. An example is a ball that hits a wall head-on at ε = 0. This is a mixed forward-backward error: N.
-/// Higham, Accuracy and Stability of Numerical Algorithms, §1.5.
+/// y_k⁻ is the vector before the impulse. The sensitivity is the denominator of the backward error, without the unit
+/// roundoff. The term ‖y_k⁻‖ stands for the rounding of the sum y_k⁻ + Δy_k. No change of the inputs explains this
+/// rounding if the sum nearly vanishes and the law is insensitive. An example is a ball that hits a wall head-on at ε =
+/// 0. So the backward error is a mixed forward-backward error: N. Higham, Accuracy and Stability of Numerical
+/// Algorithms, §1.5.
 using Sensitivity = PerVector<double>;
 
 /// Sums Σ_q ‖∂y/∂q‖ ‖q‖ between these limits are computed by squares in binary64. The underflow of the squares, times
@@ -37,15 +38,15 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
 /// The sensitivity of the law's answer to a contact that collides, in binary64. It uses implicit differentiation
-/// (implicit_differentiation.hpp), and loses about κ(K) u if the law inverts K. No value if a sum is extreme.
-/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`.
-/// κ(K) must be well below 1/u, except for the frictionless law. On the cone, the divisor of κ must not cancel
-/// completely.
+/// (implicit_differentiation.hpp), and loses about κ(K) u if the law inverts K. κ(K) is the condition number of the
+/// collision matrix. No value if a sum is outside the limits above. Preconditions: the collision is moderate
+/// (moderate.hpp); a body is movable; the law is one of `laws_with_truth`. BoundedCase::is_well_conditioned() is true,
+/// except for the frictionless law. For `on_cone`, BoundedCase::has_clear_divisor() is true.
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The sensitivity of `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body.
-/// It is known if its radii are at most a thousandth of it. If the collision is moderate, it is also known if the
-/// growth of rounding errors, bounded by means of κ(K), is small enough. Otherwise no value.
+/// It has a value if its error radii are at most a thousandth of it. If the collision is moderate, a small bound of the
+/// growth of rounding errors suffices too.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
@@ -53,7 +54,7 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The distance of the answer of `rough` with κ = 1 + e_t from the cone's surface, and the first-order effect of the
-/// inputs on this distance. Both are rounded as sensitivities are, and NaN if unknown.
+/// inputs on this distance. Both numbers are rounded as sensitivities are, and NaN if unknown.
 struct ConeDistance {
   double distance;     // a lower bound of |μ N·F − ‖N × F‖|, by enclosures
   double sensitivity;  // Σ_q ‖∂(μ N·F)/∂q‖ ‖q‖ + Σ_q ‖∂(N × F)/∂q‖ ‖q‖

@@ -12,7 +12,7 @@ namespace carom::oracles {
 
 /// The law `sticking`, the limit μ → ∞ of Coulomb friction: K F = −(V⁻ + ε (N·V⁻) / (N·N) N).
 struct Sticking {
-  // The truth. F causes the wanted change of relative velocity and is linear in it.
+  // The truth, the law's exact answer. F causes the wanted change of relative velocity and is linear in it.
 
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
@@ -21,7 +21,7 @@ struct Sticking {
     return -(velocity_before + n * T(rebound / n.dot(n)));
   }
 
-  /// `matrix` is the response matrix if it is already known, otherwise nullptr.
+  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -49,18 +49,17 @@ struct Sticking {
     return derivatives_by_matrix<S>(of);
   }
 
-  // Closeness uses these members.
+  // `Closeness` uses these members.
 
-  /// The equations, in addition to those of every law, that the law's answer satisfies for every contact to which
-  /// they apply.
+  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::sticks};
   /// Whether the law never adds energy, apart from the work of a driven wall. Sticking may add energy if ε > 0, because
   /// the tangential impulse also changes the normal velocity.
   static constexpr bool creates_no_energy = false;
 
-  // The grazing band uses this member.
+  // ExactCase::has_two_answers uses this member.
 
-  /// Whether the impulse does not vanish with N·V⁻. It stops the slip, however slow the approach is.
+  /// Whether the impulse does not tend to 0 with N·V⁻. It stops the slip, however slow the approach is.
   static constexpr bool acts_at_once = true;
 };
 

@@ -10,7 +10,7 @@
 #include <carom/oracles/models/definite_system.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
-/// The exact outcome by superposition. The velocities respond linearly to the impulse. Trial impulses show the
+/// The exact outcome by superposition. The velocities respond linearly to the impulse. Unit impulses give the
 /// responses, and the law combines them. T is a field.
 namespace carom::oracles {
 

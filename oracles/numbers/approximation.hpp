@@ -8,7 +8,7 @@
 
 namespace carom::oracles {
 
-/// The bounds of Approximation. Each is a formula for any scalar S, so that a test can count their roundings
+/// The bounds of Approximation. Each is a formula for any scalar S, so that a test can count its roundings
 /// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, and ẑ the rounded result of an operation on x̂ and ŷ:
 ///
 ///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number if a product or quotient underflows;
@@ -25,7 +25,7 @@ inline constexpr double up = 1 + 0x1p-45;
 inline constexpr double down = 1 - 0x1p-45;
 inline constexpr double least = 0x1p-1000;
 
-/// The most that underflow takes from a product before the product is divided by a small number.
+/// The most that a product loses to underflow before it is divided by a small number.
 inline constexpr double least_number = 0x1p-1074;
 
 /// Upper and lower bounds of |x| for x = ± size ± radius.
@@ -53,7 +53,7 @@ template <class S>
   return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
 }
 
-/// `root` is ẑ of (5). It is at most 1 + u times √x̂.
+/// `root` is ẑ of (5). It is at most (1 + u) √x̂.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& radius_x, const S& root) {
   return (radius_x / root + root * S(unit_roundoff)) * S(up) + S(least);
@@ -109,7 +109,7 @@ class Approximation {
 
   friend Approximation operator+(const Approximation& x, const Approximation& y) {
     const double z = x.middle_ + y.middle_;
-    // A sum does not underflow, but its bound can. A sum of zero is exact.
+    // A sum does not underflow, but its bound can. A sum that rounds to zero is exact.
     return {z, approximation::radius_of_sum(x.radius_, y.radius_, std::abs(z)) + (z == 0 ? 0 : approximation::least)};
   }
 
@@ -129,7 +129,7 @@ class Approximation {
     return {q, approximation::radius_of_quotient(x.radius_, y.radius_, y.magnitude_below(), std::abs(q))};
   }
 
-  /// √x of a number that is not negative, even if its approximation does not exclude zero or negative numbers.
+  /// √x of a number x that is not negative. The approximation of x may include zero or negative numbers.
   friend Approximation sqrt(const Approximation& x) {
     if (x.is_exactly_zero()) {
       return {};

@@ -7,7 +7,7 @@
 #include <carom/oracles/numbers/norm.hpp>
 
 /// Numbers and vectors with an error radius. A vector lies in a Euclidean ball, so the results do not depend on the
-/// axes. Centres and radii are rounded, as every allowance is. No verdict depends on their last digits.
+/// axes. Centres and radii are rounded without bounds, because they only give allowances (permitted_inputs.hpp).
 namespace carom::oracles {
 
 struct ScalarBall {
@@ -46,7 +46,8 @@ struct VectorBall {
 
 namespace detail {
 
-/// The radius of a product of two vectors. Precondition: the product of their lengths bounds the product.
+/// The radius of a product of two vectors. Precondition: the length of the product is at most the product of the
+/// lengths.
 [[nodiscard]] inline double radius_of_product(const VectorBall& v, const VectorBall& w) {
   return norm_of(v.centre) * w.radius + v.radius * w.largest();
 }

@@ -11,9 +11,9 @@
 
 namespace carom::oracles {
 
-/// The bounds of Enclosure. Each is a formula for any scalar S, so that a test can count their roundings
-/// (docs/internals/bounds.md). u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z is the result of double-double arithmetic on x̂
-/// and ŷ. If no number leaves the range of binary64:
+/// The bounds of Enclosure. Each is a formula for any scalar S, so that a test can count its roundings
+/// (docs/internals/bounds.md). u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z is the result of double-double arithmetic on
+/// x̂ and ŷ. If no number leaves the range of binary64:
 ///
 ///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
 ///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
@@ -65,7 +65,7 @@ template <class S>
 }  // namespace enclosure
 
 /// A real number with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic that carries a bound.
-/// As in CGAL's filtered predicates, an enclosure decides a case exactly or leaves it to rationals. It has about 100
+/// As in CGAL's filtered predicates, an enclosure decides a sign exactly or leaves it to rationals. It has about 100
 /// bits in the range of binary64. Outside this range the radius becomes infinite and decides nothing.
 class Enclosure {
  public:
@@ -74,8 +74,8 @@ class Enclosure {
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
-    // Extended has a wider range of exponents, and other formats have more bits than two doubles. Rationals handle an
-    // outcome that needs them.
+    // Extended has a wider range of exponents than two doubles, and other formats have more bits. Rationals handle an
+    // outcome that two doubles do not hold.
     const bool is_held = std::isfinite(high_) && std::abs(high_) >= enclosure::least &&
                          exact - static_cast<long double>(high_) == static_cast<long double>(low_);
     radius_ = is_held || exact == 0 ? 0 : infinity;
@@ -160,7 +160,7 @@ class Enclosure {
     return with_rounding(q, radius, enclosure::least);
   }
 
-  /// √x of a number that is not negative, even if its enclosure does not exclude zero or negative numbers.
+  /// √x of a number x that is not negative. The enclosure of x may include zero or negative numbers.
   friend Enclosure sqrt(const Enclosure& x) {
     if (x.is_exactly_zero()) {
       return {};
@@ -222,8 +222,7 @@ class Enclosure {
   /// The sum, product or quotient z. The radius includes the rounding of double-double arithmetic and of the radius
   /// itself.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    // The bound includes the lower part, although it adds almost nothing. An infinity or NaN in any part then makes the
-    // bound infinite or NaN.
+    // The bound includes the small lower part, so that an infinity or NaN in any part makes the bound infinite or NaN.
     const double bound = enclosure::radius_of_result(radius, std::abs(z.high), std::abs(z.low), absolute);
     if (!(bound < infinity)) {
       return {0, 0, infinity};
@@ -233,7 +232,8 @@ class Enclosure {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double splitter = 134217729;  // 2²⁷ + 1
-  // The part of a rational beyond the lower part. to_double is within an ulp, which is at most 2⁻⁵² of its result.
+  // Bounds the part of a rational beyond `low_`, relative to `low_`. to_double is within an ulp, which is at most 2⁻⁵²
+  // of its result.
   static constexpr double part_of_lower = 0x1p-50;
 
   double high_ = 0;

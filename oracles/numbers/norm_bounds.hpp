@@ -12,7 +12,8 @@ namespace carom::oracles {
 
 namespace norm_bounds {
 
-/// More than the relative rounding error of six squares or hypotenuses (an ulp each) and a comparison.
+/// More than the relative rounding error of a sum of six squares, or of six hypotenuses (an ulp each), and a
+/// comparison.
 inline constexpr double rounding = 0x1p-45;
 
 /// Bounds between these limits are compared by squares. Underflow of the squares is negligible next to the square of
@@ -52,11 +53,12 @@ template <class T>
 }
 
 /// Whether ‖v‖ ≤ bound, or nullopt if the errors do not decide it. A ≥ ‖v‖ and B ≤ ‖v‖ are computed with a relative
-/// error below `rounding`. Underflow changes them by less than `lost_by_hypotenuses`.
+/// error below `rounding`. Underflow changes A and B by less than lost = `lost_by_hypotenuses`.
 ///
 ///   (1) true if A (1 + rounding) + lost ≤ bound, or A = 0;
 ///   (2) false if B (1 − rounding) − lost > bound;
-///   (3) by squares, both tests omit `lost`, if it is negligible next to the square of the bound.
+///   (3) both tests compare squares and omit `lost` if the bound is between `least_by_squares` and
+///       `largest_by_squares`.
 ///
 /// Precondition: the bound is finite and not negative.
 template <class T>

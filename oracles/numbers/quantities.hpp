@@ -7,8 +7,8 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// The quantities of a collision. Each quantity is perturbed as a whole, by ulps of its length and in any direction.
-/// The allowance therefore does not depend on the axes of the world.
+/// The quantities of a collision. The backward error perturbs each quantity as a whole, by ulps of its length and in
+/// any direction. So the allowance does not depend on the axes of the world.
 namespace carom::oracles {
 
 /// A scalar or a vector among the numbers of a collision, in the order of `for_each_number`. The scalars are the mass,
@@ -20,9 +20,10 @@ struct Quantity {
   double length;      // its absolute value or Euclidean norm; ‖X‖ + s for the position of a movable body
 };
 
-/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m). This is the least of the body's second moments
-/// about its principal planes, so the extent of a needle is its thickness. It is 0 if this minimum is negative, and 0
-/// for an immovable body. A point of a body is known only to within the rounding of the body's size, for any origin.
+/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m), with the principal moments J. This is the least of
+/// the body's second moments about its principal planes, so the extent of a needle is its thickness. The extent is 0 if
+/// the minimum is negative, and 0 for an immovable body. A point of a body is known only to within the rounding of the
+/// body's size, for any origin.
 [[nodiscard]] double extent_of(const Body& body);
 
 /// The length by which the position of a body is perturbed: ‖X‖ + s.

@@ -11,9 +11,9 @@
 ///
 /// A further argument gives carom::conformance::Options. If an option, or CAROM_EXACT in the environment, is wrong, the
 /// suite is one test that fails and gives the reason. RapidCheck's RC_PARAMS sets the seed and the number of cases. A
-/// test is skipped if no case is in the domain of its invariant. For callables, two things are not judged.
-/// `invalid_refused` is not, because the kit refuses invalid collisions for them. The invariants of the collision
-/// matrix are not, unless the callable returns the matrix as SolvedOutcome<S>.
+/// test is skipped if no case is in the domain of its invariant. A callable is not judged by `invalid_refused`, because
+/// the kit refuses invalid collisions for it. The invariants of the collision matrix are judged only if the callable
+/// returns the matrix, in SolvedOutcome<S>.
 #define CAROM_CONFORMANCE(NAME, ...)                                                                               \
   using ::carom::conformance::Conformance;                                                                         \
   INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                                      \

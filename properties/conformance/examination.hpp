@@ -9,15 +9,15 @@
 
 namespace carom::conformance {
 
-/// Tests a statement on cases, all in one session of the subject.
+/// Tests a statement (statement.hpp) on cases, all in one session of the subject.
 class Examination {
  public:
-  /// Precondition: the subject is not absent, and the statement outlives the examination.
+  /// Precondition: `absent` of the subject is empty, and the statement outlives the examination.
   explicit Examination(const Statement& statement);
 
   /// Whether the statement holds of the case. A subject that throws violates every invariant. After the first
-  /// violation, a much less serious one does not count, so that the shrunk case shows the fault as plainly. After a
-  /// session has failed, every case holds.
+  /// violation, a much less serious one does not count, so that the shrunk case shows the fault as plainly as the first
+  /// one. After a session has failed, every case holds.
   [[nodiscard]] bool holds(const properties::Case& one);
 
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }
@@ -25,7 +25,7 @@ class Examination {
   /// The reason for the first skipped case; empty if no case was skipped.
   [[nodiscard]] const std::string& why_skipped() const { return why_skipped_; }
 
-  /// The last violation in words. Precondition: there is one.
+  /// The last violation in words. Precondition: `holds` returned false.
   [[nodiscard]] std::string violation();
 
  private:

@@ -10,8 +10,8 @@
 
 namespace carom::conformance {
 
-/// Whether RapidCheck falsifies a property, which it knows by this name. This function discards RapidCheck's text on a
-/// single property. At the end of the program RapidCheck prints how to reproduce all failures.
+/// Whether RapidCheck falsifies the property of this name. This function discards RapidCheck's text on a single
+/// property. At the end of the program RapidCheck prints how to reproduce all failures.
 template <class Property>
 [[nodiscard]] bool falsified(const std::string& name, Property&& property) {
   // RapidCheck reads RC_PARAMS once, prints the seed, and ends the program if RC_PARAMS is wrong. This output is not

@@ -32,14 +32,16 @@ inline void showValue(const Collision& collision, std::ostream& out) {
 
 namespace gen {
 
-/// The cases of a definition. RapidCheck shrinks the choices that make a case, and the definition draws the case again.
+/// The cases of a draw function (`Draw`). RapidCheck shrinks the choices that make a case, and `draw` makes the case
+/// again.
 [[nodiscard]] inline rc::Gen<properties::Case> cases(properties::Draw draw) {
   struct Shrinks {
     static rc::Shrinkable<properties::Case> of(const properties::Draw& draw, properties::ChosenCase chosen,
                                                std::size_t first) {
       auto one = [case_of_it = chosen.one] { return case_of_it; };
       return rc::shrinkable::lambda(std::move(one), [=] {
-        // Continues after the place of the last success: a candidate that failed before it seldom succeeds after it.
+        // The search continues after the last success, because a candidate that failed before it seldom succeeds after
+        // it.
         return rc::Seq<rc::Shrinkable<properties::Case>>(
             [draw, simpler = properties::SimplerCases(draw, chosen,
                                                       first)]() mutable -> rc::Maybe<rc::Shrinkable<properties::Case>> {
@@ -60,7 +62,7 @@ namespace gen {
   };
 }
 
-/// The collisions of the cases that the definition draws.
+/// The collisions of the cases that `draw` makes.
 [[nodiscard]] inline rc::Gen<Collision> collisions(properties::Draw draw) {
   return rc::gen::map(cases(std::move(draw)), [](const properties::Case& one) { return one.collision; });
 }
@@ -146,7 +148,7 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
 /// An immovable body at rest.
 [[nodiscard]] inline rc::Gen<Body> wall() { return rc::gen::just(Body{.immovable = true}); }
 
-/// The contacts of the generator between other bodies. The bodies' positions are relative to the contact point.
+/// The generator's collisions with other bodies. The bodies' positions are relative to the contact point.
 [[nodiscard]] inline rc::Gen<Collision> with_bodies(rc::Gen<Collision> generator, rc::Gen<Body> a, rc::Gen<Body> b) {
   return rc::gen::apply(
       [](Collision collision, const Body& of_a, const Body& of_b) {

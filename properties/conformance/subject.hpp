@@ -13,7 +13,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// Callables as subjects.
+/// Makes subjects (solvers under test) from callables.
 namespace carom::conformance {
 
 /// Contact<S> → Outcome<S>, or SolvedOutcome<S>.
@@ -79,7 +79,8 @@ template <class Solver, class S>
 
 /// A callable as a subject. It solves contacts, const impulse::Contact<S>& → Outcome<S>, or collisions, const
 /// Collision& → Outcome<S>. S is float, double or long double. Give S explicitly if the callable takes contacts of any
-/// scalar type. Every session has a copy of the callable. It is judged in the precision of S unless another is given.
+/// scalar type. Every session has a copy of the callable. The subject is judged in the precision of S unless another
+/// precision is given.
 ///
 /// If the callable returns SolvedOutcome<S>, it shows its collision matrix, and the matrix is judged too.
 ///

@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// If a subject was not judged to the end, it was judged on the first cases of each family.
+/// The number of judged sampled cases of each family: the first ones, if the subject was not judged to the end.
 std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   std::vector<std::uint64_t> judged;
   for (const FamilyResult& family : result.families) {
@@ -57,8 +57,8 @@ std::uint64_t cases_that_violate(const SubjectResult& result, const std::string&
   return sum;
 }
 
-/// The first invariant, in the order of causes, that is violated in most of the violated cases. If there is none, the
-/// invariant that is violated most often.
+/// The first invariant, in the order of `rank_as_cause`, that is violated in most of the violated cases. If there is
+/// none, the invariant that is violated most often.
 std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
   std::vector<std::string> names = result.violated_invariants();
   const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
@@ -102,8 +102,8 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
 
 std::string counted(std::size_t part, std::size_t whole) { return fmt::format("{} of {}", part, whole); }
 
-/// The hypothesis that explains the most outcomes that are visibly off. No hypothesis if it explains at most half of
-/// them.
+/// The hypothesis that explains the most outcomes that are visibly off. No hypothesis if even the best one explains at
+/// most half of these outcomes.
 struct Explanation {
   const Hypothesis* hypothesis = nullptr;
   std::size_t explained = 0;

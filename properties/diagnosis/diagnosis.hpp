@@ -21,7 +21,7 @@ struct Diagnosis {
   std::string where;             // the cases in which it happens
 };
 
-/// The diagnosis of a subject of the report. Precondition: the subject violates something.
+/// The diagnosis of a subject of the report. Precondition: `result.violated_invariants()` is not empty.
 [[nodiscard]] Diagnosis diagnose(const SubjectResult& result, const GateReport& report);
 
 /// The diagnosis of each subject of the report, in order. It is empty for a subject that violates nothing.

@@ -61,8 +61,8 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
   return differ(sides.left, sides.right, size);
 }
 
-/// The correct part of an impulse. `along` is the component along the normal, as a share of the right component.
-/// `across` is the error across the normal, as a share of the whole impulse.
+/// A computed impulse, compared with the right one. `along` is its component along the normal, divided by the right
+/// component. `across` is its error across the normal, divided by the length of the whole impulse.
 struct Shares {
   double along = 0;
   double across = 0;
@@ -125,8 +125,7 @@ bool are_alike(const std::vector<double>& numbers) {
   return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
 }
 
-/// Describes the restitution if all bodies part as if ε were simple: one value, or one value added to ε. Otherwise
-/// empty.
+/// Describes the restitution if all outcomes show one value of ε, or one value that is added to ε. Otherwise empty.
 std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
   if (is_normal_right) {
     return {};
@@ -146,7 +145,7 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
   return {};
 }
 
-/// Describes the size of the impulse if many impulses have one size. Otherwise empty.
+/// Describes the size of the impulses if many have the same size. Otherwise empty.
 std::string limit_in_words(const std::vector<Shares>& all) {
   constexpr std::size_t least = 5;
   for (const Shares& one : all) {
@@ -187,8 +186,8 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 }  // namespace
 
-/// Describes a speed or an angular velocity if many wrong outcomes have one size that the law does not give. Otherwise
-/// empty.
+/// Describes a speed or an angular speed if many wrong outcomes have the same one, which the law does not give.
+/// Otherwise empty.
 std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
   struct Size {
     OutcomeVector vector;

@@ -214,7 +214,7 @@ class Sample {
   std::vector<Literal> approaches_;
 };
 
-/// Whether the part lacks at most one in ten.
+/// Whether the part is at least nine tenths of the whole.
 bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
 
 Where where_in(const Sample& sample, double left_out) {

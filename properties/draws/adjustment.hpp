@@ -9,7 +9,8 @@
 
 namespace carom::properties {
 
-/// A change that a family makes to a case after drawing it. It does not depend on any solver.
+/// A change that a family (families/family.hpp) makes to a case after drawing it. The change does not depend on any
+/// solver.
 enum class Adjustment {
   moments_enlarged,  // enlarged until the contact lies within twice the radius of gyration
   moved_to_origin,   // the contact is at the origin, so that parallel vectors are exactly parallel

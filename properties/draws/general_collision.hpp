@@ -4,16 +4,17 @@
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// Bodies of any inertia, and what other bodies are drawn from. SI units throughout.
+/// Draws bodies of any inertia, and the numbers that other bodies need. SI units throughout.
 namespace carom::properties {
 
-/// 0, 1, or between them.
+/// The restitution ε: 0, 1, or a number between them.
 [[nodiscard]] double drawn_restitution(Stream& stream);
 
 /// From 2⁻⁶ kg to 2⁷ kg.
 [[nodiscard]] double drawn_mass(Stream& stream);
 
-/// Draws both velocities of a body of this size. The surface turns about as fast as the centre moves.
+/// Draws the velocity and the angular velocity of a body of this size [m]. By rotation, the surface moves about as fast
+/// as the centre.
 void set_velocities(Stream& stream, Body& body, double size);
 
 /// Principal moments of a body with these second moments per mass: I_x = m (S_y + S_z), and so on.

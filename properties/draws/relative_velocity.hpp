@@ -6,7 +6,8 @@
 /// Reads and sets the relative velocity at the contact.
 namespace carom::properties {
 
-/// V = V_A − V_B at the contact point [m/s], rounded. Accurate enough to place a case, but not to judge one.
+/// V = V_A − V_B at the contact point [m/s], rounded. It is accurate enough to draw a collision, but not to judge an
+/// answer.
 [[nodiscard]] Vector3<double> relative_velocity(const Collision& collision);
 
 /// Sets V, up to rounding, by changing the linear velocity of A, or of B if A is immovable.
@@ -18,8 +19,8 @@ void make_approaching(Collision& collision);
 /// N·V < 0, as rounded.
 [[nodiscard]] bool is_approaching(const Collision& collision);
 
-/// Reverses all motion if the bodies separate, and returns whether it did. Components that are zero, equal, parallel or
-/// along an axis stay so.
+/// Reverses all motion if the bodies separate, and returns whether it did. Zero or equal components, and vectors that
+/// are parallel or along an axis, stay so.
 bool reverse_if_separating(Collision& collision);
 
 /// Makes a body immovable and keeps its position. Its velocity becomes zero.

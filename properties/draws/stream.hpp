@@ -11,7 +11,8 @@
 
 namespace carom::properties {
 
-/// A question of a family. It has `count` answers, 0 … count − 1. The answer `simplest` gives the simplest collisions.
+/// A question that a family (families/family.hpp) asks its stream. It has `count` answers, 0 … count − 1. The answer
+/// `simplest` gives the simplest collisions.
 struct StreamQuestion {
   std::uint64_t count;
   std::uint64_t simplest = 0;
@@ -45,7 +46,8 @@ class Stream {
   /// True once in `one_in` times. The simplest answer is false.
   [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
 
-  /// Whether to use a plain number instead of the drawn one. False for a stream of words, and uses no word.
+  /// Whether to use a plain number, such as 1, instead of the drawn one. It is false for a stream of words, and takes
+  /// no word.
   [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
   /// A number in [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8, so that special values occur.
@@ -87,11 +89,11 @@ class Stream {
   PerAdjustment<bool> adjusted_;
 };
 
-/// 10^k, |k| ≤ 30: the nearest double; for k < 0, 1 divided by the nearest double of 10^−k.
+/// 10^k, |k| ≤ 30. For k ≥ 0 it is the nearest double. For k < 0 it is 1 divided by the nearest double of 10^−k.
 [[nodiscard]] double power_of_ten(int k);
 
-/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). The seed, the family's name and the
-/// number of the case start it, so that each case can be drawn alone.
+/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). Its initial state depends on the
+/// seed, the family's name and the number of the case alone, so each case can be drawn alone.
 [[nodiscard]] Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index);
 
 /// The stream that a single integer starts.

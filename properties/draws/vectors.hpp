@@ -5,7 +5,7 @@
 
 /// Operations on vectors of doubles, for families and features. Each operation is rounded separately, in the order
 /// given here, so that the same integers give the same collision on every machine. The order of Eigen's sums (dot,
-/// norm, products of matrices) depends on the instruction set, so families and features do not use them.
+/// norm, products of matrices) depends on the instruction set, so families and features do not use these sums.
 namespace carom::properties {
 
 /// (u₀ v₀ + u₁ v₁) + u₂ v₂.
@@ -53,8 +53,8 @@ struct Columns {
 /// M v: (x v₀ + y v₁) + z v₂.
 [[nodiscard]] Vector3<double> product(const Columns& m, const Vector3<double>& v);
 
-/// M⁻¹ v by Gaussian elimination. The pivot of each column is its largest element by magnitude, the first of equal
-/// ones. If M is singular, components are not finite.
+/// M⁻¹ v by Gaussian elimination. The pivot of each column is its largest element by magnitude, or the first of equal
+/// elements. If M is singular, components of the result are not finite.
 [[nodiscard]] Vector3<double> solution(const Columns& m, const Vector3<double>& v);
 
 /// A vector exactly orthogonal to this one: two components are exchanged and one is negated. Nonzero for a nonzero

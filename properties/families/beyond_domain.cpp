@@ -12,7 +12,7 @@
 namespace carom::properties {
 namespace {
 
-/// tr([r]ᵀ J⁻¹ [r]) = Σ ‖e × r‖² / I over the body axes e.
+/// tr([r]ᵀ J⁻¹ [r]) = Σ ‖e × r‖² / I over the body axes e, with I the moment about e.
 double response_to_torque(const Collision& collision, const Body& body) {
   if (body.immovable) {
     return 0;
@@ -40,7 +40,7 @@ double excess_of(const Body& body) {
   return body.principal_inertia[largest] / sum(others);
 }
 
-/// One body or both. At times the collision gets a wall.
+/// One body or both. At times A becomes immovable, and only B is chosen.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
   switch (stream.integer(0, 3)) {
     case 0:
@@ -86,11 +86,11 @@ Case far_contacts(Stream& stream) {
   Collision& c = result.collision;
   set_friction(stream, c);
   for (Body* body : chosen_bodies(stream, c)) {
-    const double times = stream.power_of_two(0, 26);  // factor of the distance: κ grows by its square
+    const double times = stream.power_of_two(0, 26);  // κ(K) grows by the square of this factor
     if (stream.chance(2)) {
       const Vector3<double> lever_arm = c.point - body->position;
       body->position = plus(c.point, lever_arm, -times);
-      // Otherwise the spin alone would decide the approach velocity.
+      // At times the spin is divided too, because otherwise w × r dominates the approach velocity.
       body->angular_velocity /= stream.chance(2) ? times : 1;
     } else {
       body->principal_inertia /= times * times;

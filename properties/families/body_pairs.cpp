@@ -94,7 +94,7 @@ Case touching_spheres(Stream& stream) {
     const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = drawn_mass(stream);
-    // A plain ball is not uniform: more of its mass is outside.
+    // A plain ball has the moment m r²/2. It is not uniform, because more of its mass is near the surface.
     const bool is_uniform = !stream.plainly();
     spheres.convex_uniform = spheres.convex_uniform && is_uniform;
     const double moment = body->mass * squared_radius;
@@ -105,7 +105,7 @@ Case touching_spheres(Stream& stream) {
   }
   c.restitution = drawn_restitution(stream);
   if (dot(c.normal, relative_velocity(c)) > 0) {
-    // If only the normal turned, A would be on its wrong side.
+    // A reversed normal would point away from A.
     c.a.velocity = negated(c.a.velocity);
     c.b.velocity = negated(c.b.velocity);
   }

@@ -3,7 +3,7 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The building blocks of families.
+/// The pairs of bodies that families (family.hpp) start from.
 namespace carom::properties {
 
 /// Two approaching bodies of general inertia. The contact is within about one body's size of each.
@@ -16,7 +16,7 @@ namespace carom::properties {
 /// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is in or on both.
 [[nodiscard]] Case convex_bodies(Stream& stream);
 
-/// Two approaching spheres that touch: r_A × N = r_B × N = 0 exactly.
+/// Two approaching spheres that touch. Their lever arms r are exactly parallel to N: r_A × N = r_B × N = 0.
 [[nodiscard]] Case touching_spheres(Stream& stream);
 
 }  // namespace carom::properties

@@ -6,7 +6,7 @@
 namespace carom::properties {
 namespace {
 
-/// Draws a case with these answers, and records them.
+/// Draws a case with the answers that `answer` gives, and records them.
 template <class Answer>
 ChosenCase noted(const Draw& draw, Answer answer) {
   ChosenCase chosen;
@@ -51,7 +51,7 @@ ChosenCase replayed_case(const Draw& draw, const std::vector<Choice>& choices) {
 
 Case case_of_any_family(Stream& stream) {
   std::uint64_t weights = 0;
-  std::uint64_t simplest = 0;  // the weights before `generic`
+  std::uint64_t simplest = 0;  // the sum of the weights before `generic`
   for (const Family& family : all_families()) {
     simplest = family.name == "generic" ? weights : simplest;
     weights += is_valid(family) ? static_cast<std::uint64_t>(family.weight) : 0;

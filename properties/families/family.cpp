@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// The speed that a family scales its relative velocity with.
+/// ‖V‖, or 1 if V = 0: a family sets its relative velocity to a multiple of it.
 double speed_of(const Collision& c) {
   const double speed = length(relative_velocity(c));
   return speed > 0 ? speed : 1;
@@ -56,7 +56,8 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
-/// Touching spheres. At times one is a wall. At times they meet head-on without spin, so that outcomes vanish at ε = 0.
+/// Touching spheres. At times one is a wall. At times they meet head-on without spin; with a wall and ε = 0, the
+/// outcome is then zero.
 Case collinear_spheres(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;
@@ -92,7 +93,7 @@ Case near_collinear(Stream& stream) {
   return result;
 }
 
-/// |N·V| = 10^−k ‖V‖ on either side of zero.
+/// |N·V| = 10^−k ‖V‖; the bodies approach or separate.
 Case grazing(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -240,7 +241,7 @@ Case fast_spin(Stream& stream) {
   return result;
 }
 
-/// Speeds below every threshold that an engine may have.
+/// Speeds down to values below any threshold of an engine.
 Case slow(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, -1);

@@ -10,7 +10,8 @@
 namespace carom::properties {
 namespace {
 
-/// The velocity of a body's contact point after a unit impulse there along this axis: a column of I/m + [r]ᵀ J⁻¹ [r].
+/// The velocity that a unit impulse at the contact point, along this axis, gives to this point of the body: a column of
+/// I/m + [r]ᵀ J⁻¹ [r].
 Vector3<double> mobility(const Body& body, const Vector3<double>& point, const Vector3<double>& axis) {
   if (body.immovable) {
     return Vector3<double>::Zero();
@@ -65,7 +66,7 @@ Columns mobility(const Collision& c) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
-/// The μ at which an impulse lies on the surface of the friction cone; 1 if there is none.
+/// The μ at which an impulse lies on the surface of the friction cone; 1 if there is no such μ.
 double friction_of(const Vector3<double>& n, const Vector3<double>& impulse) {
   const double friction = length(cross(n, impulse)) / dot(n, impulse);
   return std::isfinite(friction) && friction > 0 ? friction : 1;

@@ -5,8 +5,8 @@
 
 namespace carom::properties {
 
-/// A general collision with one invalid field: a random number is not finite, or a random field with a range is outside
-/// of it.
+/// A collision of `general_bodies` with one invalid field. Either a random number is not finite, or a random field is
+/// outside its range.
 [[nodiscard]] Case invalid(Stream& stream);
 
 }  // namespace carom::properties

@@ -29,8 +29,8 @@ void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const Integer
   integrals.second += determinant * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
 }
 
-/// The integrals over the hull. A triangle is a face if all other points lie on one side of it. The volume is 0 if four
-/// points share a plane, because faces with more than three corners would count more than once.
+/// The integrals over the hull. A triangle is a face if all other points lie on one side of it. If four points share a
+/// plane, all integrals are 0, because a face with more than three corners would count more than once.
 Integrals integrals_of_hull(const std::vector<IntegerVector>& points) {
   Integrals integrals;
   const std::size_t n = points.size();

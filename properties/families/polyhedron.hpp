@@ -15,8 +15,8 @@ struct PrincipalShape {
 };
 
 /// A random convex polyhedron. It starts from the hull of 4 to 8 integer points, whose second moments S are rational.
-/// With S = L D Lᵀ, the shear L⁻¹ maps the hull to a convex polyhedron with second moments D. So its mass properties
-/// are exact without an eigenvalue problem.
+/// With S = L D Lᵀ (L unit triangular, D diagonal), the shear L⁻¹ maps the hull to a convex polyhedron with second
+/// moments D. So the mass properties of this polyhedron are exact without an eigenvalue problem.
 [[nodiscard]] PrincipalShape random_polyhedron(Stream& stream);
 
 }  // namespace carom::properties

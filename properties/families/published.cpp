@@ -40,8 +40,8 @@ Collision two_equal_spheres(double radius, double speed) {
   return c;
 }
 
-/// The velocity with this speed [m/s] and the angle of incidence θ, given by tan(θ/2). It is rational, so it is the
-/// same on every machine.
+/// The velocity with this speed [m/s] and the angle of incidence θ, given by tan(θ/2). Its components are rational in
+/// tan(θ/2), so they are the same on every machine.
 Vector3<double> oblique(double speed, double tangent_of_half) {
   const double squared = tangent_of_half * tangent_of_half;
   return {speed * (2 * tangent_of_half / (1 + squared)), -speed * ((1 - squared) / (1 + squared)), 0};

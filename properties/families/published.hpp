@@ -10,8 +10,8 @@ inline constexpr int chung_ooi_count = 8;
 
 /// The benchmark impact with this number, 1 to 8, of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element
 /// modelling codes at particle impact level", Granular Matter 13, 2011. The quantity that the benchmark varies is
-/// drawn. Two spheres of uniform density meet, or one meets a plane y = 0 below it. The density is 2700 kg/m³; no
-/// velocity depends on it. e_t = 0. Throws std::invalid_argument for another number.
+/// random. Two spheres of uniform density meet, or one meets a plane y = 0 below it. The density is 2700 kg/m³; no
+/// velocity after the impact depends on it. e_t = 0. Throws std::invalid_argument for any other number.
 ///
 ///   1: Two equal spheres, head-on.
 ///   2: A sphere on the plane, normally, ε = 1.

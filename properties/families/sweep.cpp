@@ -64,8 +64,8 @@ Collision distance(Stream& stream, double metres) {
   return c;
 }
 
-/// A rod with moments 1 : ratio : ratio. The contact is at half to all of the rod's length from its centre, and off its
-/// axis by at most about its thickness.
+/// A rod with moments 1 : ratio : ratio. Along the rod, the contact is 0.5 to 1 radii of gyration from the centre.
+/// Across the rod, it is off the axis by at most about the rod's thickness.
 Collision slenderness(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const double thinness = 1 / std::sqrt(ratio);
@@ -79,7 +79,7 @@ Collision slenderness(Stream& stream, double ratio) {
   return c;
 }
 
-/// One moment of a body is `excess` times the sum of the two others. Above 1, no body has such moments.
+/// One moment of a body is `excess` times the sum of the two others. If `excess` > 1, no body has such moments.
 Collision moments_of_no_body(Stream& stream, double excess) {
   Collision c = general_bodies(stream).collision;
   set_moment_excess(stream, c.a, excess);

@@ -10,8 +10,9 @@
 
 namespace carom::properties {
 
-/// A distribution of colliding contacts with one quantity that is set to 10^k, from one exponent to another. A family
-/// tests whether a method is sound. A sweep shows up to which value of the quantity it is sound.
+/// A distribution of colliding contacts with one quantity that is set to 10^k, k from `first_exponent` to
+/// `last_exponent`. A family tests whether a method (a built-in solver) violates an invariant. A sweep shows from which
+/// value of the quantity on the method violates one.
 struct Sweep {
   std::string_view name;
   std::string_view quantity;  // the label of an axis
@@ -23,7 +24,7 @@ struct Sweep {
   /// 10^k, from the easy end to the hard one.
   [[nodiscard]] std::vector<double> quantities() const;
 
-  /// A collision at this quantity, with the friction and tangential restitution of families.
+  /// A collision at this quantity, with friction and tangential restitution from `set_friction`.
   [[nodiscard]] Collision generate(Stream& stream, double at_quantity) const;
 };
 

@@ -16,7 +16,8 @@ void make_both_movable(Stream& stream, Collision& c) {
   make_movable(stream, c, c.b);
 }
 
-/// Gives B the moments of A, and scales B's lever arm by a power of two near the change of its radius of gyration.
+/// Gives B the moments of A, and scales B's lever arm by a power of two near the factor by which B's radius of gyration
+/// changes.
 void take_moments(Collision& c) {
   const double size = radius_of_gyration(c.b);
   c.b.principal_inertia = c.a.principal_inertia;
@@ -81,7 +82,7 @@ void make_whole(Stream& stream, Collision& c) {
   c.point = rounded(c.point);
   c.normal = rounded(c.normal * std::max(1.0, 8 / size_of(c.normal)));
   if (stream.chance(4)) {
-    // A normal and a velocity with integer components that are almost orthogonal.
+    // A normal and a velocity that are almost orthogonal, both with integer components.
     const int across = stream.integer(0, 2);
     c.normal.setZero();
     c.normal[across] = stream.power_of_two(1, 33);

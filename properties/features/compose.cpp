@@ -24,7 +24,7 @@ const std::vector<const Feature*>& values_and_relations() {
   return chosen;
 }
 
-/// The features that seldom occur together with others unless they are chosen for it.
+/// The features that seldom occur together with others unless `composed` chooses both.
 const std::vector<const Feature*>& ratios_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
@@ -48,10 +48,10 @@ void reverse_if_separating(Stream& stream, Collision& c) {
   }
 }
 
-/// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: a little beyond the domain.
+/// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: ten times the greatest that a feature sets.
 constexpr double largest_number = 1e11;
 
-/// At times, puts the contact on the surface of the body: 1 to 2 radii of gyration from its centre.
+/// At times, puts the contact near the surface of the body: 1 to 2 radii of gyration from its centre.
 void draw_surface(Stream& stream, Collision& c, Body& body) {
   const Vector3<double> r = features::lever_arm(c, body);
   if (!body.immovable && !features::is_zero(r) && stream.chance(4)) {
@@ -74,7 +74,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
       if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
       } else if (first->drawn_by == DrawnBy::lever_arm) {
-        // As long as the body, or shorter.
+        // The decade of the body's size, or a lower one.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
       first[static_cast<std::ptrdiff_t>(chosen)].make(stream, c);
@@ -94,13 +94,14 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   }
 }
 
-/// Prevents contacts far outside a body. Otherwise K is arbitrarily ill-conditioned and every solver loses all digits.
+/// Prevents contacts far outside a body. Otherwise the collision matrix K is arbitrarily ill-conditioned, and every
+/// solver loses all digits.
 void keep_contact_on_bodies(Stream& stream, Collision& c) {
   for (Body* body : {&c.a, &c.b}) {
     double overreach = features::overreach(c, *body);
     if (overreach > 1 && overreach * features::radius_of_gyration(*body) > largest_number) {
-      // Moves the contact to the end of the body. Enlarged moments alone would take the size of a slender body out of
-      // the domain.
+      // Moves the contact onto the long axis. Otherwise the enlarged moments would take the size of a slender body out
+      // of the domain.
       const double lever_arm = length(features::lever_arm(c, *body));
       features::set_lever_arm(c, *body, features::long_axis(*body) * lever_arm);
       overreach = features::overreach(c, *body);

@@ -3,7 +3,7 @@
 
 #include <carom/properties/features/feature.hpp>
 
-/// Collisions that get features.
+/// Gives collisions features: special values, relations and magnitudes (feature.hpp).
 namespace carom::properties {
 
 /// A collision whose magnitudes are drawn from all decades that the features list. It also has some special values and

@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// The features, and the pairs of features, that colliding contacts had. Other contacts do not count, because no law
-/// acts on them. Its size does not depend on the number of collisions.
+/// Counts the features (feature.hpp), and the pairs of features, that colliding contacts had. Other contacts do not
+/// count, because no law acts on them. The size of the object does not depend on the number of collisions.
 class FeatureCoverage {
  public:
   struct Pair {
@@ -25,8 +25,8 @@ class FeatureCoverage {
   /// valid and colliding.
   void add(std::span<const std::uint16_t> present);
 
-  /// The coverage that a report holds: the count of each feature, and the pairs that no collision had. The count of any
-  /// other pair is unknown and becomes 1. Precondition: one count for each feature.
+  /// Restores the coverage from a report, which has the count of each feature and the pairs that no collision had. The
+  /// count of any other pair is unknown and becomes 1. Precondition: one count for each feature.
   [[nodiscard]] static FeatureCoverage reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
@@ -35,11 +35,11 @@ class FeatureCoverage {
   [[nodiscard]] std::uint64_t count(std::size_t feature) const { return singles_[feature]; }
   [[nodiscard]] std::uint64_t count(std::size_t x, std::size_t y) const;
 
-  /// The number of pairs that are possible, and of those that occurred.
+  /// The number of possible pairs, and of possible pairs that occurred.
   [[nodiscard]] std::uint64_t feasible_pairs() const;
   [[nodiscard]] std::uint64_t met_pairs() const;
 
-  /// The feasible pairs that no collision had, in the order of the list.
+  /// The feasible pairs that no collision had, in the order of all_features().
   [[nodiscard]] std::vector<Pair> missing_pairs() const;
 
  private:
@@ -50,10 +50,11 @@ class FeatureCoverage {
 /// The places in all_features() of the features of a valid collision, ascending.
 [[nodiscard]] std::vector<std::uint16_t> feature_places_of(const Collision& collision);
 
-/// The features that a valid collision has, in the order of the list.
+/// The features that a valid collision has, in the order of all_features().
 [[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);
 
-/// Whether a collision can have both features, given by their places in all_features(). Caches `why_infeasible`.
+/// Whether a collision can have both features, given by their places in all_features(). Caches the results of
+/// `why_infeasible`.
 [[nodiscard]] bool is_feasible(std::size_t x, std::size_t y);
 
 }  // namespace carom::properties

@@ -11,25 +11,26 @@
 #include <carom/properties/draws/stream.hpp>
 
 /// Features of collisions that are common in scenes and rare in random numbers: special values, relations between
-/// fields, magnitudes. Faults show in them, because code branches on them.
+/// fields, magnitudes. Faults of solvers show in these features, because code branches on them.
 namespace carom::properties {
 
 enum class FeatureKind { special_value, relation, magnitude };
 
 [[nodiscard]] std::string_view name_of(FeatureKind kind);
 
-/// A pattern for names of features. "X." stands for the body that the feature belongs to, or for either body if it
-/// belongs to none. "Y." stands for the other body. "…*" matches every name with this beginning.
+/// A pattern for names of features. A feature lists patterns in its Limits. "X." stands for the body that this feature
+/// belongs to, or for either body if it belongs to none. "Y." stands for the other body. "…*" matches every name with
+/// this beginning.
 using NamePattern = std::string_view;
 
-/// Features that no colliding contact of real bodies has together with a given one.
+/// Features that no colliding contact of real bodies has together with the feature that lists them.
 struct Exclusion {
   std::vector<NamePattern> features;
   std::string_view why;
 };
 
-/// The only decades, from `low` to `high`, in which a quantity with a matching name can be together with a given
-/// feature.
+/// If a contact has the feature that lists this limit, each quantity with a matching name is in a decade from `low` to
+/// `high`.
 struct Decades {
   NamePattern quantity;
   int low;
@@ -40,7 +41,7 @@ inline constexpr int no_decade = 100;  // a decade that no quantity has
 
 /// The limits that a feature sets for others.
 struct Limits {
-  /// Groups that the feature belongs to. A collision, or a body of it, has at most one feature of a group.
+  /// Groups that the feature belongs to. A collision, or one of its bodies, has at most one feature of a group.
   std::vector<std::string_view> kinds_of = {};
   std::vector<Exclusion> never_with = {};
   std::vector<Decades> only_in = {};
@@ -49,8 +50,8 @@ struct Limits {
 /// The way to draw the decade of a magnitude.
 enum class DrawnBy { itself, size_of_body, lever_arm };
 
-/// A named predicate of a valid collision, and its properties. It is decided in binary64, as in a solver's guard:
-/// "parallel" and "equal" mean so after rounding.
+/// A named predicate of a valid collision, and its properties. The predicate is decided in binary64, as in a solver's
+/// guard. So "parallel" and "equal" refer to rounded numbers.
 struct Feature {
   std::string name;  // "a.orientation_identity", "masses_equal", "b.mass_1e-9"
   FeatureKind kind;
@@ -60,15 +61,15 @@ struct Feature {
   std::string quantity = {};
   int decade = 0;
   std::function<bool(const Collision&)> is_present;
-  /// Changes a valid collision so that the feature is present, if that is possible. It changes as little else as
+  /// Changes a valid collision so that the feature is present, if that is possible. `make` changes as little else as
   /// possible.
   std::function<void(Stream&, Collision&)> make;
   Limits limits = {};
   char body = 0;                 // 'a' or 'b' for a feature of one body, whose name starts with it
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
   // For a magnitude:
-  int set_once_in = 1;  // set in one case of this many: a quantity that follows from others is not always set
-  bool is_seldom_with_others = false;  // unless it is chosen for it, as relations are
+  int set_once_in = 1;                 // set in one case of this many, because other quantities may determine it
+  bool is_seldom_with_others = false;  // unless both features are chosen, as for relations
   DrawnBy drawn_by = DrawnBy::itself;
 };
 

@@ -5,7 +5,7 @@
 #include <carom/properties/draws/stream.hpp>
 #include <carom/properties/draws/vectors.hpp>
 
-/// Geometry in binary64, for predicates and for the functions that make them true.
+/// Geometry in binary64, for the predicates of features (feature.hpp) and the functions that make these true.
 namespace carom::properties::features {
 
 /// The domain of masses [kg].
@@ -49,11 +49,13 @@ inline constexpr double largest_mass = 1e10;
 /// √((I₁ + I₂ + I₃) / 2m), the root mean square distance of the mass from its centre [m]; 0 for an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
-/// The ratio of the contact's distance from a body axis e to twice the radius of gyration about it. The greatest of the
-/// three: |e × r| / 2√(I/m). 0 for an immovable body. Far beyond 1, K is ill-conditioned.
+/// The distance of the contact from a principal axis e, divided by twice the radius of gyration about e: |e × r| /
+/// 2√(I/m). Returns the greatest of the three ratios; 0 for an immovable body. Far beyond 1, the collision matrix K is
+/// ill-conditioned.
 [[nodiscard]] double overreach(const Collision& collision, const Body& body);
 
-/// The body axis with the least moment, in world axes; along a rod. Precondition: the body is movable.
+/// The principal axis with the least moment, in world axes. A rod lies along this axis. Precondition: the body is
+/// movable.
 [[nodiscard]] Vector3<double> long_axis(const Body& body);
 
 /// Moves the centre of mass so that P − X is r, up to the rounding of X.

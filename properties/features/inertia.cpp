@@ -78,7 +78,7 @@ std::vector<Feature> of_inertia() {
        true,
        [](const Collision&, const Body& b) { return b.principal_inertia == V(1, 1, 1); },
        [](Stream& stream, Collision& c, Body& b) {
-         // Either the mass follows the moments and stays in its domain, or the size follows.
+         // Either the mass changes within its domain and the size stays, or the size changes.
          const double mass = 3 * b.mass / sum(b.principal_inertia);
          if (mass >= least_mass && mass < largest_mass && stream.chance(2)) {
            b.mass = mass;

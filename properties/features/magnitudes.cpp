@@ -14,7 +14,8 @@ namespace {
 
 using V = Vector3<double>;
 
-/// A quantity that is one positive number for a collision, or 0 if the collision has none. It is listed by decades.
+/// A positive number of a collision; 0 if the collision does not have it. It gives one feature for each decade from
+/// `first` to `last`.
 struct Quantity {
   std::string name;
   std::string statement;  // "the mass of A [kg]"
@@ -23,15 +24,15 @@ struct Quantity {
   int last;
   std::function<double(const Collision&)> measure;
   std::function<void(Stream&, Collision&, double)> set;
-  // As of Feature:
+  // As in Feature:
   int set_once_in = 1;
   bool is_seldom_with_others = false;
   DrawnBy drawn_by = DrawnBy::itself;
   char body = 0;
 };
 
-/// Sets masses of two bodies with the same moments so that their sizes have this ratio. Returns false if the moments
-/// differ, or if the masses would leave their domain.
+/// Sets masses of two bodies with the same moments so that their radii of gyration have this ratio. Returns false if
+/// the moments differ, or if the masses would leave their domain.
 bool set_size_ratio_by_masses(Collision& c, double ratio) {
   const double lighter = least_mass * 1.5;
   if (c.a.principal_inertia != c.b.principal_inertia || lighter * ratio * ratio >= largest_mass) {
@@ -52,8 +53,9 @@ void set_size(Collision& c, Body& b, double size) {
   set_lever_arm(c, b, lever_arm(c, b) * ratio);
 }
 
-/// Changes the moments so that the greatest is about `ratio` times the least. Whole moments stay whole, and flat bodies
-/// flat. Two equal moments stay equal. No moment exceeds the sum of the others.
+/// Changes the moments so that the greatest is about `ratio` times the least. Integer moments stay integers. If one
+/// moment is the sum of the others (a flat body), it stays so. Two equal moments stay equal. No moment exceeds the sum
+/// of the others.
 void set_moment_ratio(V& moments, double ratio) {
   const auto is_whole = [](double x) { return x == std::floor(x); };
   const bool is_of_whole = is_whole(moments[0]) && is_whole(moments[1]) && is_whole(moments[2]);
@@ -138,7 +140,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          }
          const double beyond = overreach(c, b);
          if (beyond > 1) {
-           // Moves the contact to the end of the body, or closer to its centre.
+           // Moves the contact onto the long axis, or closer to the centre of the body.
            const V r = lever_arm(c, b);
            set_lever_arm(c, b, stream.chance(4) ? V(r / beyond) : V(long_axis(b) * length(r)));
          }
@@ -192,7 +194,7 @@ std::vector<Quantity> quantities() {
                  [](Stream& stream, Collision& c, double value) {
                    V of_a = lever_arm(c, c.a);
                    V of_b = lever_arm(c, c.b);
-                   const bool along_axis = stream.chance(3);  // lever arms orthogonal to it keep all their digits
+                   const bool along_axis = stream.chance(3);  // lever arms across the axis keep all their digits
                    const int axis = stream.integer(0, 2);
                    if (along_axis) {
                      c.point = V::Unit(axis);

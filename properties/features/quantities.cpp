@@ -20,7 +20,7 @@ double arm(const Collision& c, const Body& b) { return length(c.point - b.positi
 double approach_speed(const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); }
 double slip_speed(const Collision& c) { return length(cross(c.normal, relative_velocity(c))) / length(c.normal); }
 
-/// The least of the positive values of the two bodies (infinite if there is none), and the greatest.
+/// The lesser positive value of the two bodies, infinite if there is none; `greater` gives the greater value.
 template <class OfBody>
 double lesser(const Collision& c, const OfBody& of) {
   double smallest = std::numeric_limits<double>::infinity();

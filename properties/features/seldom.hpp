@@ -8,13 +8,14 @@
 
 namespace carom::properties {
 
-/// Features that seldom occur together unless they are chosen together: one of the first with one of the second.
+/// Two groups of features (feature.hpp). A feature of the first group seldom occurs with one of the second, unless both
+/// are chosen.
 struct SeldomPair {
   std::vector<const Feature*> first;
   std::vector<const Feature*> second;
 };
 
-/// Every such pair. Neither side is empty.
+/// Every such pair of groups. No group is empty.
 [[nodiscard]] const std::vector<SeldomPair>& seldom_together();
 
 /// The features whose names begin with this text. Throws std::logic_error if there is none, for example after a feature

@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// The limit of a method: the violation at the least value of the family's quantity, in a family beyond the claimed
-/// domain.
+/// The limit of a subject in a family beyond the claimed domain: the violation at the least value of the family's
+/// quantity (`Family::beyond`).
 struct Boundary {
   double quantity = 0;
   std::uint64_t index = 0;  // number of the case in its family

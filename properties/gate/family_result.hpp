@@ -36,10 +36,10 @@ struct ViolatedCase {
   Answer answer;
 };
 
-/// The number of violated cases of a family that are kept: the first ones.
+/// At most this many violated cases of a family are kept, the first ones.
 inline constexpr std::size_t most_violated_kept = 12;
 
-/// The results of a subject on a family. Its size does not grow with the number of cases.
+/// The results of a subject on a family. The size of the object does not grow with the number of cases.
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that the subject could not take
@@ -49,12 +49,12 @@ struct FamilyResult {
   std::optional<Boundary> boundary;             // for a family beyond the claimed domain
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
-  std::uint64_t sampled = 0;                    // number of cases that are sampled: the first ones
+  std::uint64_t sampled = 0;                    // this many cases are sampled, the first ones (sample.hpp)
   // The numbers of the sampled cases that violated each invariant. When the run is over, they ascend and each occurs
   // once.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // Violated cases in ascending order of number, at most most_violated_kept in each list. The first list has answers
-  // that are wrong alone. The second one has answers that only further questions show to be wrong.
+  // Violated cases in ascending order of number, at most most_violated_kept in each list. The answers in the first list
+  // are wrong by themselves. Only relations to further answers show that those in the second list are wrong.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
 

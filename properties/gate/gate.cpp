@@ -90,8 +90,8 @@ class Progress {
   std::uint64_t all_ = 0;
 };
 
-/// For each subject, the first task that found a violation, if a run ends there. Earlier tasks are still judged to the
-/// end, so that the first violation does not depend on the number of threads.
+/// For each subject, the first task that found a violation, if a run ends at the first violation. Earlier tasks are
+/// still judged to the end, so that the first violation does not depend on the number of threads.
 class Finds {
  public:
   explicit Finds(std::size_t subjects) : first_(subjects) {
@@ -276,7 +276,7 @@ class Worker {
       try {
         examinee.session.close();
       } catch (const std::exception&) {
-        // The subject would not have been asked again.
+        // No matter, because the subject is not asked again.
       }
       return;
     }
@@ -372,7 +372,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
-      // The median: other programs disturb single batches by far more than solvers differ.
+      // The median, because other programs disturb single batches by far more than solvers differ.
       result.nanoseconds_per_solve = times.at(times.size() / 2);
     }
     for (const std::string& invariant : result.violated_invariants()) {

@@ -8,7 +8,7 @@
 /// Judges subjects on families of collisions.
 namespace carom::properties {
 
-/// Preconditions: no subject is absent; options with a budget have no shard.
+/// Preconditions: `absent` of each subject is empty; options with a budget have shard.of = 1.
 [[nodiscard]] GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options);
 
 }  // namespace carom::properties

@@ -115,8 +115,8 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
            " cases were skipped, which is more than a tenth";
   }
-  // Every law claims some of these invariants, and each needs only one outcome. The invariant of untouched contacts is
-  // not among them.
+  // Every law claims some of `exercised_by_collisions`, and each of these needs only one outcome.
+  // `separating_untouched` is not among them.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
   const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
   const bool is_of_collisions =

@@ -25,7 +25,7 @@ struct Shard {
   std::uint64_t number = 1;  // from 1
   std::uint64_t of = 1;
 
-  /// The number in the family of the shard's `place`-th case, both from 0.
+  /// The number that the shard's `place`-th case has in its family, both from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t place) const { return place * of + number - 1; }
 };
 
@@ -36,27 +36,27 @@ struct GateOptions {
   /// Families beyond the claimed domain, posed in addition. They show the limits of each subject and decide no verdict.
   /// They are not posed with a budget or with `fail_fast`.
   std::vector<const Family*> beyond_domain = {};
-  oracles::Yardstick yardstick;  // each subject's unit roundoff replaces its own
+  oracles::Yardstick yardstick;  // with the unit roundoff of each subject
   Workers workers = {};          // each worker opens a session of every subject
   /// Each invariant that relates a collision to others is judged on one case in this many, and successive invariants on
-  /// different cases. The value 0 means 1 for subjects in this process, and 4 for programs.
-  /// For a program, a question costs a hundred times as much. The worst case is a fault in one of 100 answers that only
-  /// one such invariant shows, in one family. With 250 judged cases and two answers in each, one run in 150 misses it
-  /// (0.99^500).
+  /// different cases. The value 0 means 1 for subjects in this process, and 4 for programs, because a question costs a
+  /// program a hundred times as much. A fault is hardest to find if one answer in 100 has it, and only one such
+  /// invariant in one family shows it. That family then has 250 judged cases with two answers in each, and one run in
+  /// 150 misses the fault (0.99^500).
   std::uint64_t relations_every = 0;
-  /// A subject that violates an invariant is not asked further. One violation is reported for it, the same for any
-  /// number of workers. The run ends when every subject has one, or when all cases are judged.
+  /// A subject that violates an invariant is not asked further. One violation of the subject is reported, the same for
+  /// any number of workers. The run ends when every subject has a violation, or when all cases are judged.
   bool fail_fast = false;
   /// Replaces `cases`: the families take turns until this time is spent. The violations found are then shrunk as usual.
   std::optional<std::chrono::nanoseconds> budget = {};
-  /// Only these cases are judged. Precondition: no budget.
+  /// Only the cases of this shard are judged. Precondition: no budget.
   Shard shard = {};
   /// Whether witnesses are shrunk; otherwise each stays as it was found.
   bool shrinks = true;
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;
-  /// Called from time to time with the number of judged cases and the number of all cases. With a budget, it gets the
-  /// milliseconds spent and the milliseconds available. Any thread may call it, one at a time.
+  /// Called from time to time with the number of judged cases and the number of all cases. With a budget, `progress`
+  /// gets the milliseconds spent and the milliseconds available. Any thread may call it, one at a time.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
@@ -124,9 +124,10 @@ struct SubjectResult {
   [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
 };
 
-/// The text of SubjectResult::not_judged. It is empty under three conditions. In each family of valid collisions, the
-/// subject answers some case that its precision can hold. The subject skips at most a tenth of all such cases. An
-/// invariant of the outcomes of colliding contacts holds in some case.
+/// The text of SubjectResult::not_judged. It is empty if three conditions are met. First, in each family of valid
+/// collisions, the subject answers some case that its precision can hold. Second, it skips at most a tenth of all such
+/// cases. Third, an invariant of the outcomes of colliding contacts holds in some case; if no case collides, any
+/// invariant.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);
 

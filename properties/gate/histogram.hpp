@@ -13,8 +13,8 @@
 
 namespace carom::properties {
 
-/// Counts numbers by the fixed bins of a scale, so that its size does not grow with the count. Counts are integers, so
-/// results do not depend on the order of the numbers or their distribution among threads.
+/// Counts numbers by the fixed bins of a scale, so that the size of the histogram does not grow with the count. Counts
+/// are integers, so results do not depend on the order of the numbers or their distribution among threads.
 template <class Scale>
 class Histogram {
  public:

@@ -8,7 +8,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
 
-/// Sampled cases. The common traits of those that violate an invariant show where a subject is wrong.
+/// Sampled cases. The traits that the violated cases have in common show where a subject is wrong.
 namespace carom::properties {
 
 /// The traits of a sampled case.
@@ -19,7 +19,7 @@ struct SampledCase {
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
 };
 
-/// The number of cases that are sampled in each family, times its weight: the first ones.
+/// The first cases of each family are sampled: this many, times the weight of the family.
 inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] std::uint64_t sampled_of(const Family& family);
 

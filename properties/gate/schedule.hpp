@@ -19,13 +19,13 @@ struct Task {
   std::uint64_t last = 0;
   Shard shard = {};
 
-  /// The number in its family of the task's `i`-th case, from 0.
+  /// The number that the task's `i`-th case has in its family, from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t i) const { return shard.case_number(first + i); }
 };
 
-/// The order of the cases in a run. The families take turns; the first families find most defects soonest. Turns grow
-/// from one case by doubling (times the family's weight), so that the first cases show a widespread defect. Each case
-/// is in one task, for any number of threads. Threads may share a schedule.
+/// The order of the cases in a run. The families take turns in the order of `Family::turn`. A turn is one case (times
+/// the family's weight) in the first round and doubles in each round, so that the first cases show a widespread defect.
+/// Each case is in one task, for any number of threads. Threads may share a schedule.
 class Schedule {
  public:
   explicit Schedule(const GateOptions& options);

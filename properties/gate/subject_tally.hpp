@@ -11,7 +11,7 @@ namespace carom::properties {
 /// The coverage of one case.
 [[nodiscard]] Coverage coverage_of(const JudgedCase& judged_case);
 
-/// The findings of one thread on one subject. Its size does not grow with the number of cases.
+/// The findings of one thread on one subject. The size of the object does not grow with the number of cases.
 struct SubjectTally {
   std::string error;  // why the subject was not judged to the end; empty if it was
   std::vector<FamilyResult> families;
@@ -26,7 +26,7 @@ struct SubjectTally {
   /// Adds one verdict that was reached separately from the others of its case.
   void add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer, const NamedVerdict& named);
 
-  /// Moves the counts to those of the families, by name. Call it before you read the families' counts.
+  /// Moves `counts` to `FamilyResult::counts`, by name. Call it before you read the families' counts.
   void name_counts();
 
   SubjectTally& operator+=(const SubjectTally& other);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t one_asked_again_of = 10;  // one case in this many is asked again
 
-/// About how many cases of a run are asked again in a separate session.
+/// The approximate number of cases of a run that are asked again in a separate session.
 constexpr std::uint64_t most_remembered = 64;
 
 /// The answers of a session to a batch: fewer than collisions if the session failed.
@@ -38,7 +38,7 @@ Collision invalid_collision() {
   return invalid;
 }
 
-/// The verdict on a collision that got no answer; none if it was answered, or if the invariant is not claimed.
+/// The verdict of `finite` or `invalid_refused` on a failure to answer; none if there was an answer, or no such claim.
 std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& one, const Answer& answer) {
   if (!std::holds_alternative<Failed>(answer)) {
     return std::nullopt;

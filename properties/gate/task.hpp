@@ -42,8 +42,8 @@ struct Examinee {
   std::optional<FirstViolation> first_violation = {};  // not in any tally
 };
 
-/// Whether a case is asked again in the same session, and whether it is asked again in a separate session. Both depend
-/// on the case alone, so that results do not depend on tasks or threads.
+/// Whether a case is asked again in the same session, and whether it is asked again in a separate session. Both answers
+/// depend on the case alone, so that results do not depend on tasks or threads.
 [[nodiscard]] bool is_asked_again(std::uint64_t index);
 [[nodiscard]] bool is_remembered(std::uint64_t index, std::size_t families);
 

@@ -89,8 +89,8 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
   // The shrunk violation must stay far beyond the limit. If nothing is allowed, it must stay larger than rounding.
   const double worst = seriousness(found, found_on);
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // The error must stay in about the same digits as in the original. A relative residual of 2⁻¹⁰ is plainly no
-  // rounding, so a larger one need not stay larger.
+  // The error must stay in about the same digits as in the original. A relative residual of 2⁻¹⁰ is too large for
+  // rounding, so a larger residual need not stay above it.
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
@@ -99,7 +99,7 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
-  // Shrinking an invalid collision is not useful, and shrinking would lose the shapes that "convex" rests on.
+  // Shrinking an invalid collision is not useful. Shrinking would also lose the shapes of the bodies.
   const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
   if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;

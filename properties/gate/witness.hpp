@@ -11,7 +11,7 @@
 namespace carom::properties {
 
 /// The most serious violation of the invariant, as it was found, in the family with the most violations. Precondition:
-/// the subject violated it.
+/// `result.count(invariant).violated` > 0.
 [[nodiscard]] Witness found_witness(const SubjectResult& result, const GateOptions& options,
                                     const std::string& invariant);
 

@@ -25,7 +25,7 @@ struct Verdict {
   Status status = Status::holds;
   std::string detail;  // set if violated or skipped: the comparison, or the reason for the skip
   // `residual`, `allowed`, `left` and `right` are set if an outcome violates the invariant. If it violates several
-  // equations, they are of the equation with the largest ratio of residual to allowance.
+  // equations, they belong to the equation with the largest ratio of residual to allowance.
   double residual = 0;
   double allowed = 0;
   std::vector<double> left;  // both sides of the formula
@@ -39,11 +39,11 @@ struct Verdict {
   [[nodiscard]] double relative_residual() const;
 };
 
-/// How bad a violation is, as one number that ranks all verdicts of an invariant: 0 if nothing is violated, and
-/// infinite if a violation has no residual. It is the severity if rounding is allowed. If no rounding is allowed, it is
-/// the residual in units of 2⁻⁵³ L. L is the largest absolute value among all components of the velocities and angular
-/// velocities before the impulse, and the compared numbers. It is 1 if all are zero. So if no rounding is allowed, a
-/// mere rounding error still ranks below a wrong outcome.
+/// One number that ranks the violations of an invariant. It is 0 if nothing is violated, and infinite if the violation
+/// has no residual. If rounding is allowed (`allowed` > 0), it is the severity. Otherwise it is the residual in units
+/// of 2⁻⁵³ L, so that a rounding error ranks below a wrong outcome. L is the largest absolute value among all
+/// components of the velocities and angular velocities before the impulse, and the compared numbers. L is 1 if all of
+/// these are zero.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
 /// An answer with its numbers converted for exact arithmetic (*lifted*). `NotFinite` stands for an outcome with an
@@ -54,7 +54,8 @@ using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Ref
 /// Writes into `into`, because moving an answer is expensive.
 void lift(const Answer& answer, ExactAnswer& into);
 
-/// A further collision that an invariant asks about, with exact facts about it and the answer to it.
+/// A further collision that an invariant asks the subject (the solver under test) about, with exact facts and the
+/// answer.
 struct Related {
   const oracles::ExactCase& exact_case;
   const ExactAnswer& answer;
@@ -63,7 +64,8 @@ struct Related {
 /// The input of an invariant: one subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  /// The family knows the bodies to be uniform and convex, so C ⪯ 16 λI must hold (λ = 1/m_A + 1/m_B).
+  /// The family knows the bodies to be uniform and convex, so C ⪯ 16 λI must hold for the collision matrix C (λ = 1/m_A
+  /// + 1/m_B).
   bool convex_uniform;
   Law law;
   const oracles::Yardstick& yardstick;
@@ -74,7 +76,7 @@ struct Evidence {
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
 
-/// An invariant of the answer itself. `to_valid` says whether the collision is valid.
+/// An invariant of the answer itself, to a valid collision if `to_valid`, otherwise to an invalid one.
 struct AboutAnswer {
   bool to_valid;
   Verdict (*check)(const Collision&, const ExactAnswer&, Law);
@@ -89,13 +91,13 @@ struct AboutOutcome {
 /// shows a matrix claims such an invariant.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
-  /// Whether it depends on the bodies' shapes, which the family knows. If the collision is changed, the shapes are
-  /// unknown.
+  /// Whether the invariant depends on the bodies' shapes. Only the family knows them, so they are unknown for a changed
+  /// collision.
   bool rests_on_shapes = false;
 };
 
-/// An invariant that relates the outcome to the outcomes of further collisions. They are made from the collision, or
-/// from the collision and its outcome. The subject answers them, and `check` gets one answer for each of them.
+/// An invariant that relates the outcome to the outcomes of further collisions. `ask` makes these from the collision,
+/// or from the collision and its outcome. `check` gets the subject's answer to each.
 struct AboutRelation {
   using OfCollision = std::vector<Collision> (*)(const Collision&);
   using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
@@ -115,12 +117,12 @@ enum class Sameness {
   return subject.is_program() ? Sameness::of_numbers : Sameness::of_bits;
 }
 
-/// An invariant of sessions: it compares the first answer to a collision with a repeated answer.
+/// An invariant of sessions: it compares the first answer to a collision with a later answer to the same collision.
 struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
-/// The value of `rank_as_cause` of an invariant that explains no other violation.
+/// `Invariant::rank_as_cause` of an invariant whose violation explains no other one.
 inline constexpr int explains_none = 1000;
 
 /// A named statement about a collision and its outcome, with its source, domain, laws, check and proof.
@@ -133,7 +135,7 @@ struct Invariant {
   std::vector<Law> laws;    // the laws for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
-  /// If several invariants are violated, the one with the lowest rank explains the others.
+  /// If several invariants are violated, the violation of the lowest rank is the likely cause of the others.
   int rank_as_cause = explains_none;
 
   /// Whether it asks the subject about further collisions.

@@ -15,7 +15,7 @@ namespace carom::properties {
 [[nodiscard]] std::vector<Invariant> relation_invariants();
 [[nodiscard]] std::vector<Invariant> memory_invariants();
 
-/// The models that an invariant may be claimed for.
+/// The laws that an invariant may be claimed for.
 [[nodiscard]] inline std::vector<Law> every_law() { return {all_laws.begin(), all_laws.end()}; }
 [[nodiscard]] inline std::vector<Law> with_truth() { return {laws_with_truth.begin(), laws_with_truth.end()}; }
 

@@ -28,16 +28,16 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
   return verdict;
 }
 
-/// The largest change of C by the inputs, in the Frobenius norm, divided by the allowance.
+/// The largest change of C, in the Frobenius norm, by inputs within the allowance, divided by the allowance.
 double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
 
-/// The largest change of an eigenvalue of the computed matrix by the rounding of the inputs. The Frobenius norm of the
-/// change bounds it (Weyl).
+/// A bound of the change of an eigenvalue of C by the rounding of the inputs: the Frobenius norm of the change of C
+/// (Weyl).
 Rational eigenvalue_rounding(const Evidence& e) {
   return e.allowance() > 0 ? Rational(e.allowance() * sensitivity(e)) : Rational(0);
 }
 
-/// Whether the matrix is reported and symmetric to the last bit, as almost all are.
+/// Whether the matrix is reported and symmetric to the last bit, as almost all reported matrices are.
 bool is_surely_symmetric(const LiftedMatrix& shown) {
   const Matrix3<long double>* m = shown.reported();
   return m != nullptr && (*m)(1, 0) == (*m)(0, 1) && (*m)(2, 0) == (*m)(0, 2) && (*m)(2, 1) == (*m)(1, 2);
@@ -52,8 +52,8 @@ bool may_be_filtered(const Evidence& e, const LiftedMatrix& shown) {
   return is_surely_symmetric(shown) && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
-/// Whether bounds show that λI ⪯ C for the shown C, up to less rounding than is allowed. The exact C needs no check
-/// (`ExactCase::is_definite`).
+/// Whether bounds show that λI ⪯ C for the C that the subject shows, within a lower bound of the allowed rounding. The
+/// exact C needs no check (`ExactCase::is_definite`).
 bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
@@ -84,7 +84,7 @@ bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Applies `check` to the shown C, if there is one. The statements hold for the exact C by theorems, so a check of the
+/// Applies `check` to the shown C, if there is one. Theorems prove these invariants for the exact C, so a check of the
 /// exact C would not test the subject.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
@@ -139,15 +139,15 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return {};
 }
 
-/// `convex_uniform` is stronger than necessary: it suffices that a body is uniform and star-shaped from the contact
-/// point.
+/// `convex_uniform` is stronger than necessary: it suffices that each movable body is uniform and star-shaped from the
+/// contact point.
 Verdict check_well_conditioned_if_convex(const Evidence& e) {
   return e.convex_uniform
              ? of_shown_matrix<check_well_conditioned>(e)
              : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
-/// C = Cᵀ. The error of C may be a matrix E with ‖E‖_F ≤ a S, with a the allowance and S the sensitivity of K. (E_ij −
+/// C = Cᵀ. The error of C may be a matrix E with ‖E‖_F ≤ a S, with a the allowance and S the sensitivity of C. (E_ij −
 /// E_ji)² ≤ 2 (E_ij² + E_ji²), so the norm of the three differences is at most √2 a S.
 Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (e.yardstick.filtered && is_surely_symmetric(shown)) {

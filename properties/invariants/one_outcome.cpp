@@ -117,7 +117,8 @@ Verdict check_push(const Evidence& e) {
   }
   Verdict verdict =
       holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
-  // The residual of the outputs does not include the rounding of the inputs, which decides the sign of N·V⁻ here.
+  // The residual of `push` includes only the outputs. If the contact grazes, the rounding of the inputs decides the
+  // sign of N·V⁻.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("the contact is separating, or differs from a separating one by rounding only");
@@ -137,7 +138,7 @@ Verdict check_separating_untouched(const Evidence& e) {
     return outside_domain("the contact is colliding");
   }
   if (!determines_outcome(e.law)) {
-    // Within rounding of a colliding contact the law may act, and its allowance is unknown.
+    // If rounding makes the contact a colliding one, the law may give an impulse, and its allowance is unknown.
     if (e.exact_case.is_grazing(e.allowance())) {
       return outside_domain("the contact is colliding, or differs from a colliding one by rounding only");
     }

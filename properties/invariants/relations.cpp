@@ -33,8 +33,8 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   return verdict;
 }
 
-/// Compares two outcomes that a relation makes equal: `expected` of the first, and the second. `expected` maps outcomes
-/// of any field.
+/// Compares two outcomes that a relation makes equal: `expected(first)` and `second`. `expected` maps outcomes of any
+/// number type.
 template <class Expected>
 Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
               const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
@@ -52,8 +52,8 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
   return worst;
 }
 
-/// Whether bounds show that an outcome is as expected, within a lower bound of the allowed error. Precondition: the
-/// outcome was reported.
+/// Whether bounds show that an outcome is as expected, within a lower bound of the allowed error. Precondition:
+/// `computed.reported()` is not null.
 bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const oracles::LiftedOutcome& computed,
                   const oracles::Sensitivity& below) {
   const bool agree = surely_near(expected, *computed.reported(), e.allowance(), below);
@@ -63,7 +63,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
   return agree;
 }
 
-/// Whether lower bounds may decide. The allowed error is then certainly finite.
+/// Whether the allowed error is certainly finite, so that lower bounds of it may decide.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   return e.yardstick.uses_bounds() && exact_case.is_moderate(e.law) && outcome.is_moderate();
 }
@@ -87,8 +87,9 @@ bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   return same;
 }
 
-/// The relation maps the collision exactly. So the exact outcome is mapped exactly too, and both sensitivities are the
-/// same. `back` is exact in every arithmetic, because it changes only positions of numbers, signs and exponents.
+/// The verdict of a relation that maps the collision exactly. The exact outcome is then mapped exactly too, and both
+/// outcomes have the same sensitivity. `back` maps the related outcome back. It is exact in every arithmetic, because
+/// it changes only positions of numbers, signs and exponents.
 template <class Back>
 Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
   const auto answer = outcome_of(related);
@@ -183,8 +184,8 @@ struct QuarterTurn {
 constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
-/// The body axes turn with the world, T R Tᵀ, and two principal moments change places. This is exact. The quaternion of
-/// T R would need √½.
+/// With R the rotation of a body and T the quarter turn, the orientation becomes T R Tᵀ, and two principal moments
+/// change places. Both changes are exact. The quaternion of T R would need √½.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
   Collision c = mapped_vectors(collision, turn, turn);
   for (Body* body : {&c.a, &c.b}) {
@@ -240,7 +241,7 @@ Vector3<double> on_grid(const Vector3<double>& vector, int exponent) {
   return result;
 }
 
-/// An offset as large as the largest component, in a general direction.
+/// An offset of about 2^exponent in a general direction.
 Vector3<double> offset(int exponent) { return Vector3<double>{1, -0.5, 0.75} * std::ldexp(1.0, exponent); }
 
 /// Rounds to 50 bits, so that three times each component is exact.
@@ -436,7 +437,8 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
   return {with_velocities(collision, outcome)};
 }
 
-/// The error that N·V⁺ may have, divided by the allowance, from the sensitivity of each vector of the outcome.
+/// A bound of the error that N·V⁺ may have, divided by the allowance, from the sensitivity of each vector of the
+/// outcome.
 double slack_of_separation(const Evidence& e) {
   const Collision& c = e.exact_case.collision();
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
@@ -459,8 +461,8 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
     return outside_domain("the separation after the impulse is within rounding");
   }
   const Related& second = related[0];
-  // The outcome may have an error of the allowance. It was also rounded to binary64 for the second question. The
-  // grazing band has to include both errors.
+  // The first outcome may be off by the allowance, and it is rounded to binary64 for the second question. The grazing
+  // band has to include both errors.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome differs from a colliding contact by rounding only");
   }

@@ -22,8 +22,8 @@ namespace carom::properties {
                        e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
 }
 
-/// Whether these vectors are certainly unchanged. Either the outcome is close to the truth, which does not change them,
-/// or bounds show it.
+/// Whether these vectors are certainly unchanged. Either the outcome is close to the exact outcome, which does not
+/// change these vectors, or bounds show it.
 [[nodiscard]] inline bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);

@@ -22,7 +22,7 @@ namespace carom::properties {
 
 [[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
 
-/// An undecided check never passes.
+/// The verdict of an undecided check, which is never a pass.
 [[nodiscard]] inline Verdict beyond_range() {
   return {Status::skipped, "the scale overflows or underflows", 0, 0, {}, {}, true};
 }
@@ -39,8 +39,9 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
-/// Whether the law acts at once and inputs within rounding include both colliding and separating contacts. The
-/// invariants of one answer are then not required of the other.
+/// Whether inputs within rounding include colliding and separating contacts whose answers are far apart
+/// (`ExactCase::has_two_answers`). The outcome may then be either answer, so the invariants of a single one are not
+/// required.
 [[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
   return determines_outcome(e.law) && exact_case.has_two_answers(e.law, e.allowance());
 }
@@ -49,9 +50,9 @@ namespace carom::properties {
       "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
-/// Compares a vector of an outcome with `expected`; their distance may be `allowed`. Both vectors are enclosures. If
-/// the enclosures do not decide, `exact_pair` gives both exactly. `relation` describes the comparison in words.
-/// `allowed` has no value if it leaves the range of numbers.
+/// Compares a vector of an outcome with `expected`; their distance may be at most `allowed`. Both vectors are
+/// enclosures (numbers with bounds). If the enclosures do not decide, `exact_pair` gives both vectors exactly.
+/// `relation` describes the comparison in words. `allowed` has no value if it leaves the range of numbers.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
@@ -96,7 +97,7 @@ static_assert(std::numeric_limits<long double>::is_iec559);
 /// 1 + 8u, because the computed difference, sum and bound have five roundings.
 inline constexpr long double up = 1 + 4 * two_u;
 
-/// D = M (1 + 8u) + 2u (s + ‖x‖₁), with M the computed ‖x − y‖₁.
+/// D = M (1 + 8u) + 2u (s + ‖x‖₁), with M the computed ‖x − y‖₁ and s = `scale`.
 template <class S>
 [[nodiscard]] S distance_above(const Vector3<S>& x, const Vector3<S>& y, const S& scale) {
   using std::abs;
@@ -119,7 +120,7 @@ template <class S>
 ///   (2) If x = y′ + (to − from), with ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s: ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
 ///   (3) ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁.
 ///   (4) The right side of (3) is at most D, as `nearness::distance_above` computes it.
-///   (5) The function shows D ≤ a s. The product is rounded as in the exact judge.
+///   (5) The function shows D ≤ a s, with a = `allowance`. The product a s is rounded as in the exact judge.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
                                       const PerVector<double>& scale,
                                       std::span<const OutcomeVector> which = all_outcome_vectors) {
@@ -130,8 +131,8 @@ template <class S>
   });
 }
 
-/// Whether bounds show that these vectors of an outcome are unchanged, each to within the allowance times its own size.
-/// This is less than any law allows, and certainly finite.
+/// Whether bounds show that these vectors of an outcome are unchanged, each to within the allowance times its own
+/// length. This limit is below that of any law, and certainly finite.
 [[nodiscard]] inline bool is_surely_untouched(const oracles::ExactCase& exact_case,
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
@@ -149,8 +150,8 @@ template <class S>
   return is_untouched;
 }
 
-/// The worse of two verdicts, if both must hold. The order is: violated, undecided, holds, outside the domain. A
-/// verdict outside the domain leaves the result to the other one.
+/// The worse of two verdicts, if both must hold. The order from the worst is: violated, undecided, holds, outside the
+/// domain. So a verdict outside the domain leaves the decision to the other verdict.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     switch (verdict.status) {

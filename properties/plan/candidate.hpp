@@ -21,8 +21,8 @@ struct Candidate {
   bool is_batch = false;  // solves many contacts at once
 };
 
-/// Whether x is less than y, if their times do not decide. The law decides first (`lesser_laws` of the one asked for),
-/// then the precision, the solve, the frame and the name. The body frame is less, because it is safer.
+/// Whether a plan prefers x to y, if their times do not decide. The law decides first (a cheaper one is preferred),
+/// then the precision, the solve, the frame and the name. The body frame is preferred, because it is safer.
 [[nodiscard]] bool is_less(const Candidate& x, const Candidate& y);
 
 /// Whether two candidates differ only in precision.

@@ -126,8 +126,9 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
   return result;
 }
 
-/// Whether the outcome has the digits asked for, decided exactly against the truth. If the allowance is so coarse that
-/// the judge would accept another branch's answer, the printed digits decide. They have a margin for rounding.
+/// Whether the outcome has the digits asked for, decided exactly against the truth (the exact outcome). If the
+/// allowance is so coarse that the judge would accept the answer of another branch (stick or slip), the printed digits
+/// decide, with a margin for rounding.
 bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& result) const {
   constexpr double margin = 0.01;
   if (determines_outcome(demand_.law)) {
@@ -136,7 +137,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
       return accuracy.has_digits;
     }
   }
-  // If rounding by the last ulps can change the branch, there are no digits and the outcome passes.
+  // If rounding of the inputs can change the branch, there are no digits and the outcome passes.
   return !result.digits || *result.digits >= *demand_.digits + margin;
 }
 

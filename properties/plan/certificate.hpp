@@ -18,9 +18,9 @@ struct Demand {
   Law law = Law::rough;                             // not `any`
   double limit_ulps = oracles::default_limit_ulps;  // of binary64, for every precision of a candidate
   /// Replaces the limit in ulps: the number of correct digits (Accuracy::digits) of the velocity change at every
-  /// colliding contact. At other contacts the velocities are kept to that many digits.
+  /// colliding contact. At other contacts the velocities must stay the same to that many digits.
   std::optional<int> digits = {};
-  bool exact_law = false;  // accept a lesser law only if it is exactly the law asked for
+  bool exact_law = false;  // accept a cheaper law only if it gives exactly the same outcomes
 };
 
 /// The result of one candidate on one contact.

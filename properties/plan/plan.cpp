@@ -143,8 +143,7 @@ Part part_of(std::string name, std::vector<std::size_t> contacts, const ClassTal
   return part;
 }
 
-/// Whether a candidate may be the least: it serves, and no serving candidate differs from it only by a lesser
-/// precision.
+/// Whether a candidate may be chosen: it serves, and no serving candidate differs from it only by a lesser precision.
 bool may_be_least(const Part& part, const JudgedCandidate& one, std::span<const Candidate> candidates) {
   return one.serves && std::ranges::none_of(part.candidates, [&](const JudgedCandidate& other) {
            const Candidate& x = candidates[other.candidate];
@@ -163,7 +162,7 @@ std::vector<Collision> sample_of(const Part& part, std::span<const Collision> co
   return sample;
 }
 
-/// Times the candidates that may be the least, and the baseline, of all parts in one run.
+/// Times the candidates that may be chosen, and the baseline, of all parts in one run.
 void measure(std::span<Part* const> parts, std::span<const Collision> collisions, std::span<const Candidate> candidates,
              std::size_t baseline, const Clock& clock) {
   std::vector<std::vector<Collision>> samples;

@@ -16,14 +16,15 @@
 #include <carom/properties/plan/lint_finding.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
-/// The least law, precision, 3×3 solve, frame and batch that serve, for each class of contacts and for all contacts.
+/// The cheapest law, precision, 3×3 solve, frame and batch that serve each class of contacts, and all contacts.
 namespace carom::properties::plan {
 
-/// The number of contacts on which a lesser law equals the law asked for, by reason.
+/// The number of contacts on which a lesser (cheaper) law equals the law asked for, by reason.
 struct LawCount {
   Law law;
   EnumArray<Reduction, std::size_t, all_reductions.size()> by_reason{};
-  /// Contacts that its best candidate serves. There it agrees with the law asked for, within the accuracy.
+  /// Contacts that the best candidate of `law` serves. There the candidate agrees with the law asked for, within the
+  /// accuracy.
   std::size_t served = 0;
 
   [[nodiscard]] std::size_t exactly() const;
@@ -39,7 +40,7 @@ struct JudgedCandidate {
   bool serves = false;
 };
 
-/// The candidates that serve a set of contacts.
+/// A set of contacts, and the candidates that serve it.
 struct Part {
   std::string name;                   // name of the class
   std::vector<std::size_t> contacts;  // indices of the contacts that are served
@@ -48,7 +49,7 @@ struct Part {
   std::vector<JudgedCandidate> candidates;
   std::optional<double> baseline_nanoseconds;  // per contact, for the law asked for in double by its default method
   std::size_t timed_contacts = 0;
-  std::optional<std::size_t> one_at_a_time;  // the least that serves, as an index of `candidates`
+  std::optional<std::size_t> one_at_a_time;  // the best that serves, as an index of `candidates`
   std::optional<std::size_t> in_batches;
 
   /// The time of the baseline over the time of the candidate. Precondition: both were timed.
@@ -98,7 +99,7 @@ struct PlanOptions {
 /// The plan for these contacts.
 ///
 /// Throws std::invalid_argument if there is no contact, if the law is `any`, or if no candidate is the baseline (the
-/// subject "LAW-double"). Throws std::invalid_argument if a collision is neither valid nor only out of range
+/// subject "LAW-double"). Throws std::invalid_argument if a collision is neither valid nor `is_out_of_range`
 /// (lint.hpp). Throws std::runtime_error if it was stopped.
 [[nodiscard]] Plan make_plan(std::span<const ClassedCollision> contacts, std::span<const Candidate> candidates,
                              const PlanOptions& options);

@@ -9,7 +9,7 @@
 #include <carom/collision/enum_array.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 
-/// The contacts on which a lesser law equals the law asked for.
+/// The contacts on which a lesser law (a cheaper one that may replace another) equals the law asked for.
 namespace carom::properties::plan {
 
 /// The reason why two laws give exactly the same outcome of a contact.
@@ -18,7 +18,7 @@ enum class Reduction {
   untouched,    // the contact does not collide: every law keeps the velocities
   eigenvector,  // N × K N = 0
   no_friction,  // μ = 0
-  no_share,     // e_t = −1: `rough` limits its friction by the factor 1 + e_t
+  no_share,     // e_t = −1: the factor 1 + e_t of friction in `rough` is 0
   no_slip,      // no slip is left after the frictionless impulse
   sticks,       // friction stops the contact point, inside the friction cone
   isotropic,    // N is an eigenvector, K is a multiple of the identity across N, and e_t = 0

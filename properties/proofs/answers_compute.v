@@ -91,8 +91,8 @@ Proof.
       rewrite !of_zero; reflexivity.
 Qed.
 
-(** If a user describes meaningful bodies, the contact is valid. One body must be movable, the normal must have a
-    direction, and the coefficients must be in their ranges. *)
+(** A contact is valid if both descriptions are meaningful (described_bodies.v), one body is movable, the normal has a
+    direction, and the coefficients are in their ranges. *)
 Theorem described_contact_valid (c : collision R) :
   is_meaningful (described_a c) -> is_meaningful (described_b c) -> 0 < inverse_masses (contact_of c) ->
   contact_normal c <> null -> 0 <= coefficient_of_restitution c <= 1 -> 0 <= coefficient_of_friction c ->

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The collision matrix: V⁺ = V⁻ + K F, K is symmetric, and K ⪰ λI. Eliminations on K have no pivot below λ. *)
+(** The collision matrix: V⁺ = V⁻ + K F, K is symmetric, and K ⪰ λI. Eliminations on K have no pivot below λ. Symbols:
+    laws.v. *)
 
 Require Import Carom.reals.
 Local Open Scope R_scope.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Kinetic energy: the change by an impulse, in closed form for each law. It never grows by frictionless and by rough.
-    A cube shows that it can grow by reflection. *)
+    A cube shows that it can grow by reflection. Symbols: laws.v. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse.
 Local Open Scope R_scope.

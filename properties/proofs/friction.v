@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The law rough with its root, over the real numbers. Its κ is the κ of the literature and lies in [0, 1 + e_t]. Its
-    impulse pushes and lies in the friction cone. If the contact slides, the impulse lies on the surface of the cone.
-    The law creates no energy. *)
+(** The law rough with its root, over the real numbers. Its κ is the κ of the literature (Chatterjee and Ruina, laws.v)
+    and lies in [0, 1 + e_t]. Its impulse pushes and lies in the friction cone. If the contact slides, the impulse lies
+    on the surface of the cone. The law creates no energy. Symbols: laws.v. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.energy.
 Local Open Scope R_scope.

@@ -103,7 +103,7 @@ Section Laws.
   Definition radicand (c : contact T) := square (cross (normal c) (from_one_to_other c)).
 
   (** κ on the cone, μ (1+ε) N·P_I / (√s - μ N·D), as the pair p, q of p + q √s. If s = (μ N·D)², the divisor is -2 μ
-      N·D. *)
+      N·D, and q is 0. *)
   Definition on_the_cone (c : contact T) :=
     let push := friction c * (1 + restitution c) * dot (normal c) (stops_approach c) in
     let d := friction c * dot (normal c) (from_one_to_other c) in

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The effect of each law on the relative velocity of the point of contact: restitution, non-penetration, and the
-    equations that distinguish the laws. *)
+    equations that distinguish the laws. Symbols: laws.v. *)
 
 Require Import Carom.reals Carom.collision_matrix.
 Local Open Scope R_scope.

@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The relations between two collisions that Carom requires of a solver. The changes exchange, move, translate, turn or
-    mirror the bodies, change the units, multiply the velocities, or lengthen the normal. Under every law, the outcome
-    of the changed contact is the changed outcome of the contact. *)
+(** The relations between two collisions that Carom requires of a solver. The changes exchange the bodies, give them a
+    common velocity, translate, turn or mirror them, change the units, multiply the velocities, or lengthen the normal.
+    Under every law, the outcome of the changed contact is the changed outcome of the contact. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.similarity.
 Local Open Scope R_scope.
 
-(** A change that maps every contact to a similar one. The scaled and mapped impulse has the changed effect on the
+(** A change that maps every contact to a similar one. An impulse, mapped by g and scaled, has the changed effect on the
     changed contact. *)
 Record likeness (g : vector R -> vector R) (alpha beta gamma : R) (change : contact R -> contact R) : Prop := {
   by_isometry : isometry g;
@@ -296,7 +296,7 @@ Proof.
     + intros b; apply turned_possible.
 Qed.
 
-(** This holds for both kinds of orthogonal matrices. *)
+(** This holds for rotations and for reflections. *)
 Theorem turning (q : matrix R) (l : law) (c : contact R) :
   orthogonal q -> is_valid c -> resolved (impulse_of l) (turned q c) = turned q (resolved (impulse_of l) c).
 Proof. intros keeps; apply (likeness_outcome _ _ _ _ _ (turned_likeness q keeps)). Qed.
@@ -336,8 +336,8 @@ Corollary mirror_symmetry (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (reflected mirror c) = reflected mirror (resolved (impulse_of l) c).
 Proof. apply reflection_symmetry; [intros v w |]; unfold mirror; by_ring. Qed.
 
-(** The contact in other units. One unit of ours is that many of the new units, for mass, length and time. The normal
-    has a factor of its own. *)
+(** The contact in other units. One unit of mass is `mass` of the new units, and so on. The normal has a factor of its
+    own. *)
 Definition in_units (mass length time direction : R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b / mass)
                            (product (uniform (/ (mass * (length * length)))) (inverse_inertia b))
@@ -427,7 +427,7 @@ Proof.
   - intros b p f; rewrite scaled_1_over_1; reflexivity.
 Qed.
 
-(** The outcome differs only in the normal, and the impulse does not differ. *)
+(** The outcome differs only in the normal, and the impulse is the same. *)
 Theorem normal_length (k : R) (l : law) (c : contact R) :
   0 < k -> is_valid c ->
   resolved (impulse_of l) (with_longer_normal k c) = with_longer_normal k (resolved (impulse_of l) c) /\

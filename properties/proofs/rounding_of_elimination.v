@@ -2,8 +2,8 @@
 
 (** The elimination of Ldlt::solve_by (src/impulse/solve3.hpp, from d0 to d2) with each result rounded, on a symmetric K
     with λI ⪯ K ⪯ cλI. If c² (u + s) ≤ 1/64, the computed pivots are within 8 c (c + 1) (u + s) λ of those of K, and at
-    least 3/4 λ. Here u is 2^-24 or 2^-53. The solver may get a least eigenvalue, and s is its relative excess over λ. s
-    is 0 if the solver gets none. Neither C++ nor this proof scales K.
+    least 3/4 λ. Here u is 2^-24 or 2^-53. The solver may get a least eigenvalue; s is the relative excess of this
+    eigenvalue over λ, or 0 if the solver gets none. Neither C++ nor this proof scales K.
 
     The K of well_conditioned.v has c = 16. Then no pivot is below (1 - 2^-12) λ in binary32, or below (1 - 2^-41) λ in
     binary64. This holds for λ from 2^-119 in binary32, and from 2^-1015 in binary64. Nothing overflows for λ up to
@@ -90,7 +90,7 @@ Proof.
 Qed.
 
 (** The errors if all numbers are scaled so that the least eigenvalue is 1. Each operation may have an error of u times
-    its result plus h. A pivot may be raised by s more than necessary. *)
+    its result plus h. Raising a pivot may add an error of s. *)
 Section Scaled.
   Variables u h : R.
   Hypotheses (u_not_negative : 0 <= u) (h_not_negative : 0 <= h).

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The bodies that have rrᵀ ⪯ 15 S, so that K ⪯ 16 λI, are those of uniform density that are star-shaped from the point
-    of contact. No proof assumes that a body is convex. 15 is the least such number, because needles come near it. *)
+(** Bodies of uniform density that are star-shaped from the point of contact have rrᵀ ⪯ 15 S (r and S as in
+    well_conditioned.v), so K ⪯ 16 λI. No proof assumes that a body is convex. No number below 15 suffices, because
+    needles come near 15. *)
 
 Require Import List.
 Require Import Carom.reals Carom.collision_matrix Carom.well_conditioned.
@@ -183,7 +184,7 @@ Theorem star_shaped_condition_number (c : contact R) (u v : vector R) :
   dot u (applied (collision_matrix c) u) <= 16 * dot v (applied (collision_matrix c) v).
 Proof. intros valid shape_a shape_b; apply condition_number; auto; apply star_shape_dominated; auto. Qed.
 
-(** The form in which a user gives it: triangles. Each triangle is counterclockwise when seen from outside. No
+(** The polyhedron as a user gives it: triangles. Each triangle is counterclockwise when seen from outside. No
     determinant is then negative if the polyhedron is star-shaped. The determinant of a tetrahedron gives its share of
     the volume. *)
 Record triangle := { first : vector R; second : vector R; third : vector R }.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** A turned or mirrored description gives the turned or mirrored contact. A quaternion product or the mirrored
-    quaternion gives each orientation. Their matrices are those of relations.v, so the answers are turned or mirrored
-    too. *)
+(** A turned or mirrored description gives the turned or mirrored contact. Each orientation becomes a quaternion product
+    or the mirrored quaternion. The matrices of these quaternions are those of relations.v, so the answers are turned or
+    mirrored too. *)
 
 Require Import Carom.reals Carom.similarity Carom.described_bodies Carom.answers.
 Require Carom.relations.

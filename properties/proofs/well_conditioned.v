@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** K ⪯ 16 λI, so the condition number of K is at most 16 for all masses. This holds for bodies whose second moments
-    dominate the lever arm, rrᵀ ⪯ 15 S. star_shaped.v proves which bodies these are. With rrᵀ ⪯ k S the bound is 1 + k.
-    *)
+(** K ⪯ 16 λI, so the condition number of K is at most 16 for all masses. This holds for bodies whose second moments S
+    dominate the lever arm r: rrᵀ ⪯ 15 S. star_shaped.v proves rrᵀ ⪯ 15 S for uniform star-shaped bodies. With rrᵀ ⪯ k S
+    the bound is 1 + k. *)
 
 Require Import Carom.reals Carom.collision_matrix.
 Local Open Scope R_scope.
@@ -60,7 +60,7 @@ Lemma dominates_semidefinite (k : R) (s : matrix R) (r : vector R) :
   0 < k -> dominates_by k s r -> positive_semidefinite s.
 Proof. intros positive dominated v; pose proof (dominated v); assert (0 <= dot r v * dot r v) by nra; nra. Qed.
 
-(** |r × z|², summed over the same axes. *)
+(** |r × z|², as a sum over the three axes e. *)
 Lemma square_cross_by_axes (r z : vector R) :
   square (cross r z) =
   dot r (cross (vec 1 0 0) z) * dot r (cross (vec 1 0 0) z) +

@@ -9,7 +9,7 @@
 
 namespace carom::properties {
 
-/// The motion of each body over a span of time: the only information on a run that a checker gets.
+/// The motion of each body over a span of time. A checker gets no other information on a run.
 class History {
  public:
   /// Begins the history at the state's time.
@@ -37,8 +37,8 @@ class History {
 
   [[nodiscard]] double begin() const { return begin_; }
   [[nodiscard]] double end() const { return end_; }
-  /// The arcs of each body, in order of time. An arc applies from its start (the first from `begin`) to the next one's
-  /// start (the last to `end`).
+  /// The arcs of each body, in order of time. An arc (the motion between two events) applies from its start to the
+  /// start of the next arc. The first arc applies from `begin`, and the last one to `end`.
   [[nodiscard]] const std::vector<std::vector<scene::Arc>>& arcs() const { return arcs_; }
   /// The orientation of each polyhedron at the start of each of its arcs, from body axes to world axes. Empty for
   /// spheres.

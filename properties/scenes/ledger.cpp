@@ -26,8 +26,8 @@ Wide spin_at(const Arc& arc, double time) {
 
 /// The energy that a law adds to two spheres, or to a sphere and a plane [J]. The normal part is (ε² − 1)(N·V)²/(2 λ),
 /// with λ the sum of the inverse masses. Tangentially, K is λ + R_A²/I_A + R_B²/I_B. An impulse −j against the slip of
-/// speed t does the work −j t + K j²/2. If the contact sticks, j = t/K. Under `rough`, j is at most (1 + e_t) t/K and μ
-/// times the normal impulse. Under `coulomb` the bounds are those of e_t = 0 (mathematics of spheres:
+/// speed t does the work −j t + K j²/2. Under `sticking`, j = t/K. Under `rough`, j is the lesser of (1 + e_t) t/K and
+/// μ times the normal impulse. Under `coulomb` it is the same with e_t = 0 (mathematics of spheres:
 /// docs/guide/laws.md).
 long double energy_of_impact(Law law, const Collision& collision) {
   const Wide n = wide(collision.normal).normalized();
@@ -91,7 +91,8 @@ long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   return work;
 }
 
-/// The distance [m] over a time span at a speed that falls by `loss` [m/s²], to no less than 0 except for rounding.
+/// The distance [m] over a time span at a speed that falls by `loss` [m/s²]. Precondition: the speed does not fall
+/// below 0, except by rounding.
 long double distance(long double speed, long double loss, long double span) {
   return speed * span - loss * span * span / 2;
 }

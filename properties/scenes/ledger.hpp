@@ -49,11 +49,11 @@ struct Energies {
   [[nodiscard]] long double total() const { return translation + rotation + potential; }
 };
 
-/// The energy and momentum account of a scene. Every change has a cause. The amount of a cause comes from the closed
-/// form of the law for spheres, and of the phase of motion. For an impact of a polyhedron it comes from the impulse F
-/// on A in the outcome, as F·V + ½ F·K F. It never comes from the difference of two energies. The remaining difference
-/// of the states is rounding, a separate cause. All numbers are long double, so the ledger's own rounding is 2⁻¹¹ of
-/// the rounding of a state to double.
+/// The energy and momentum account of a scene. Every change has a cause. For spheres, the amount of a cause comes from
+/// the closed form of the law or of the phase of motion. For an impact of a polyhedron, it is F·V + ½ F·K F, with F the
+/// impulse on A in the outcome. No amount comes from the difference of two energies. The rest of this difference is
+/// rounding, a separate cause. All numbers are long double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a
+/// state to double.
 class Ledger {
  public:
   /// Begins with a state. The scene that the state refers to must outlive the ledger.
@@ -69,19 +69,19 @@ class Ledger {
   /// The work of gravity so far: potential energy turned into kinetic energy [J].
   [[nodiscard]] long double gravity_work() const { return gravity_work_.sum(); }
   [[nodiscard]] const Energies& initial() const { return initial_; }
-  /// The energies of the bodies, each at its last recorded event (before any, at the beginning).
+  /// The energies of the bodies, each at its last recorded event, or at the beginning if it had none.
   [[nodiscard]] Energies present() const;
   /// The reference for rounding: the greatest kinetic energy so far plus Σ m |g·x| of the bodies' initial positions
-  /// [J]. An ulp of a position changes the potential energy by about an ulp of that.
+  /// [J]. An ulp of a position changes the potential energy by about an ulp of Σ m |g·x|.
   [[nodiscard]] long double scale() const { return scale_; }
-  /// Momentum [N s]: initial, and by cause. The causes are gravity, rounding, and the planes, by impacts and by their
-  /// reaction on the bodies that lie on them.
+  /// Momentum [N s]: initial, and by cause. The causes are gravity, rounding, and the planes. Planes act by impacts,
+  /// and by their reaction on bodies that lie on them.
   [[nodiscard]] Vector3<long double> initial_momentum() const { return initial_momentum_; }
   [[nodiscard]] Vector3<long double> gravity_impulse() const { return sum_of(gravity_impulse_); }
   [[nodiscard]] Vector3<long double> plane_impulse() const { return sum_of(plane_impulse_); }
   [[nodiscard]] Vector3<long double> momentum_rounding() const { return sum_of(momentum_rounding_); }
-  /// Σ ‖Δ(x × m v + I w)‖ about the origin over impacts of two bodies and renewals [N m s]. The laws keep this
-  /// momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ of one such event.
+  /// Σ ‖Δ(x × m v + I w)‖ about the origin over impacts of two bodies and renewals (stored orientations) [N m s]. The
+  /// laws keep this momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ of one such event.
   [[nodiscard]] long double angular_momentum_rounding() const { return angular_rounding_.sum(); }
   [[nodiscard]] long double angular_momentum_scale() const { return angular_scale_; }
 
@@ -104,9 +104,10 @@ class Ledger {
   static void add(Momentum& account, const Vector3<long double>& amount);
   void follow(const scene::Arc& arc, double end, std::size_t body, const Spin& at_end);
   void round_energy(long double amount);
-  /// The work of sending the bodies of a slow contact apart along the normal, in addition to the law's outcome [J].
+  /// The work that sends the bodies of a slow contact (`Event::was_slow`) apart along the normal, beyond the law's
+  /// outcome [J].
   [[nodiscard]] long double work_of_sending_apart(const scene::Event& event) const;
-  /// That work for spheres, from the speeds along the normal alone [J].
+  /// `work_of_sending_apart` for spheres, from the speeds along the normal alone [J].
   [[nodiscard]] long double work_of_raised_speed(const scene::Event& event) const;
   [[nodiscard]] Vector3<long double> spin_momentum(std::size_t body, const Spin& spin) const;
   [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t body, const Spin& spin) const;

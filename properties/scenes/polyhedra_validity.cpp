@@ -27,7 +27,7 @@ constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [
 constexpr int most_halvings = 40;
 constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
 /// The allowed jump of an orientation at a joint of arcs [rad]. After 8 rad, the errors of an arc's double-precision
-/// rates have grown to e⁸ times some roundings (tumbling_body.hpp). The limit is twice that.
+/// rates have grown to e⁸ times some roundings (tumbling_body.hpp). The limit is at least twice these errors.
 constexpr Real allowed_turn = 0x1p-38L;
 /// The allowed jump of a position at a joint of arcs, relative to its terms: a parabola x + s (v + s a/2) is rounded
 /// eight times.
@@ -83,7 +83,7 @@ class PolyhedraChecker {
       check_order(i);
     }
     if (found_.count > 0) {
-      // Before its first arc begins, a body has no known position.
+      // The other checks need arcs in order, because a body has no known position before an arc begins.
       return std::move(found_);
     }
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -287,11 +287,11 @@ class PolyhedraChecker {
   }
 
   /// A lower bound of the gap at every time between two looks, along a direction that turns from n₁ to n₂ at a constant
-  /// rate Ω. In axes that turn with the direction, consider the place x of a vertex relative to one of the other body.
-  /// Its second derivative is at most a sum of three parts. The first is 2 r ω² of each body, from the centripetal
-  /// acceleration and from ω' × r with ‖ω'‖ ≤ ‖ω‖². The second is the relative acceleration of the centres. The third
-  /// is 2 Ω ‖ẋ‖ + Ω² ‖x‖. Precondition: neither body turns by more than largest_turn between the looks, so that ω grows
-  /// by a factor below 4/3.
+  /// rate Ω. In axes that turn with the direction, consider the place x of a vertex relative to a vertex of the other
+  /// body. The second derivative of x is at most a sum of three parts. The first is 2 r ω² of each body, from the
+  /// centripetal acceleration and from ω' × r with ‖ω'‖ ≤ ‖ω‖². The second is the relative acceleration of the centres.
+  /// The third is 2 Ω ‖ẋ‖ + Ω² ‖x‖. Precondition: neither body turns by more than largest_turn between the looks, so
+  /// that ω grows by a factor below 4/3.
   [[nodiscard]] Real least_gap(std::size_t i, std::size_t k, const Axis& axis, const Look& first, const Look& second,
                                const Wide& acceleration) const {
     const Wide n1 = direction(i, k, axis, first.a, first.b);
@@ -389,7 +389,7 @@ class PolyhedraChecker {
     const Real bulge = (wide(a.acceleration) - wide(b.acceleration)).norm() * span * span / 8;
     const Real share = way.isZero(0) ? Real(0) : std::clamp(-first.dot(way) / way.squaredNorm(), Real(0), Real(1));
     const Real radii = (static_cast<Real>(a.radius) + b.radius) * (1 + gap_error);
-    // Negated, so that a position that is not a number may meet anything.
+    // Negated, so that the answer is true if a position is not a number.
     return !((first + share * way).norm() > radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm()));
   }
 

@@ -188,7 +188,7 @@ bool is_above(const scene::Plane& plane, const Path& path, double begin, double 
   return is_nowhere_negative(bernstein(over, span));
 }
 
-/// Whether the sphere is above the plane by so much that a billionth is left for rounding.
+/// Whether the sphere is surely above the plane. A billionth of its height is left for rounding.
 bool is_far_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   long double height = 0;
   long double fall = 0;

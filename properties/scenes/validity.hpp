@@ -23,7 +23,7 @@ struct Invalidity {
 struct Validity {
   std::vector<Invalidity> invalid;  // the first hundred
   std::size_t count = 0;            // the number of all violations
-  std::size_t pairs = 0;            // checked pieces of two paths that are near each other in space and time
+  std::size_t pairs = 0;            // checked pairs of pieces of paths that are near in space and time
   std::size_t exact_pairs = 0;      // the pairs that were decided in ℚ
   std::size_t planes = 0;           // checked pieces of a path beside a plane
   std::size_t joints = 0;           // checked joints between successive arcs

@@ -6,7 +6,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Vectors in long double. A check of a scene in double then rounds by 2⁻¹¹ of the rounding in the scene.
+/// Vectors in long double. The rounding of a check is then 2⁻¹¹ of the rounding of the scene, which is in double.
 namespace carom::properties {
 
 using WideVector = Vector3<long double>;

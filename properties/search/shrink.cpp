@@ -12,8 +12,8 @@
 namespace carom::properties {
 namespace {
 
-/// The complexity of a number. 0 is 0, −0 is 1, and a number that is not finite is 1. Otherwise it is 3 times the bits
-/// of the odd part, plus the size of the exponent, plus 1 for a minus sign.
+/// The complexity of a number is 0 for 0, and 1 for −0 and for a number that is not finite. For others it is 3 times
+/// the number of bits of the odd part, plus the size of the exponent, plus 1 for a minus sign.
 long complexity(double number) {
   if (!std::isfinite(number)) {
     return 1;
@@ -34,7 +34,6 @@ double rounded_to_bits(double number, int bits) {
   return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
 }
 
-/// Calls f(body) for both bodies.
 template <class F>
 void for_each_body(Collision& collision, F&& f) {
   f(collision.a);
@@ -128,7 +127,7 @@ std::vector<Collision> simpler(const Collision& collision) {
     });
     candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
   }
-  // Some failures need a velocity along the normal, so both are simplified together.
+  // Some failures need a velocity along the normal, so the normal and the velocities are simplified together.
   for (const bool b_is_fixed : {true, false}) {
     for (const int bits : {1, 2, 3, 4, 5, 53}) {
       candidates.add([&](Collision& c) {
@@ -180,7 +179,7 @@ std::vector<Collision> simpler(const Collision& collision) {
 Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
                  std::size_t most_calls) {
   std::vector<Collision> candidates = simpler(collision);
-  // Continues after the last success instead of at the start, and ends after a whole round of failures.
+  // The search continues after the last success, not at the start. It ends after a whole round of failures.
   std::size_t next = 0;
   std::size_t failures = 0;
   for (std::size_t calls = 0; calls < most_calls && failures < candidates.size(); ++calls) {

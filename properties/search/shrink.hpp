@@ -10,7 +10,7 @@
 namespace carom::properties {
 
 /// Simpler collisions close to this one, the boldest simplifications first: a body becomes immovable, a vector zero, a
-/// number rounded to few bits. Each is valid and has a smaller `complexity`, so that shrinking ends, with numbers of
+/// number rounded to few bits. Each is valid and has a smaller `complexity`, so shrinking ends. It ends with numbers of
 /// few binary digits. Precondition: the collision is valid.
 [[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
 

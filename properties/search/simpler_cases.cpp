@@ -53,8 +53,8 @@ std::vector<std::uint64_t> other_answers(const Choice& choice) {
 std::vector<Edit> edits_of(const std::vector<Choice>& choices) {
   const std::size_t count = choices.size();
   std::vector<Edit> edits;
-  // The first choice may choose the family. A simpler family then uses the other choices for other questions, so later
-  // starting places are tried too.
+  // The first choice may choose the family. A simpler family asks other questions, so the choices after the first no
+  // longer fit. Edits of every length remove some of them.
   for (std::size_t length = 1; length <= count; ++length) {
     edits.push_back({Edit::Kind::answer, 0, length, choices[0].question.simplest});
   }

@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// A change of the choices from `first` up to but not including `last`. If the first gets another answer, the others
-/// are removed, because that answer may have led to their questions.
+/// A change of the choices (families/choices.hpp) from `first` up to but not including `last`. The kind `answer`
+/// changes the first answer and removes the other choices, because the old answer may have led to their questions.
 struct Edit {
   enum class Kind { simplify, remove, answer, shorten } kind;
   std::size_t first;
@@ -18,9 +18,8 @@ struct Edit {
   std::uint64_t value = 0;  // the answer, or the number of bits to which fractions are shortened
 };
 
-/// The simpler cases that the same definition draws, the boldest changes of the choices first. Each has a smaller
-/// `complexity` than the case, so that shrinking ends, with numbers of few binary digits. Each is computed only when it
-/// is requested.
+/// The simpler cases that `draw` makes, the boldest changes of the choices first. Each has a smaller `complexity` than
+/// `from`, so shrinking ends, with numbers of few binary digits. Each is computed only when it is requested.
 class SimplerCases {
  public:
   /// `first` is the number of the change to begin with. The changes before it come last.

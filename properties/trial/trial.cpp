@@ -35,7 +35,7 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                     : oracles::Closeness();
 }
 
-/// The known result for the unit roundoff and the allowance. If they are new, calls `work_out()`.
+/// The known result for the unit roundoff and the allowance. If this pair is new, calls `work_out()`.
 template <class T, class WorkOut>
 T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
              const WorkOut& work_out) {

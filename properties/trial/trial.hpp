@@ -17,15 +17,16 @@
 #include <carom/properties/trial/deviation.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 
-/// Gives one case to one subject and judges it on every invariant that the subject claims.
+/// Gives one case (a drawn collision) to one subject (a solver under test). Judges the answer by every invariant that
+/// the subject claims.
 namespace carom::properties {
 
-/// The claim of a subject: the subject is judged on it.
+/// The law, the yardstick (the rounding that is allowed) and the invariants by which a subject is judged.
 struct Claim {
   Law law = Law::any;
   oracles::Yardstick yardstick;
-  /// The invariants that are claimed for the law. Excluded are those that the subject deviates from, and those of a
-  /// matrix that the subject does not show.
+  /// The invariants that are claimed for the law. The list excludes those that the subject deviates from in all
+  /// families, and those of a matrix that it does not show.
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // all deviations, including those in single families: a trial does not know
                                            // the family of its case
@@ -37,14 +38,14 @@ struct Claim {
 /// empty if the subject shows its matrix.
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
-/// The claim of the subject. It ignores a deviation whose invariant or family does not exist.
+/// The claim of the subject. The function ignores a deviation whose invariant or family does not exist.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
 
-/// A case, with exact facts about it and about the collisions related to it. The subjects that are judged on it share
-/// it. For one thread.
+/// A case, with exact facts about it and about the collisions related to it. All subjects that are judged on the case
+/// share it. For one thread.
 class JudgedCase {
  public:
-  /// If `filtered` is false, the facts about the collisions are also decided in ℚ alone.
+  /// If `filtered` is false, the facts about the collisions are decided in ℚ alone, without filters.
   explicit JudgedCase(const Case& generated, bool filtered = true);
 
   [[nodiscard]] const Case& generated() const { return generated_; }
@@ -57,13 +58,13 @@ class JudgedCase {
   }
 
   /// The related collisions of an invariant that do not depend on the outcome, with exact facts about them. They are
-  /// kept, because every subject gets the same questions. Empty if one of them is not valid, as for an extreme case
-  /// that the relation takes out of range. Preconditions: is_valid(); the invariant is a relation of the catalogue
-  /// whose questions depend on the collision alone.
+  /// kept, because every subject gets the same questions. The result is empty if one of them is not valid, for example
+  /// if the relation takes an extreme case out of range. Preconditions: is_valid(); `invariant.about` is an
+  /// AboutRelation whose `ask` is an OfCollision.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
-  /// `reason_unjudged` of the collision, and whether every question of `questions_of` is judged. Both are kept for each
-  /// unit roundoff and allowance. Preconditions: is_valid(), and those of `questions_of`.
+  /// `reason_unjudged` of the collision, and whether every question of `questions_of` is judged. Both results are kept
+  /// for each unit roundoff and allowance. Preconditions: is_valid(), and those of `questions_of`.
   [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
   [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const;
 
@@ -97,18 +98,18 @@ struct Judgement {
   std::optional<Unjudged> unjudged;           // the reason why the case is not judged; then there are no verdicts
 };
 
-/// Selects the invariants about related collisions that are judged on a case. Each of them is judged on one in `every`
-/// cases. The next invariant is judged on other cases, so that every case is judged by some of them.
+/// Selects the relations (invariants about related collisions) that are judged on a case. Each relation is judged on
+/// one case in `every`. The next relation is judged on other cases, so that every case is judged by some relations.
 struct RelationTurn {
   std::uint64_t every = 1;   // 0: none of the invariants on any case
   std::uint64_t number = 0;  // number of the case
 
-  /// Whether the invariant at this place of its claim is judged.
+  /// Whether the invariant at this place of `Claim::invariants` is judged.
   [[nodiscard]] bool has(std::size_t place) const { return every > 0 && (number + place) % every == 0; }
 };
 inline constexpr RelationTurn no_relations{0, 0};
 
-/// A trial in two steps, so that a subject can get many questions at once.
+/// A trial in two steps, `questions` and `judge`, so that a subject can get the questions of many trials at once.
 class Trial {
  public:
   /// `answer` is the subject's answer to the case's collision. `relations` selects the invariants about related
@@ -126,9 +127,9 @@ class Trial {
   [[nodiscard]] std::vector<Collision> questions() const;
   [[nodiscard]] std::size_t question_count() const;
 
-  /// If the backward error is certainly at most `known`, the judgement may contain a larger value that is also at most
-  /// `known` (oracles::accuracy). A maximum over many judgements therefore needs few precise values. The verdicts do
-  /// not depend on `known`. Precondition: there is one answer to each question, in order.
+  /// If the backward error is certainly at most `known_backward_error`, the judgement may state a larger value within
+  /// this limit (oracles::accuracy). A maximum over many judgements therefore needs few precise values. The verdicts do
+  /// not depend on the limit. Precondition: there is one answer to each question, in order.
   [[nodiscard]] Judgement judge(std::span<const Answer> answers, double known_backward_error = 0) const;
   [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
 
@@ -148,7 +149,7 @@ class Trial {
   std::vector<std::span<const oracles::ExactCase>> questions_;  // for each claimed invariant
 };
 
-/// A solver whose answers keep the exactness of its arithmetic. Solvers in ℚ can therefore be judged too.
+/// A solver that returns lifted answers, so that solvers in ℚ can be judged too.
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
 /// Runs the whole trial of one case.

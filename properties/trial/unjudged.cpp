@@ -50,7 +50,8 @@ bool stays_in_binary32(const Collision& c, double rounding) {
       range.require(length / moment * length);
     }
   }
-  // The impulse depends on the speed of approach, or on its rounding if that is larger. The fastest speed bounds it.
+  // The impulse depends on the speed of approach, or on its rounding if that is larger. The fastest speed bounds the
+  // speed of approach.
   const double approach = std::abs(oracles::normal_velocity_before(c)) / norm_of(c.normal);
   for (const double speed : {std::max(approach, rounding), fastest}) {
     range.require(speed);

@@ -30,8 +30,8 @@ using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.s
 [[nodiscard]] std::string_view in_words(Unjudged reason);
 
 /// The reason why a collision is not judged by a yardstick; no value if it is judged. A subject in binary32 is judged
-/// if every number that a law computes for the contact (masses, moments, impulse, torque) stays in range. It must stay
-/// 2⁵ above the least normal number and 2⁸ below the largest.
+/// if every number that a law computes for the contact (masses, moments, impulse, torque) stays in range. The size of
+/// each must be 2⁵ times above the least normal number of binary32, and 2⁸ times below the largest.
 [[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
                                                       const oracles::Yardstick& yardstick);
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# The components of Carom. Each can be built and installed with only the components that it needs, and needs no packages
-# beyond theirs and its own.
+# The components of Carom. A component can be built and installed with only the components below it. It needs no
+# packages but theirs and its own.
 
 set(CAROM_COMPONENTS all CACHE STRING
     "What is built and installed: a list of impulse, judge, report, kit, program, scenes and proofs, or all but the proofs")

@@ -2,7 +2,7 @@
 # Compile options of Carom's own code. They are set on targets only, so CMAKE_CXX_FLAGS, CMAKE_BUILD_TYPE and the
 # options of a containing project stay unchanged.
 
-# Every target of Carom links to this.
+# Every target of Carom links to carom_flags.
 add_library(carom_flags INTERFACE)
 target_compile_options(carom_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
                                              $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)

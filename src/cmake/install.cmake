@@ -14,9 +14,9 @@ function(carom_library target name)
   set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES_OF_${part} ${name})
 endfunction()
 
-# carom_folder(TARGET NAME DIRECTORY SCOPE …): defines the library carom::NAME and the spelling <carom/NAME/…> that its
-# headers have once installed. Each target sees only the folders that it links to. Further arguments select the headers
-# to install.
+# carom_folder(TARGET NAME DIRECTORY SCOPE …): defines the library carom::NAME. Sources include its headers as
+# <carom/NAME/…>, as after installation. Each target sees only the folders that it links to. Further arguments select
+# the headers to install.
 function(carom_folder target name directory scope)
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root}/carom)

@@ -43,10 +43,10 @@ template <class S>
   return !(collision.a.immovable && collision.b.immovable);
 }
 
-/// The name of a number in a collision: "a.principal_inertia[2]", "normal[0]", "restitution".
+/// The name of a number in a collision, such as "a.principal_inertia[2]", "normal[0]" or "restitution".
 struct FieldPath {
   std::string_view body;   // "a", "b", or empty for a field of the collision itself
-  std::string_view field;  // in the spelling of the line protocol
+  std::string_view field;  // the name of the field in the line protocol
   int component = -1;      // -1 for a scalar
 
   [[nodiscard]] std::string text() const {
@@ -86,8 +86,9 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 
 }  // namespace detail
 
-/// Calls f(path, numbers...) for every number of the collisions, in one fixed order. Each call passes the same number
-/// of every collision. Skips the mass, inertia and orientation of a body that is immovable in the first collision.
+/// Calls f(path, numbers...) for every number of a collision, in one fixed order. Each call passes the number at the
+/// same path of every collision. Skips the mass, inertia and orientation of a body that is immovable in the first
+/// collision.
 template <class F, class... Collisions>
 void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);

@@ -6,8 +6,8 @@
 /// evaluate it.
 ///
 /// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if it is undefined and NDEBUG is undefined too. A check
-/// changes no result, no type and no layout. So a program may mix checked and unchecked units, as with `assert`. The
-/// linker then keeps one copy of an inline function, checked or not.
+/// changes no result, no type and no layout. So a program may mix checked and unchecked units, as with `assert`. If
+/// both define an inline function, the linker keeps one copy, checked or not.
 #ifndef CAROM_CHECK_PRECONDITIONS
 #ifdef NDEBUG
 #define CAROM_CHECK_PRECONDITIONS 0
@@ -25,9 +25,9 @@
 
 namespace carom::detail {
 
-/// Two kinds of conditions always pass. A comparison of packs passes because lanes that do not collide may hold
-/// meaningless numbers. A comparison of numbers that are known only to within an error passes because it may be
-/// undecided.
+/// Whether the condition holds. Two kinds of conditions always pass. A comparison of SIMD packs passes because lanes
+/// that do not collide may hold meaningless numbers. A comparison of numbers with error bounds passes because the
+/// bounds may not decide it.
 template <class Condition>
 [[nodiscard]] constexpr bool holds(const Condition& condition) {
   if constexpr (std::is_constructible_v<bool, const Condition&>) {

@@ -29,7 +29,7 @@ inline constexpr std::array all_outcome_vectors{OutcomeVector::velocity_of_a, Ou
                                                 OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_velocity_of_b));
 
-/// In the spelling of the line protocol.
+/// The name of the vector in the line protocol.
 [[nodiscard]] constexpr std::string_view name_of(OutcomeVector vector) {
   switch (vector) {
     case OutcomeVector::velocity_of_a:

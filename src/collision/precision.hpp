@@ -34,8 +34,8 @@ enum class Precision { binary32, binary64, extended };
   return static_cast<double>(std::numeric_limits<long double>::epsilon() / 2.0L);
 }
 
-/// η/u, with η the least positive number. The rounding error of a smaller number is up to u times this size instead of
-/// u times the number. The result is 0 if this size is too small to be judged.
+/// The size η/u, with η the least positive number. The rounding error of a smaller number is at most u times this size,
+/// but may exceed u times the number. The result is 0 if this size is itself too small to be judged.
 [[nodiscard]] constexpr double least_size_known_to_a_roundoff(Precision precision) {
   switch (precision) {
     case Precision::binary32:

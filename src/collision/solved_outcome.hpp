@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// An outcome, and the collision matrix C that solved it, in world axes [1/kg]. The matrix is absent if the solver
-/// formed none or shows none.
+/// An outcome, and the collision matrix with which the solver found it, in world axes [1/kg]. The matrix is absent if
+/// the solver formed none or does not report it.
 template <class S>
 struct SolvedOutcome : Outcome<S> {
   std::optional<Matrix3<S>> collision_matrix;

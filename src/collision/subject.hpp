@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// The subject cannot take this case. A skipped case is counted, and never passes.
+/// The subject cannot solve this collision. A skipped collision is counted, and never passes.
 struct Skipped {
   std::string why;
 };
@@ -30,7 +30,7 @@ struct Refused {
 /// The subject gave no answer: it ended, hung, or wrote something that is not a reply.
 struct Failed {
   std::string why;        // one line, the same each time the collision is solved
-  std::string said = {};  // standard error and other help to find the place; may have several lines
+  std::string said = {};  // standard error and other text that helps to find the fault; may have several lines
 };
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused, Failed>;
@@ -88,17 +88,18 @@ struct Subject {
   std::string version = {};  // of the engine; empty if it has no version of its own
   Law law = Law::any;
   Precision precision = Precision::binary64;
-  /// Whether its author claims that it is correct. A subject that is kept because it fails is shown, but does not
-  /// count.
+  /// Whether the author claims that the subject is correct. A subject that is expected to fail is judged and shown, but
+  /// does not count.
   bool expected_to_pass = true;
-  /// The claims that the subject does not make: "invariant", or "invariant@family" for one family.
+  /// The claims that the subject does not make: "invariant", or "invariant@family" for one family (a named random
+  /// generator of collisions).
   std::vector<std::string> deviates;
   /// The reason why the subject cannot run here (an engine that is not installed); empty if it can.
   std::string absent;
-  /// Opens a session; each thread opens its own. Empty if `absent` is not.
+  /// Opens a session. Each thread opens its own. Empty if `absent` is not empty.
   std::function<Session()> open;
-  /// Whether each outcome of a colliding contact shows the collision matrix, if the subject solves the contact with
-  /// one.
+  /// Whether the subject reports the collision matrix with each outcome of a colliding contact. A contact that is
+  /// solved without a matrix needs none.
   bool shows_collision_matrix = false;
 
   /// Whether the subject is a program that answers in text.

@@ -36,7 +36,7 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
   }
 }
 
-/// Whether every number is finite. Fast, because most collisions pass.
+/// Whether every number is finite. Fast, because it does not search for the defects.
 [[nodiscard]] inline bool is_finite(const Collision& collision) {
   double sum = 0;  // 0 if every number is finite, otherwise NaN
   for_each_number([&](const FieldPath&, const double& number) { sum += 0 * number; }, collision);

@@ -39,8 +39,8 @@ struct Contact {
 };
 
 /// The vector times the power of two that brings its largest component into [1/2, 1). The scaling is exact, and no
-/// later product of two such vectors overflows or underflows in S. Types without a range limit keep the vector
-/// unchanged.
+/// later product of two such vectors overflows or underflows in S. Only vectors of built-in floating-point numbers are
+/// scaled.
 template <class S, class Vector>
 [[nodiscard]] auto without_extreme_length(const Vector& vector) {
   using From = typename Vector::Scalar;
@@ -59,7 +59,7 @@ template <class S, class Vector>
   return scaled;
 }
 
-/// The body as input of a solver in S. Precondition: the collision that the body belongs to is valid.
+/// The body as input of a solver in S. Precondition: `validate` finds no defect in the body's collision.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] ContactBody<S, Inertia> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
   const auto in_s = [](const Vector3<T>& vector) {
@@ -74,8 +74,8 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
   return result;
 }
 
-/// The contact of a collision. Every number is first rounded to S, as an engine in S stores it. Precondition: the
-/// collision is valid.
+/// The contact of a collision. Every number is first rounded to S, as an engine in S stores it. Precondition:
+/// `validate` finds no defect.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
   if constexpr (std::is_same_v<T, double>) {
@@ -89,8 +89,9 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
           static_cast<S>(collision.tangential_restitution)};
 }
 
-/// Whether the numbers of a contact allow that it was made from a valid collision: a bool, or a mask if S is a pack.
-/// Lever arms and velocities are not checked, because a number beyond the range of S is infinite or NaN.
+/// Whether the contact can have been made from a valid collision: a bool, or a mask if S is a SIMD pack. The solvers
+/// test their precondition with this function. Lever arms and velocities are not checked, because a number beyond the
+/// range of S is infinite or NaN.
 template <class S, class Inertia>
 [[nodiscard]] auto is_made_of_valid(const Contact<S, Inertia>& contact) {
   return !(contact.a.inverse_mass < S(0)) && !(contact.b.inverse_mass < S(0)) &&
@@ -117,7 +118,7 @@ template <class S, class Inertia>
          (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
 }
 
-/// λ = 1/m_A + 1/m_B, a lower bound of the eigenvalues of K.
+/// λ = 1/m_A + 1/m_B, a lower bound of the eigenvalues of the collision matrix K (collision_matrix.hpp).
 template <class S, class Inertia>
 [[nodiscard]] S inverse_mass(const Contact<S, Inertia>& contact) {
   return contact.a.inverse_mass + contact.b.inverse_mass;
@@ -140,7 +141,7 @@ template <class S, class Inertia>
   return {unchanged(contact.a), unchanged(contact.b)};
 }
 
-/// Whether a body of the contact is slender: a bool, or a mask if S is a pack.
+/// Whether a body of the contact is slender (`is_slender` of its inertia): a bool, or a mask if S is a pack.
 template <class S, class Inertia>
 [[nodiscard]] auto has_slender(const Contact<S, Inertia>& contact) {
   return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);

@@ -17,8 +17,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. It is defined by
-/// V_T⁺ + ν F_T = 0, with T for the parts across N.
+/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. This number is
+/// defined by V_T⁺ + ν F_T = 0, where T marks the part orthogonal to N.
 template <class S>
 class SlipResistance {
  public:
@@ -37,7 +37,7 @@ class SlipResistance {
     return std::hypot(impulse[1], impulse[2]) <= friction_ * impulse[0];
   }
 
-  /// Precondition: the impulse without resistance is not in the cone, and μ > 0.
+  /// Preconditions: μ > 0, and `is_in_cone(impulse(0))` is false.
   [[nodiscard]] Vector3<S> impulse_on_cone() const {
     CAROM_EXPECTS(friction_ > S(0) && !is_in_cone(impulse(S(0))), friction_, impulse(S(0)));
     constexpr S step = 256;
@@ -67,16 +67,16 @@ class SlipResistance {
 }  // namespace detail
 
 /// The law `coulomb`, which engines approximate: Newton's restitution, and friction opposed to the slip after the
-/// impulse.
+/// impulse. T marks the part orthogonal to N.
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
 ///
-/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P the projection across N. The contact
-/// point sticks at ν = 0, and slips without friction as ν → ∞. In that limit F lies in the cone. So if F is outside the
-/// cone at ν = 0, some ν > 0 puts F on the surface of the cone. A solution always exists (docs/guide/laws.md), and
-/// bisection finds one.
+/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P = I − N Nᵀ/(N·N). The contact point
+/// sticks at ν = 0, and slips without friction as ν → ∞. In that limit F lies in the cone. So if F is outside the cone
+/// at ν = 0, some ν > 0 puts F on the surface of the cone. A solution always exists (docs/guide/laws.md), and bisection
+/// finds one.
 ///
-/// S is a floating-point type. Preconditions: the contact was made from a valid collision; μ > 0.
+/// S is a floating-point type. Preconditions: the contact was made from a valid collision (`is_made_of_valid`); μ > 0.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] ContactImpulse<S> coulomb_impulse(const Contact<S>& contact, const See& see = {}) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,

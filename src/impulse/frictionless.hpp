@@ -21,7 +21,7 @@ struct NormalImpulse {
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).
 ///
-/// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
+/// Preconditions: the contact was made from a valid collision (`is_made_of_valid`); `approach` is N·V⁻.
 template <class S, class Inertia>
 [[nodiscard]] NormalImpulse<S> frictionless_impulse(const Contact<S, Inertia>& contact, const S& approach) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,

@@ -12,8 +12,8 @@
 #include <carom/impulse/normal_velocity.hpp>
 #include <carom/impulse/rough.hpp>
 
-/// Outcomes that never penetrate: N·V⁺ ≥ 0 exactly, for the stored N, P and X of the collision and the returned
-/// velocities. A law computed with rounding gives N·V⁺ < 0 in about half of all cases with ε = 0. These functions need
+/// Outcomes that never penetrate: N·V⁺ ≥ 0 exactly, for the returned velocities and the stored numbers of the
+/// collision. A law computed with rounding gives N·V⁺ < 0 in about half of all cases with ε = 0. These functions need
 /// the collision itself, because the lever arms of a Contact are rounded.
 namespace carom::impulse {
 
@@ -28,8 +28,8 @@ namespace detail {
   return true;
 }
 
-/// The error of a component of r × N = (P − X) × N, relative to |r_j N_k| + |r_k N_j|. Each product has two roundings,
-/// their difference has one, and one allows for the roundings of that sum.
+/// The error of a component of r × N = (P − X) × N, relative to |r_j N_k| + |r_k N_j|, in units of the roundoff: two
+/// for each product, one for the difference, and one for the roundings of this sum itself.
 inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
 
 /// A velocity component, and the derivative of N·V with respect to it.
@@ -39,8 +39,9 @@ struct Adjustable {
   double ulp = 0;
 };
 
-/// Whether x is the body to move if both bodies can be: the lighter one, or the slower one if the masses are equal,
-/// component by component. The choice depends neither on the names A and B nor on the signs that a mirror changes.
+/// Whether x wins if components of both bodies change N·V equally per ulp. The lighter body wins. If the masses are
+/// equal, the body with the smaller velocity components wins. The choice depends neither on the names A and B nor on
+/// the signs that a mirror image changes.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {
@@ -51,7 +52,7 @@ struct Adjustable {
   return key(x) < key(y);
 }
 
-/// The component of the movable bodies that changes N·V most for each ulp, so that the fewest ulps are needed.
+/// The velocity component of a movable body that changes N·V most for each ulp, so that the fewest ulps are needed.
 [[nodiscard]] inline Adjustable most_effective_component(const Collision& c, Outcome<double>& outcome) {
   Adjustable best;
   double most = -1;
@@ -143,8 +144,8 @@ template <class Solver>
   }
 }
 
-/// Whether a few ulps of one component remove the remaining N·V⁺ < 0. Another impulse may move the spin of a slender
-/// body by many ulps. The rounding error of a spin may exceed its small part about the long axis.
+/// Whether a few ulps of one component remove the remaining N·V⁺ < 0. Another impulse would be worse: it may move the
+/// spin of a slender body by many ulps, because its rounding error may exceed the small spin about the long axis.
 [[nodiscard]] inline bool is_within_few_ulps(const Collision& collision, Outcome<double> outcome, double left) {
   constexpr double few = 4;
   const auto [component, slope, ulp] = most_effective_component(collision, outcome);
@@ -153,9 +154,9 @@ template <class Solver>
 
 }  // namespace detail
 
-/// `solver` without penetration. The solver maps a Contact<double> and N·V⁻ to an argument of apply_impulse. If the
-/// exact N·V⁻ is not negative, the velocities are unchanged. Otherwise its outcome is rounded so that the exact N·V⁺ is
-/// not negative. Precondition: the collision is valid, and the contact was made from it.
+/// The outcome of `solver`, corrected so that the bodies do not penetrate. The solver maps a Contact<double> and N·V⁻
+/// to an argument of apply_impulse. If the exact N·V⁻ is not negative, the velocities are unchanged. Otherwise the
+/// exact N·V⁺ is not negative. Precondition: the collision is valid, and the contact was made from it.
 template <class Solver>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact,
                                          const Solver& solver) {

@@ -29,8 +29,8 @@ struct FrictionlessLaw {
 }  // namespace detail
 
 /// Calls use(solver). `solver` takes a contact in any scalar type and returns its ContactImpulse, NormalImpulse or
-/// RoughImpulse. It also takes N·V⁻, if that is known better than from the contact, and after it `see`, which receives
-/// the collision matrix. Does not call `use` if the law is not one of `laws_with_truth`.
+/// RoughImpulse. It also takes two optional arguments: N·V⁻, if the caller knows it better than from the contact, and
+/// then `see`, which receives the collision matrix. Does not call `use` if the law is not one of `laws_with_truth`.
 template <class Use>
 constexpr void with_law(Law law, const Use& use) {
   switch (law) {

@@ -8,9 +8,9 @@
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/impulse/numbers/exact_sum.hpp>
 
-/// N·V of the stored numbers. With V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), it is a polynomial of the
-/// collision's N, P, X_A, X_B and of any four velocities. It does not use a Contact, because its lever arms are
-/// rounded.
+/// N·V of the stored numbers: V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), with P the contact point and X a
+/// centre of mass. N·V is a polynomial in the numbers of the collision and of any four velocities. It is not computed
+/// from a Contact, because the lever arms P − X of a Contact are rounded.
 namespace carom::impulse {
 
 namespace detail {
@@ -51,7 +51,7 @@ template <class S>
   return {r[j] * n[k], r[k] * n[j]};
 }
 
-/// For one body, s N·(v + w × (P − X)) in S, and the sum of the absolute values of its terms.
+/// Adds s N·(v + w × (P − X)) of one body to `sum`, in S, and the absolute values of its terms to `terms`.
 template <class S, class Size>
 void add_rounded_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
                                  S& sum, Size& terms) {
@@ -70,13 +70,13 @@ void add_rounded_normal_velocity(const Collision& c, const Body& body, const Bod
   }
 }
 
-/// The number of roundings that affect a term of N·V in the sum, at most.
+/// At most this many roundings affect each term of N·V in the sum.
 inline constexpr int roundings_of_normal_velocity = 10;
 
 /// This many unit roundoffs of Σ|terms| cover the rounding errors of N·V and of Σ|terms| itself.
 inline constexpr int covered_roundings_of_normal_velocity = 16;
 
-/// A bound of the underflow: the error is less than this, times 1 or a component of w.
+/// Underflow causes an error below this number times 1 + max |w_A| + max |w_B|, with the maxima over the components.
 inline constexpr double underflow_of_normal_velocity = std::numeric_limits<double>::min();
 
 /// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. n and 16 are the
@@ -104,11 +104,11 @@ struct RoundedNormalVelocity {
 
 inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::epsilon() / 2;
 
-/// The largest relative error of a DoubleDouble operation except division: 7 u², that of the product.
+/// The largest relative error of a DoubleDouble operation except division: 7 u², the error of the product.
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
-/// The value of a double-double sum counts as known if it is at least this multiple of its bound. Its relative error is
-/// then n / 16 of 2⁻⁵⁰. Together with the rounding to double it is at most 2⁻⁵⁰.
+/// The value of a double-double sum counts as known if it exceeds this multiple of its error bound. Its relative error
+/// is then at most n / 16 · 2⁻⁵⁰, and at most 2⁻⁵⁰ after the rounding to double.
 inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail

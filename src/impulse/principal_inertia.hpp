@@ -10,10 +10,10 @@
 namespace carom::impulse {
 
 /// J⁻¹ = R diag(1/I) Rᵀ as separate factors. A torque is turned into the body frame, divided by the principal moments,
-/// and turned back. So each principal component has its own relative error. In one matrix in world coordinates
-/// (world_inertia.hpp), the largest component determines the rounding error of all others. That costs a body with
-/// moments 1 : ρ up to ρ/10 ulps of angular momentum. If `may_be_slender` is false, the body is known not to be slender
-/// (see below) and needs less work.
+/// and turned back. So the error of each principal component is relative to this component. In one matrix in world
+/// coordinates (world_inertia.hpp), the largest component determines the rounding error of all others. Such a matrix
+/// costs a body with moments 1 : ρ up to ρ/10 ulps of angular momentum. If `may_be_slender` is false, the body is known
+/// not to be slender (`is_slender`) and needs less work.
 template <class S, bool may_be_slender = true>
 struct PrincipalInertia {
   Matrix3<S> axes;             // its columns are the body axes, of unit length, in world coordinates
@@ -43,13 +43,13 @@ template <class S>
 
 }  // namespace detail
 
-/// A body is slender if its moments differ by more than this ratio. Up to this ratio, plain products lose about 4 ulps
-/// at most.
+/// A body is slender if its moments differ by more than this ratio. Up to this ratio, the products of products.hpp lose
+/// about 4 ulps at most.
 inline constexpr int least_ratio_of_slender_moments = 8;
 
-/// Whether the moments of the body differ by more than the ratio above. The product of nearly parallel vectors has a
-/// rounding error of u |x| |y|. A torque with this error turns a body with moments 1 : ρ about its long axis ρ times as
-/// far as about the others.
+/// Whether the moments of the body differ by more than the ratio above. The cross product of nearly parallel vectors x
+/// and y has a rounding error of u |x| |y|, with u the unit roundoff. A torque with this error turns a body with
+/// moments 1 : ρ about its long axis ρ times as far as about the others.
 template <class S, bool may_be_slender>
 [[nodiscard]] auto is_slender(const PrincipalInertia<S, may_be_slender>& inertia) {
   if constexpr (may_be_slender) {
@@ -82,8 +82,8 @@ template <class S, bool may_be_slender>
 
 /// Rᵀ (r × F), the torque in body coordinates. The torque about an axis e is (e × r)·F, because K consists of these
 /// products. So an impulse acts as K says, even on a slender body. If F lies along r or nearly so, the torque is e·(r ×
-/// F), which vanishes if F lies exactly along r. Bodies that turn about the same place then share one r × F. For this
-/// reason `has_slender` says whether any body of the contact is slender.
+/// F), which vanishes if F lies exactly along r. Two bodies with the same r then get the same r × F, bit for bit. For
+/// this reason `has_slender` says whether any body of the contact is slender, and not only this one.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse, const Condition& has_slender) {

@@ -7,8 +7,8 @@
 
 /// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`. The residual
 /// is computed in the wide type S, and the correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
-/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², with a small number
-/// c. The range is that of Low.
+/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², with the condition
+/// number κ(K), the unit roundoff u_Low and a small number c. The range of the numbers is that of Low.
 namespace carom::impulse {
 
 namespace detail {

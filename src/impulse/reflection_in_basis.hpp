@@ -27,9 +27,9 @@ template <class S>
   return basis;
 }
 
-/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the normalised part across N of the coordinate axis that is
-/// least aligned with N. For that axis |N_i| ≤ 1/√3. So its part across N has length √(2/3) or more and loses no
-/// digits. S is a floating-point type.
+/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the coordinate axis that is least aligned with N, made
+/// orthogonal to N and normalised. For that axis |N_i| ≤ 1/√3. So its part orthogonal to N has length √(2/3) or more
+/// and loses no digits. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -42,8 +42,8 @@ template <class S>
   return basis;
 }
 
-/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, λ counted once). It
-/// equals Bᵀ K B if the basis is orthonormal. The function does not check that it is.
+/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, without the second λ
+/// of eq. 27). If the basis B = [N, T0, T1] is orthonormal, which is not checked, C equals Bᵀ K B.
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
@@ -77,9 +77,9 @@ template <class S, class See = UnseenMatrix>
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
-/// The reflection law as note §2 prints it. If V⁻ has no tangential part, it uses eq. 18, as implementations do. It
-/// is kept because it fails: near a head-on collision T0 is rounding error and not orthogonal to N. Use `reflection`
-/// instead.
+/// The reflection law as note §2 prints it. If V⁻ has no tangential part, the function uses eq. 18, as implementations
+/// do. The function is kept because it fails: near a head-on collision T0 is rounding error and not orthogonal to N.
+/// Use `reflection` instead.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
@@ -90,7 +90,8 @@ template <class S, class See = UnseenMatrix>
 }
 
 /// The reflection law with a T0 that does not depend on V⁻. Only the choice of T0 makes `reflection_in_basis` fail. If
-/// N lies along both lever arms, F lies along N (eq. 18). The rounding errors of T0 and T1 must not turn a body then.
+/// N lies along both lever arms, F lies along N (eq. 18). In this case the rounding errors of T0 and T1 must not turn a
+/// body.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {

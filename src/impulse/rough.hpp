@@ -13,6 +13,7 @@
 namespace carom::impulse {
 
 /// The result of the law `rough`: an impulse with friction, and the frictionless impulse for contacts without friction.
+/// `rough_impulse` defines P_I, D and κ.
 template <class S>
 struct RoughImpulse {
   NormalImpulse<S> normal;                                       // (1 + ε) P_I and the changes of spin that it causes
@@ -32,7 +33,7 @@ template <class S>
 }
 
 /// F, or a fraction of F. F is the impulse that changes the relative velocity by V = `change`, so K F = V. The impulse
-/// −F removes the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular except for rounding, a
+/// −F removes the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular up to rounding, a
 /// solve may return an F so long that it adds energy: F·K F > 2 F·V. The function then returns the fraction of F that
 /// removes the most energy. F·K F is a sum of terms ≥ 0 here, so nothing cancels.
 template <class S, class Inertia>
@@ -69,14 +70,15 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   if (none_of(normal.colliding)) {
     return {normal, normal.colliding, n};
   }
-  // P_II is computed by itself, because K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by κ(K).
+  // P_II is computed directly, because K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by the condition
+  // number of K.
   const Vector3<S> velocity = relative_velocity(contact);
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
   const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
-  // (1 + ε) D and κ / (1 + ε) need only one division.
+  // This code computes (1 + ε) D and κ / (1 + ε), because these need only one division.
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;
   const Vector3<S> d = stops_point * rebound - normal.on_a;
@@ -84,7 +86,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
   const auto is_outside = limit * rebound < whole * divisor;
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
-  // If D lies along N except for rounding, the law needs no friction. If μ = 0, there is none for any κ.
+  // If D lies along N except for rounding, the law needs no friction. If μ = 0, there is no friction for any κ.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};
 }
@@ -94,8 +96,8 @@ template <class Solve = Ldlt, class S, class Inertia>
 }
 
 /// Without friction, the outcome has the bits of the frictionless law. With friction, a body is turned by both parts of
-/// F at once. Each part alone may turn a slender body far more than their sum, which would leave the rounding errors of
-/// the parts.
+/// F at once. Each part alone may turn a slender body far more than their sum does, so applying them one by one would
+/// leave their rounding errors.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
   const Outcome<S> without = apply_impulse(contact, impulse.normal);

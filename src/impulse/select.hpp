@@ -38,8 +38,8 @@ template <class S>
   if constexpr (std::is_same_v<decltype(number < least), bool>) {
     return number < least ? least : number;
   } else {
-    // As a vector type of the compiler, which makes one instruction of this. A mask and a choice by it have three times
-    // the latency.
+    // The compiler makes one instruction of this selection between vectors of its own vector type. A mask and a
+    // selection by it have three times the latency.
     using Numbers [[gnu::vector_size(sizeof(S))]] = typename S::value_type;
     const auto numbers = std::bit_cast<Numbers>(number);
     const auto leasts = std::bit_cast<Numbers>(least);
@@ -57,8 +57,8 @@ template <class S>
   }
 }
 
-/// x, or the least normal number of S if x is below it. For a pack, S is the type of its lanes. Scalar types that are
-/// not built in have the range of binary64 or more.
+/// x, or the least normal number if x is below it: that of S, or that of the lanes' type for a pack. Scalar types that
+/// are not built in have the range of binary64 or more.
 template <class S>
 [[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {

@@ -6,8 +6,8 @@
 
 #include <carom/collision/vector.hpp>
 
-/// Ways to solve M x = b for a general 3×3 matrix M. A collision matrix does not need this generality. Each is a policy
-/// of `reflection`, as in solve3.hpp.
+/// Ways to solve M x = b for a general 3×3 matrix M. A collision matrix does not need this generality. Each is an
+/// argument for the parameter `Solve` of a law, as in solve3.hpp.
 namespace carom::impulse {
 
 /// Eigen's P M = L U, with pivots by rows.
@@ -18,7 +18,8 @@ struct EigenPartialPivLu {
   }
 };
 
-/// Eigen's P M Q = L U, with pivots by rows and columns. It treats a pivot below 3 ε times the largest as zero.
+/// Eigen's P M Q = L U, with pivots by rows and columns. It treats a pivot below 3 machine epsilons of the largest as
+/// zero.
 struct EigenFullPivLu {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {

@@ -10,7 +10,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// |w_j r_k| + |w_k r_j|. The rounding error of a component of w × r is about u times this sum.
+/// The sums |w_j r_k| + |w_k r_j|. The rounding error of a component of w × r is about this sum times the unit
+/// roundoff.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> terms_of_spin(const ContactBody<S, Inertia>& body) {
   const Vector3<S>& w = body.angular_velocity;
@@ -21,8 +22,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// V. The contribution of the spins to its component along N comes from r × N, as in `normal_velocity`. The components
-/// of w × r are corrected to agree with it, each by no more than a few of its own rounding errors.
+/// The relative velocity V. Its component along N is computed from r × N, as in `normal_velocity`. The components of
+/// w × r are corrected to agree with it. Each correction is no more than a few rounding errors of its component.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -31,8 +32,8 @@ template <class S, class Inertia>
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
-  // δ with the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins. One factor at a time, to avoid
-  // overflow.
+  // The correction δ has the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins. The code multiplies
+  // one factor at a time, to avoid overflow.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
   const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
   const Vector3<S> shares = along * finite_reciprocal(sum);

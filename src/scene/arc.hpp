@@ -13,7 +13,7 @@ namespace carom::scene {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The kind of motion of a sphere between two of its events.
+/// The kind of motion of a sphere between two of its events (event.hpp).
 enum class Phase : std::uint8_t {
   flying,   // under gravity alone
   sliding,  // on a level plane, with its lowest point slipping
@@ -35,8 +35,8 @@ enum class Phase : std::uint8_t {
   return "resting";
 }
 
-/// The path of a sphere's centre from `start` on: exactly x + v s + a s²/2 with s = t − start, for the stored doubles.
-/// The radius and the sizes are stored for predictions.
+/// The path of a sphere's centre from `start` on. At time t the centre is exactly at x + v s + a s²/2, with s = t −
+/// start.
 struct Path {
   double start = 0;                       // [s]
   double end = never;                     // time at which the phase changes by itself [s]
@@ -49,7 +49,7 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// The cause that ends a phase by itself.
+/// The motion that becomes 0 and so ends a phase without an impact.
 enum class Ending : std::uint8_t { none, slip, roll, spin };
 
 /// The rotation of a sphere, and the plane that supports it.
@@ -67,7 +67,7 @@ struct Arc {
   Turning turning;
 };
 
-/// Computes the sizes once for all predictions.
+/// Stores the sizes, which every prediction reads.
 inline void measure(Path& path) {
   path.position_size = path.position.cwiseAbs().sum();
   path.velocity_size = path.velocity.cwiseAbs().sum();

@@ -13,9 +13,10 @@
 namespace carom::scene {
 
 /// Finds the spheres near a sphere. The cells are cubes at least as wide as the largest sphere, so spheres that touch
-/// are in the same cell or in adjacent ones. A sphere is in the cell that it was last moved to. The loop moves it
-/// whenever its centre leaves the cell (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput.
-/// Phys. 94, 1991). Space has no bounds. Cells far apart may share a list, which only costs time.
+/// are in the same cell or in adjacent ones. A sphere is in the cell that it was last moved to. `SphereSimulation`
+/// moves it whenever its centre leaves the cell (B. Lubachevsky, "How to simulate billiards and similar systems", J.
+/// Comput. Phys. 94, 1991). Space has no bounds, because cells far apart may share a list of spheres. A shared list
+/// only costs time.
 class CellGrid {
  public:
   using Index = std::uint32_t;
@@ -63,8 +64,8 @@ class CellGrid {
   /// Calls use(j) for every other sphere in the same cell or in an adjacent one.
   template <class Use>
   void for_neighbours(Index sphere, const Use& use) const {
-    // Collects the non-empty lists without a branch. If most cells hold no sphere or one, a branch for each cell would
-    // be mispredicted every third time.
+    // Collects the non-empty lists without a branch. If most cells hold at most one sphere, a branch for each cell
+    // would be mispredicted every third time.
     std::array<Index, 27> firsts;
     std::size_t lists = 0;
     for_lists_around(sphere, [&](std::size_t list) {
@@ -82,7 +83,7 @@ class CellGrid {
     }
   }
 
-  /// The time when the centre leaves its cell, except for rounding error.
+  /// The time and the side at which the centre leaves its cell, except for rounding error.
   [[nodiscard]] Leaving leaving(Index sphere, const Path& path, double now) const {
     Leaving first;
     const Vector3<double> position = position_at(path, now);

@@ -48,7 +48,8 @@ enum class EventKind : std::uint8_t {
 struct Change {
   std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
   Arc before, after;
-  /// If the scene has polyhedra: body axes to world axes at the event, and the angular velocity before it [rad/s].
+  /// If the scene has polyhedra: the rotation from body axes to world axes at the event, and the angular velocity
+  /// before the event [rad/s].
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity_before{0, 0, 0};
 };
@@ -61,13 +62,12 @@ struct Event {
   std::uint32_t plane = 0;   // only for plane impacts, captures and phases
   bool has_impulse = false;  // of impacts and captures: whether the bodies approached
   Collision collision;       // of impacts and captures; its origin is the contact point
-  Outcome<double> outcome;   // as the law gave it; `after` has the stored velocities
-  /// The approach was slower than the least speed, and the body cannot rest. The impact is elastic by the law, and the
-  /// body is then sent off at `least_speed`.
+  Outcome<double> outcome;   // by the law; `Change::after` has the stored velocities
+  /// The approach was slower than `least_speed`, and the body cannot rest. The law then computes an impact with ε = 1,
+  /// and the body leaves at `least_speed`.
   bool was_slow = false;
 };
 
-/// Numbers that are counted during a run.
 struct Counts {
   unsigned long long events = 0;
   unsigned long long impacts = 0;  // of two bodies
@@ -76,10 +76,10 @@ struct Counts {
   unsigned long long phases = 0;
   unsigned long long renewals = 0;
   unsigned long long crossings = 0;       // of cells; these are not events of the scene
-  unsigned long long slow = 0;            // impacts that were sent off at the least speed
+  unsigned long long slow = 0;            // impacts with `was_slow`
   unsigned long long moved_clear = 0;     // stored positions that were moved by ulps because of a third body
   unsigned long long at_one_instant = 0;  // largest number of impacts at one time
-  unsigned long long advances = 0;        // of conservative advancement
+  unsigned long long advances = 0;        // steps of conservative advancement
   ExactCounts exact;
 };
 

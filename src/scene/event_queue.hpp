@@ -11,7 +11,7 @@
 
 namespace carom::scene {
 
-/// A time for each sphere, and the sphere with the least time. Of equal times the lowest index is first. It is a
+/// A time for each sphere, and the sphere with the least time. Of equal times the lowest index is first. The queue is a
 /// tournament with four players in each match, so a change updates at most log₄ n matches for n spheres (D. Knuth, "The
 /// Art of Computer Programming" 3, 5.4.1). A match fits in one cache line, with the times beside the players. Most
 /// changes affect only one or two matches.
@@ -28,7 +28,7 @@ class EventQueue {
     for (std::size_t round = 0; round < rounds_.size(); ++round) {
       for (std::size_t k = 0; k < rounds_[round].size(); ++k) {
         for (std::size_t place = 0; place < 4; ++place) {
-          // Absent players never win: their times stay `never`, and of equal times the lowest index is first.
+          // Absent players never win, because their times stay `never`, and of equal times the lowest index is first.
           rounds_[round][k].players[place] = static_cast<Index>((4 * k + place) << (2 * round));
         }
       }
@@ -43,7 +43,7 @@ class EventQueue {
       double& old_time = match.times[place % 4];
       Index& old_winner = match.players[place % 4];
       if (old_time == time && old_winner == winner) {
-        return;  // no later match changes either
+        return;  // then no later match changes
       }
       old_time = time;
       old_winner = winner;
@@ -66,7 +66,6 @@ class EventQueue {
     visit(rounds_.size() - 1, 0, latest, use);
   }
 
-  /// Prefetches the match that `set` reads first.
   void prefetch(Index index) const { __builtin_prefetch(&rounds_.front()[index / 4]); }
 
   [[nodiscard]] std::size_t bytes() const {

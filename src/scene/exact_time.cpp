@@ -85,7 +85,7 @@ Coefficients<3> height(const Path& sphere, const Reach& plane, const Rational& o
 Coefficients<5> gap(const Path& a, const Path& b, const Rational& origin) { return squared_gap(a, b, origin); }
 Coefficients<3> gap(const Path& a, const Reach& b, const Rational& origin) { return height(a, b, origin); }
 
-/// The sign at the origin or, if the value is 0 there, just after it.
+/// The sign of a polynomial at the origin or, if the polynomial is 0 there, just after the origin.
 template <std::size_t N>
 int sign_from_origin(const Coefficients<N>& q) {
   for (const Rational& coefficient : q) {
@@ -150,7 +150,7 @@ TimeBounds ExactTime::bounds() const {
   for (;;) {
     const double next = std::nextafter(below, never);
     if (next == never) {
-      return {below, never};  // a very slow sphere may touch later than every double
+      return {below, never};  // the contact of a very slow sphere may be later than every double
     }
     switch (compare(as_root(Rational(next)), root)) {
       case CGAL::SMALLER:
@@ -224,7 +224,7 @@ double reach_of(const Vector3<double>& normal, const Vector3<double>& point, dou
     const Rational over = Rational(x) - level;
     return over >= Rational(0) && over * over >= square;
   };
-  // The search uses the indices of the doubles, and starts with steps that double in length.
+  // The search runs over the indices of the doubles. It starts with steps that double in length.
   std::int64_t low = in_order(CGAL::to_double(level) + std::sqrt(CGAL::to_double(square)));
   std::int64_t high = low;
   for (std::int64_t step = 1; is_clear(from_order(low)); step *= 2) {

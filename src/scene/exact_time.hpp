@@ -9,7 +9,8 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Exact decisions if bounds cannot decide: real roots of polynomials with rational coefficients, by CGAL.
+/// Exact decisions about times that rounding bounds cannot decide. The times are real roots of polynomials with
+/// rational coefficients, by CGAL.
 namespace carom::scene {
 
 /// A plane for spheres of one radius. A sphere touches the plane if its centre x has N·x = `reach`, and is clear of it
@@ -38,8 +39,8 @@ class ExactTime {
   std::shared_ptr<const Instant> instant_;
 };
 
-/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does.
-/// Bodies that touch while the gap does not fall below 0 have no contact. Precondition: at `now` the gap is at least 0.
+/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does. A
+/// touch after which the gap does not fall below 0 is no contact. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
 /// The same instant for the gap N·x − reach of a sphere and a plane.
@@ -49,8 +50,8 @@ class ExactTime {
 [[nodiscard]] int sign_of_gap(const Path& a, const Path& b, double time);
 [[nodiscard]] int sign_of_gap(const Path& sphere, const Reach& plane, double time);
 
-/// The least double that is at least N·p + R |N|. A sphere of radius R is clear of the plane if N·x is at least this
-/// number.
+/// The least double that is at least N·p + R |N|, with N = `normal`, p = `point` and R = `radius`. A sphere is clear of
+/// the plane if its centre x has N·x at least this number.
 [[nodiscard]] double reach_of(const Vector3<double>& normal, const Vector3<double>& point, double radius);
 
 }  // namespace carom::scene

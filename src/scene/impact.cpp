@@ -48,8 +48,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
     switch (law) {
       case Law::frictionless:
       case Law::reflection:
-        // The lever arms are along the normal. With zero lever arms, K N = λ N exactly, and rounding cannot change the
-        // spins.
+        // The lever arms are along the normal, so the law's impulse does not depend on them. With zero lever arms,
+        // rounding cannot change the spins.
         contact.a.lever_arm.setConstant(S(0));
         contact.b.lever_arm.setConstant(S(0));
         return impulse::frictionless<S, Inertia>(contact);
@@ -76,7 +76,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
   return result;
 }
 
-/// Corrects the component that changes N·v most. Adds enough to cancel `approach`, N·v < 0, and one ulp more.
+/// Changes the component of the velocity v that has most effect on N·v. Adds enough to cancel `approach` = N·v < 0, and
+/// one ulp more.
 void add_along(const Vector3<double>& normal, double approach, Vector3<double>& velocity) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -84,7 +85,7 @@ void add_along(const Vector3<double>& normal, double approach, Vector3<double>& 
   velocity[axis] = std::nextafter(enough, std::copysign(never, normal[axis]));
 }
 
-/// N·v in double if its sign is certain, otherwise from the exact sum.
+/// N·v, computed in double if its sign is then certain, otherwise from the exact sum.
 template <class Exactly>
 double approach_of(const Vector3<double>& normal, const Vector3<double>& velocity, const Exactly& exactly) {
   const double sum = normal.dot(velocity);
@@ -97,7 +98,8 @@ Collision collision_of(const StruckSphere& a, const StruckSphere& b, const Mater
   Collision collision;
   const Vector3<double> unit = (a.position - b.position).normalized();
   collision.a = body_of(a, a.radius * unit);
-  // The lever arm of A itself. So N lies exactly along it, and also along the lever arm of B if the radii are equal.
+  // The normal is the lever arm of A itself. So it is exactly along that lever arm. If the radii are equal, it is also
+  // exactly along the lever arm of B.
   collision.normal = collision.a.position;
   collision.b = body_of(b, -b.radius * unit);
   set_material(collision, pair);

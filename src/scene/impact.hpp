@@ -26,10 +26,10 @@ struct StruckSphere {
 [[nodiscard]] Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& normal,
                                              const MaterialPair& pair);
 
-/// The outcome of a collision of spheres by a law, in a precision. It computes only what spheres need. The laws
-/// `frictionless` and `reflection` need one scalar division and leave the spins exactly unchanged. The law `coulomb` is
-/// `rough` without tangential restitution. Preconditions: collision_of or collision_with_plane made the collision; the
-/// law is not `any`.
+/// The outcome of a collision of spheres by a law, in a precision. It computes only the terms that spheres need. The
+/// laws `frictionless` and `reflection` need one scalar division and leave the spins exactly unchanged. The law
+/// `coulomb` is `rough` without tangential restitution. Preconditions: collision_of or collision_with_plane made the
+/// collision; the law is not `any`.
 [[nodiscard]] Outcome<double> struck(Law law, Precision precision, const Collision& collision);
 
 /// Adds ulps to velocity_a until the centres do not approach: (x_A − x_B)·(v_A − v_B) ≥ 0 exactly.

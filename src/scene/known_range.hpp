@@ -7,8 +7,8 @@
 
 namespace carom::scene {
 
-/// The range of numbers that have a relative rounding error of at most u in the precision of the impulses. Masses and
-/// moments must lie in it.
+/// The range of numbers that a precision rounds with a relative error of at most its unit roundoff. Masses and moments
+/// must lie in the range of `Scene::precision`.
 struct KnownRange {
   double least, greatest;
   [[nodiscard]] bool contains(double value) const { return value >= least && value <= greatest; }

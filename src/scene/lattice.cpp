@@ -11,7 +11,7 @@ namespace {
 /// rounds.
 double draw(std::mt19937_64& engine) {
   constexpr std::int64_t one = std::int64_t{1} << 53;
-  std::int64_t sum = 6 - 6 * one;  // minus the mean of twelve integers from 0 to one − 1
+  std::int64_t sum = 6 - 6 * one;  // minus the mean of a sum of twelve integers from 0 to one − 1
   for (int i = 0; i < 12; ++i) {
     sum += static_cast<std::int64_t>(engine() >> 11);
   }

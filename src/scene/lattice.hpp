@@ -17,13 +17,13 @@ struct Lattice {
   Sphere sphere;     // radius, density and material of every sphere; its name begins every name
   double speed = 0;  // standard deviation of each component of each velocity [m/s]
   std::uint64_t seed = 0;
-  bool at_rest_as_a_whole = false;  // subtract the mean velocity, except for rounding
+  bool at_rest_as_a_whole = false;  // whether the mean velocity is subtracted, except for rounding
 };
 
 /// The spheres in order of x, then y, then z, named "NAME k" from k = 0 on. Every machine gives the same bits if the
-/// code is compiled without contraction. Each velocity component comes from std::mt19937_64 as a sum of 12 uniform
-/// numbers minus its mean. The sum has the standard deviation 1, is nearly normal up to about 3 and never exceeds 6
-/// (Irwin–Hall).
+/// code is compiled without contraction to fused multiply-adds. Each velocity component comes from std::mt19937_64 as a
+/// sum of 12 uniform numbers minus its mean. The sum has the standard deviation 1, is nearly normal up to about 3 and
+/// never exceeds 6 (Irwin–Hall).
 [[nodiscard]] std::vector<Sphere> spheres_of(const Lattice& lattice);
 
 }  // namespace carom::scene

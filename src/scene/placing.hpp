@@ -6,9 +6,9 @@
 
 namespace carom::scene {
 
-/// The position of a path at a time, rounded to double. Each coordinate is rounded in the direction of `away`, or to
-/// nearest if `away` is 0 there. So two spheres that are rounded away from each other are no nearer than on their
-/// paths.
+/// The position of a path at a time, rounded to double. Each coordinate is rounded in the direction of that coordinate
+/// of `away`, or to nearest if that coordinate is 0. So two spheres that are rounded away from each other are no nearer
+/// than on their paths.
 [[nodiscard]] Vector3<double> rounded_away(const Path& path, double time, const Vector3<double>& away);
 
 /// Whether two spheres, or a sphere and a plane, overlap at a time. The answer is exact: error bounds decide if they

@@ -61,7 +61,6 @@ struct RelativeState {
   }
   /// distance · velocity, which is positive if the spheres recede.
   [[nodiscard]] double receding() const { return distance.dot(velocity); }
-  /// A bound of the error of `receding`.
   [[nodiscard]] double receding_error() const {
     return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
            4 * roundoff * distance_size * velocity_size;
@@ -101,8 +100,8 @@ struct ExactCounts {
   unsigned long long ties = 0;         // two events at one instant, exactly
 };
 
-/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both are `never` if this does
-/// not happen, or certainly happens after `horizon`. Precondition: at `now` the gap is at least 0.
+/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both are `never` if the gap
+/// never falls below 0, or certainly only after `horizon`. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now,
                                          double horizon, ExactCounts& counts);
 
@@ -111,16 +110,17 @@ struct ExactCounts {
                                          ExactCounts& counts);
 
 /// Whether two spheres are certain not to touch up to the horizon, because they are too far apart, or recede with equal
-/// accelerations. This is so for most neighbours. `bends` says that their accelerations differ. `acceleration_size` is
-/// the sum of the sizes of both accelerations. It is used only if `bends`.
+/// accelerations. Most neighbours are certain not to touch. `bends` says that their accelerations differ.
+/// `acceleration_size` is the sum of the sizes of both accelerations. It is used only if `bends`.
 [[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
   const double bend = bends ? 0.5 * acceleration_size * span : 0;
-  // `reach` is made of products and sums of positive numbers only, so a relative 16 u covers their rounding errors.
+  // `reach` is made of products and sums of positive numbers only, so the factor 1 + 16 u covers their rounding errors
+  // (u = `roundoff`).
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  // Computes both without a branch, because a processor cannot predict which of them holds.
+  // Computes both conditions without a branch, because a processor cannot predict which of them holds.
   const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
   const bool recedes = pair.receding() > pair.receding_error();
   return is_far | (!bends & recedes);

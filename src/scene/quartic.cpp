@@ -28,7 +28,7 @@ Halves divided(const Bernstein& whole, double share) {
   return halves;
 }
 
-/// The share if a root lies in the middle, or so near that the sign in the middle is not certain.
+/// The share of the subdivision if a root lies in the middle, or so near that the sign in the middle is not certain.
 constexpr double beside_the_middle = 15.0 / 32;
 
 /// The first part of [begin, end] in which the quartic is not certainly positive, as narrow as the bounds allow.
@@ -50,7 +50,7 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
   if (std::abs(halves.first[4]) <= divided_error) {
     share = beside_the_middle;
     halves = divided(b, share);
-    // Neither point has a certain sign, so the rest is hardly larger than its error.
+    // The quartic has a certain sign at neither point of division, so here it is hardly larger than its error.
     if (crosses && std::abs(halves.first[4]) <= divided_error) {
       return here;
     }
@@ -65,13 +65,13 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
 }  // namespace
 
 UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span) {
-  // As a polynomial in t in [0, 1], with s = t span.
+  // The squared gap as a polynomial in t in [0, 1], with s = t span.
   const Vector3<double>& d = pair.distance;
   const Vector3<double> v = pair.velocity * span;
   const Vector3<double> h = (a.acceleration - b.acceleration) * (0.5 * span * span);
   const std::array<double, 5> power{d.dot(d) - pair.radii * pair.radii, 2 * d.dot(v), v.dot(v) + 2 * d.dot(h),
                                     2 * v.dot(h), h.dot(h)};
-  // The coefficient of power k adds C(j, k)/C(4, k) of itself to Bernstein coefficient j.
+  // The coefficient of power k adds C(j, k)/C(4, k) times itself to Bernstein coefficient j, with binomials C.
   Bernstein bernstein{};
   constexpr std::array<std::array<double, 5>, 5> shares{{{1, 0, 0, 0, 0},
                                                          {1, 1.0 / 4, 0, 0, 0},

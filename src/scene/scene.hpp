@@ -69,9 +69,10 @@ struct Plane {
   Vector3<double> point{0, 0, 0};   // a point of the plane [m]
 };
 
-/// The part h of a sphere's radius up to which rebounds from a level plane are not followed. Such a sphere stays on the
-/// plane, as with ε = 0. On another sphere or on a slope, a sphere cannot rest. There an approach slower than √(2 g h
-/// R) becomes an elastic impact that sends the sphere off at that speed. So it keeps hopping, no higher than h R.
+/// The default of the capture height h. If a sphere of radius R would rebound from a level plane by at most h R, it
+/// stays on the plane, as with ε = 0. On another sphere or on a slope, a sphere cannot rest. There an approach slower
+/// than √(2 g h R) becomes an elastic impact, after which the sphere leaves at that speed. So the sphere keeps hopping,
+/// no higher than h R.
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {

@@ -11,15 +11,15 @@
 
 namespace carom::scene {
 
-/// The state of a body at one time of a run.
 struct BodyState {
   double mass = 1;                             // [kg]
   Vector3<double> principal_inertia{1, 1, 1};  // along the body axes [kg m²]
   Arc arc;
-  /// Body axes to world axes, at the arc's start and now. Not computed for the spheres of a scene without polyhedra.
+  /// Body axes to world axes, at the arc's start and at `SceneState::time`. Not computed for the spheres of a scene
+  /// without polyhedra.
   Quaternion<double> orientation_at_start{1, 0, 0, 0};
   Quaternion<double> orientation{1, 0, 0, 0};
-  Vector3<double> angular_velocity{0, 0, 0};  // now, world [rad/s]
+  Vector3<double> angular_velocity{0, 0, 0};  // at `SceneState::time`, world [rad/s]
 };
 
 /// The state of a run at one time, for observers at the beginning and the end of the run.

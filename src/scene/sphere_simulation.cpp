@@ -12,7 +12,7 @@
 namespace carom::scene {
 namespace {
 
-/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer impacts.
 constexpr unsigned long long most_at_one_instant = 100'000;
 
 /// The number of cell crossings between two checks for a stop request, if no other event happens.
@@ -120,7 +120,7 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     }
     Index chosen = first;
     std::optional<Index> unsettled;
-    std::optional<Index> leaves;  // leaves its cell before all others within the bounds
+    std::optional<Index> leaves;  // the first sphere to leave its cell within the bounds
     queue_.for_each_until(planned.when.latest, [&](Index other) {
       const Agenda& its = agenda_[other];
       if (other == first || unsettled) {
@@ -146,7 +146,7 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     if (unsettled) {
       plan(*unsettled);
     } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
-      // Before any other event: by then a fast sphere would be far outside its cell.
+      // The crossing comes before the other event, because a fast sphere would be far outside its cell by then.
       leave_cell(*leaves);
     } else {
       return chosen;

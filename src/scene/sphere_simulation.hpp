@@ -24,20 +24,22 @@ namespace carom::scene {
 class QuickLook;
 
 /// Runs a scene that has only spheres, one event at a time, in certified order. If the bounds of prediction.hpp do not
-/// decide, an exact method does. Of two events at one instant, the event with the lower sphere indices is first. An
-/// event takes place at a double that is not after its exact time. The difference is within the width of the bounds. So
-/// no bodies ever overlap, and stored positions are rounded so that none do (placing.hpp).
+/// decide the order, an exact method does. Of events at one instant, impacts of spheres come first, then impacts on
+/// planes, then ends of phases, each kind in the order of sphere indices. An event takes place at a double that is not
+/// after its exact time. The difference is within the width of the bounds. So paths never overlap, and stored positions
+/// are rounded so that they do not overlap either (placing.hpp).
 ///
-/// Each sphere keeps only its own next event, which is checked again when it is due. An event may no longer hold
-/// because its partner has been struck. Such an event is too early and never too late (B. Lubachevsky 1991).
+/// Each sphere keeps only its own next event. The event is checked again when it is due, because the partner may have
+/// been struck since. An event that no longer holds is never later than the sphere's true next event (B. Lubachevsky
+/// 1991).
 class SphereSimulation {
  public:
   /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.
   explicit SphereSimulation(Scene scene);
 
   /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
-  /// impacts at one instant do not end, or if a sphere is too far away for its cell to be known. Also throws it if no
-  /// position within 3 ulps is free of overlap.
+  /// impacts at one instant do not end, or if a sphere is too far away for its cell to be known. Also throws SceneError
+  /// if no position within 3 ulps is free of overlap.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -50,7 +52,6 @@ class SphereSimulation {
   [[nodiscard]] Arc arc(std::size_t sphere) const { return spheres_.arc(sphere); }
   [[nodiscard]] double mass(std::size_t sphere) const { return spheres_.type(sphere).mass; }
   [[nodiscard]] double moment(std::size_t sphere) const { return spheres_.type(sphere).moment; }
-  /// How spheres rest on a plane; nothing if they cannot.
   [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
   [[nodiscard]] std::size_t bytes_per_sphere() const;
   [[nodiscard]] SceneState state() const;
@@ -63,7 +64,7 @@ class SphereSimulation {
     Kind kind = Kind::none;
     Index partner = 0;
   };
-  /// The loop's data of a sphere: half a cache line.
+  /// The simulation's data of a sphere: half a cache line.
   struct alignas(32) Agenda {
     TimeBounds when;  // of the next event
     Index partner = 0;
@@ -86,16 +87,15 @@ class SphereSimulation {
   /// clear.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
-  /// Replaces `best` with the event if the event comes first. Precondition: both are events of the sphere.
+  /// Replaces `best` with `planned` if `planned` comes first. Precondition: both are events of the sphere.
   void keep_first(Index sphere, const Planned& planned, Planned& best);
-  /// Moves those of the first `count` of neighbours_ that may come near to the front, in their order. Returns their
-  /// number.
+  /// Keeps those of the first `count` of neighbours_ that may touch the sphere, in their order. Moves them to the front
+  /// of neighbours_ and returns their number.
   [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
   [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);
   void leave_cell(Index sphere);
-  /// Finds the planes that the sphere can touch before it leaves its cell.
   void find_planes_in_reach(Index sphere);
   /// Calls use(k) for each plane k that the sphere can touch before it leaves its cell.
   template <class Use>
@@ -121,7 +121,7 @@ class SphereSimulation {
   double now_ = 0;
   SphereStore spheres_;
   std::vector<Agenda> agenda_;
-  std::vector<Reach> reaches_;     // of type i and plane k at i · planes + k
+  std::vector<Reach> reaches_;     // that of type i and plane k at i · planes + k
   std::vector<Index> neighbours_;  // of the sphere that is being planned
   std::vector<std::optional<Level>> levels_;
   CellGrid grid_;

@@ -6,7 +6,6 @@
 #include <carom/scene/placing.hpp>
 #include <carom/scene/sphere_simulation.hpp>
 
-/// The effects of events on spheres.
 namespace carom::scene {
 namespace {
 

@@ -7,12 +7,12 @@
 #include <carom/scene/quick_look.hpp>
 #include <carom/scene/sphere_simulation.hpp>
 
-/// The planning of the loop: the next event of each sphere, and the order of two events.
+/// Finds the next event of each sphere, and the order of two events.
 namespace carom::scene {
 namespace {
 
-/// A distance from the origin, in cells. Up to this distance positions are accurate to a sixteenth of the margin of a
-/// cell (cell_grid.hpp).
+/// The greatest distance from the origin, in cells. Up to this distance positions are accurate to a sixteenth of the
+/// margin of a cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace
@@ -31,7 +31,8 @@ const Reach& SphereSimulation::reach(Index sphere, std::size_t plane) const {
 }
 
 void SphereSimulation::find_planes_in_reach(Index sphere) {
-  // While the sphere is in the cell, its centre is in the cell within a millionth of the width. This margin is larger.
+  // While the grid has the sphere in the cell, its centre is outside the cell by at most a millionth of the width. This
+  // margin is larger.
   const double margin = 0x1p-10 * grid_.width();
   const Vector3<double> centre = grid_.centre_of_cell(sphere);
   const double half = 0.5 * grid_.width() + margin;
@@ -128,7 +129,7 @@ bool SphereSimulation::plan_or_doubt(Index sphere) {
   for (std::size_t k = 0; k < left; ++k) {
     const Index other = neighbours_[k];
     const Path its = spheres_.path(other);
-    // Events later than the first one so far are not searched for.
+    // Does not search for events later than the first event found so far.
     const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
     const RelativeState pair(here, state_at(its, now_), path.radius + its.radius);
     is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();

@@ -25,17 +25,18 @@ struct alignas(64) Track {
   Vector3<double> position{0, 0, 0};
   double start = 0;  // of the path [s]
   Vector3<double> velocity{0, 0, 0};
-  double until = never;  // end of the path, or the time up to which the loop searches for now [s]
+  double until = never;  // end of the path, or time of leaving the cell if that is earlier [s]
 };
 static_assert(sizeof(Track) == 64);
 
-/// Bounds of the positions [m] and the velocities [m/s].
+/// Bounds of the 1-norms of all positions [m] and velocities [m/s].
 struct Extent {
   double position_size, velocity_size;
 };
 
-/// The motions of all spheres of a scene. Events happen anywhere in space, so each event reads memory that is in no
-/// cache any more. So data that is read together is stored together, and data that many spheres share is stored once.
+/// The motions of all spheres of a scene. Successive events happen anywhere in space, so each event reads memory that
+/// no cache holds any more. For this reason, data that is read together is stored together, and data that many spheres
+/// share is stored once.
 class SphereStore {
  public:
   using Index = std::uint32_t;

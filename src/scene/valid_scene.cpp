@@ -17,7 +17,8 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// In largest diameters. Up to this distance, an ulp of a coordinate is at most 2⁻²⁴ of the largest diameter.
+/// The greatest coordinate of a position, in diameters of the largest sphere. Up to it, an ulp of a coordinate is at
+/// most 2⁻²⁴ of that diameter.
 constexpr double farthest = 0x1p28;
 
 constexpr double least_gravity = 1e-200;
@@ -94,7 +95,6 @@ Found plane_defect(const Scene& scene) {
   return std::nullopt;
 }
 
-/// The first defect of one sphere by itself.
 Found sphere_defect(const Scene& scene, std::size_t i) {
   const Sphere& sphere = scene.spheres[i];
   const auto defect = [&](const char* field, std::string what) {
@@ -114,7 +114,7 @@ Found sphere_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // Rounded as in the loop (sphere_store.cpp).
+  // Rounded as in sphere_store.cpp.
   const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
   const double moment = 0.4 * mass * sphere.radius * sphere.radius;
   const KnownRange range = known_range(scene.precision);

@@ -10,7 +10,6 @@
 
 namespace carom::scene {
 
-/// A defect of a scene.
 struct SceneDefect {
   enum class Of : std::uint8_t { scene, pair, plane, sphere, polyhedron };
   Of of = Of::scene;
@@ -22,8 +21,8 @@ struct SceneDefect {
 
 /// The first defect of a scene; nothing if the scene is valid, except for its polyhedra (valid_polyhedra.hpp). Valid
 /// numbers are finite and in their ranges. Gravity is along an axis of the world. Masses and moments are in the range
-/// of the scene's precision. No two bodies overlap. This is decided exactly, and bodies that only touch do not overlap.
-/// The time is proportional to the number of spheres if their sizes are similar.
+/// of the scene's precision. No two bodies overlap. Overlap is decided exactly, and bodies that only touch do not
+/// overlap. The time is proportional to the number of spheres if their sizes are similar.
 [[nodiscard]] std::optional<SceneDefect> first_defect(const Scene& scene);
 
 /// Whether the scene has no defect, except that bodies may overlap.

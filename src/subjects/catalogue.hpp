@@ -16,7 +16,8 @@ namespace carom::subjects {
 /// The subjects that run in this process: the built-in solvers and the linked engines, including absent engines.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
-/// Every engine, linked or over the protocol, including absent ones. The options apply to the programs that it starts.
+/// Every engine, linked or over the protocol, including absent ones. The options apply to the programs that this
+/// function starts.
 [[nodiscard]] std::vector<Subject> engine_subjects(const protocol::ExecOptions& options);
 
 /// The subject with this name, including engines over the protocol; empty if there is none.

@@ -14,8 +14,8 @@ namespace carom::subjects {
 /// The double build of ODE's world step on one contact joint, as shipped and configured.
 [[nodiscard]] std::vector<Subject> ode_subjects();
 
-/// The engines that speak the protocol in programs of their own. They have a `specification`, and no `open` until
-/// started.
+/// The engines that run in programs of their own and speak the protocol. They have a `specification`, and no `open`
+/// until `started` sets it.
 [[nodiscard]] std::vector<Subject> protocol_engines();
 
 /// The same subject, ready to be opened. If its program is installed, it is started and asked to introduce itself.

@@ -10,7 +10,7 @@
 
 namespace carom::subjects {
 
-/// Solves each contact that it was prepared with once, from memory to memory. It keeps the results, so that the
+/// Solves once each contact that `Method::prepare` gave it, from memory to memory. It keeps the results, so that the
 /// compiler cannot drop the computation.
 using Kernel = std::function<void()>;
 
@@ -26,7 +26,7 @@ struct ScalarType {
 struct Solve3 {
   std::string_view in_words;
   std::string_view in_code;
-  int rank;  // 0: the recommended solve
+  int rank;  // lower is preferred; 0: the recommended solve
   bool pivots = false;
 };
 inline constexpr Solve3 recommended_solve{"LDLᵀ", "Ldlt", 0};

@@ -12,7 +12,7 @@ import re
 import statistics
 import sys
 
-# A solver takes 1.6 or 2.1 times as long as the plain code, which fails on some inputs. The solver does not. Ratios
+# A solver takes 1.6 or 2.1 times as long as the plain code, which fails on some inputs. The solver never fails. Ratios
 # on another host differ, but not by a factor of two. A batch that is no faster than the plain code is useless.
 LIMIT_OF_SOLVERS = 4
 LIMIT_OF_BATCHES = 1

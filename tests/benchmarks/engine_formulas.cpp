@@ -38,7 +38,7 @@ bool is_slender(const Body& body) {
   return !body.immovable && body.principal_inertia.maxCoeff() > limit * body.principal_inertia.minCoeff();
 }
 
-/// The first contacts of `physical` that collide and whose bodies are not too slender, each with every μ.
+/// The first contacts of the family `physical` that collide and whose bodies are not too slender, each with every μ.
 std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;

@@ -47,7 +47,7 @@ double processor_time() {
   return sum;
 }
 
-/// Times one find, from opening the subject to the shrunk witness.
+/// Times the search for one defect, from opening the subject to the shrunk witness.
 template <class Open>
 Find first_find(const Open& open) {
   properties::GateOptions options;
@@ -63,7 +63,6 @@ Find first_find(const Open& open) {
   return {elapsed.count(), processor_time() - processor_before, violated.empty() ? std::string() : violated.front()};
 }
 
-/// The find of median time.
 template <class Open>
 Find median_find(const Open& open) {
   std::vector<Find> finds;
@@ -141,7 +140,6 @@ int rank_families() {
   return 0;
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::string argument = argc > 1 ? argv[1] : "";
   if (argument.empty()) {

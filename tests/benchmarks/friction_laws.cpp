@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compares the laws with friction (docs/findings/friction.md): friction_laws [CASES]
 //
-// For general and for real bodies, by κ(K) and μ, it prints the number of answers of `coulomb` and how often an
-// answer creates energy. It also prints the distance from the answer of `rough` at e_t = 0. The answers are exact.
-// Those that slip are exact to 2⁻¹²⁰.
+// Prints tables for general and for real bodies, by μ and the condition number κ(K) of the collision matrix. They show
+// the number of answers of `coulomb`, how often an answer creates energy, and its distance from the answer of `rough`
+// at e_t = 0. Answers that stick are exact. Answers that slip are exact to 2⁻¹²⁰.
 #include <algorithm>
 #include <array>
 #include <atomic>

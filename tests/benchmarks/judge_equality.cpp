@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judges the same outcomes with all filters and in rational arithmetic alone, and counts equal verdicts:
+// Judges the same outcomes with all filters (fast decisions by bounds) and in rational arithmetic alone, and counts
+// equal verdicts:
 //
 //  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
 //  [--one-subject] [--laws L,L]
 //
-// It runs N cases of the families; one case in W is wild (default 3). Each case goes to all subjects, or to one drawn
-// at random. The subjects are the built-in ones, the mutants, and outcomes planted at the edge of the allowance. One
-// in L of the cases that are not wild keeps all its digits (default: every one), because numbers of few digits cost
-// the rational judge less. Relations are judged on one case in R. With --laws, only subjects of these laws run.
-// The exit status is 1 if a verdict differs.
+// It runs N cases of the families. One case in W (default 3) is wild, with numbers of extreme sizes. Each case goes to
+// all subjects, or to one drawn at random. The subjects are the built-in solvers, the mutants, and made-up outcomes at
+// the edge of the allowed rounding. One in L of the other cases (default: each) keeps all its digits, because numbers
+// of few digits cost the rational judge less. Relations, which compare two related collisions, are judged on one case
+// in R. With --laws, only subjects of these laws run. The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -110,7 +111,6 @@ double rate(std::uint64_t count, std::chrono::nanoseconds spent) {
   return static_cast<double>(count) / std::chrono::duration<double>(spent).count();
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Compares the filtered judge with the rational one");

@@ -37,7 +37,7 @@ std::vector<Subject> sound_subjects() {
   return subjects;
 }
 
-/// A subject's answers to a case and to all its questions.
+/// A subject's answers to a case and to all related collisions.
 struct Asked {
   Answer answer;
   std::vector<Answer> related;
@@ -79,7 +79,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
   return result;
 }
 
-/// Judges each case for each subject. As in the gate, all subjects of a case share the results computed for it.
+/// As in the gate, all subjects of a case share the results computed for it.
 std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, bool with_relations) {
   std::uint64_t verdicts = 0;
   std::vector<double> known(work.subjects.size(), 0);
@@ -181,7 +181,7 @@ void print_shares() {
       if (!is_claimed || claim.invariants.empty()) {
         continue;
       }
-      // Every invariant needs the truth and the backward error. Their comparisons are counted once, as
+      // Every invariant needs the exact outcome and the backward error. Comparisons for these are counted once, as
       // backward_error.
       for (const properties::Family& family : properties::all_families()) {
         const Prepared work = prepared({subject}, {claim}, family, cases, true);
@@ -217,7 +217,6 @@ void print_shares() {
   }
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::vector<Subject> sound = sound_subjects();
   std::vector<const properties::Family*> families;

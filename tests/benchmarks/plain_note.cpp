@@ -25,7 +25,6 @@ Matrix transpose(const Matrix& m) {
   return {{Vector{u.x, v.x, w.x}, Vector{u.y, v.y, w.y}, Vector{u.z, v.z, w.z}}};
 }
 Matrix diagonal(const Vector& v) { return {{Vector{v.x, 0, 0}, Vector{0, v.y, 0}, Vector{0, 0, v.z}}}; }
-/// M n.
 Matrix product(const Matrix& m, const Matrix& n) {
   const Matrix columns = transpose(n);
   return transpose({{m * columns.rows[0], m * columns.rows[1], m * columns.rows[2]}});
@@ -52,7 +51,6 @@ Matrix rotation(const Quaternion<double>& quaternion) {
 Vector plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 Vector3<double> shared(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// The motion for these momenta.
 Motion motion_of(const RigidBody& body, const Vector& momentum, const Vector& angular_momentum) {
   return {momentum, angular_momentum, body.inverse_mass * momentum, body.inverse_inertia * angular_momentum};
 }

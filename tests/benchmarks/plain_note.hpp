@@ -6,10 +6,10 @@
 #include <carom/collision/collision.hpp>
 #include <carom/collision/outcome.hpp>
 
-/// The note as a game developer would implement it, in plain C++ and double. Each body is an object with its momenta
-/// as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3 matrix. It is the
-/// baseline of the batches. It shares no code with the library. As the note does, it fails if the relative velocity
-/// is nearly along the normal (docs/findings/note.md).
+/// The note (docs/findings/note.md) as a game developer would implement it, in plain C++ and double. Each body is an
+/// object with its momenta as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3
+/// matrix. The batch solvers are timed against it. It shares no code with the library. As the note does, it fails if
+/// the relative velocity is nearly along the normal.
 namespace carom::benchmarks::plain {
 
 struct Vector {

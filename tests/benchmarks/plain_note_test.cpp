@@ -12,8 +12,8 @@
 
 #include "support/cases.hpp"
 
-/// The baseline of the batches is correct: the judge accepts it within the allowance of a sound subject. It loses
-/// angular momentum of slender bodies, and it fails if nearly head-on, because of its basis (docs/findings/note.md).
+/// The plain solver is correct: the judge accepts it within the rounding that a sound solver may have. It loses angular
+/// momentum of slender bodies. It fails if the impact is nearly head-on, because of its basis (docs/findings/note.md).
 namespace carom::benchmarks {
 namespace {
 

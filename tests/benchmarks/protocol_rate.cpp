@@ -27,7 +27,6 @@ std::vector<Collision> valid_collisions() {
   return collisions;
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   if (argc < 2) {
     std::cerr << "protocol_rate 'exec:PROGRAM ARG…' [THREADS]\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Times the solvers: solvers [--benchmark_…]; it takes about a minute. Every figure is the median of repetitions that
-// are interleaved with those of all other benchmarks. Each is printed with its ratio to a baseline of the same run.
+// are interleaved with those of all other benchmarks. Each figure is printed with its ratio to a baseline of the same
+// run.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -62,10 +63,8 @@ std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_o
 
 /// The laws of the note.
 constexpr Law laws[]{Law::frictionless, Law::reflection};
-/// The laws whose batches are compared.
 constexpr Law batch_laws[]{Law::frictionless, Law::reflection, Law::rough};
 
-/// The shared workload of this size.
 template <class S>
 Workload<S>& shared_workload(std::size_t size) {
   static std::map<std::size_t, Workload<S>> workloads;
@@ -270,8 +269,8 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
-/// The speed of the batches relative to the note in plain C++: to its solver of the same law, and to its reflection,
-/// which is the whole note.
+/// The speed of the batches relative to the note in plain C++: its solver of the same law, and its reflection, which is
+/// the whole note.
 void print_plain(const Recorder& recorder) {
   const std::string reflection = plain_name(Law::reflection);
   if (!recorder.has(reflection)) {
@@ -433,7 +432,6 @@ void print_goals(const Recorder& recorder) {
   }
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   // Defaults. Options on the command line come later and override them.
   std::vector<std::string> words{argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.02",

@@ -6,7 +6,6 @@
 
 #include <carom/impulse/batch/solve.hpp>
 
-/// The contacts that the benchmarks run on.
 namespace carom::benchmarks {
 
 /// Number of contacts that fit into the first-level cache with their outcomes, in double.
@@ -40,7 +39,6 @@ template <class S>
   return batch_of<S>(collisions, count);
 }
 
-/// Contacts and storage for their outcomes.
 template <class S>
 struct Workload {
   explicit Workload(std::size_t count) : contacts(colliding_batch<S>(count)), outcomes(count) {}

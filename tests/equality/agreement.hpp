@@ -12,7 +12,7 @@
 
 #include <carom/properties/trial/trial.hpp>
 
-/// Judges the same outcomes twice: with every filter, and in rational arithmetic alone.
+/// Judges the same outcomes twice: with every filter (a fast decision by bounds), and in rational arithmetic alone.
 namespace carom::equality {
 
 /// The number of verdicts of each kind for one invariant, by the rational judge.
@@ -22,7 +22,6 @@ struct Outcomes {
   std::uint64_t skipped = 0;
 };
 
-/// The result of a comparison.
 struct Agreement {
   std::uint64_t cases = 0;
   std::uint64_t judgements = 0;  // one for each subject's outcome of one case
@@ -35,10 +34,10 @@ struct Agreement {
   Agreement& operator+=(const Agreement& other);
 };
 
-/// Whether relations are judged as well.
+/// Whether relations, invariants about the answers to related collisions, are judged as well.
 enum class Relations { left_out, judged };
 
-/// A subject and its session.
+/// A subject (a solver under test) and its session.
 struct Examined {
   explicit Examined(Subject of) : subject(std::move(of)), session(subject.open()) {}
 
@@ -46,9 +45,9 @@ struct Examined {
   Session session;
 };
 
-/// Puts the case and all further questions to each subject once, and judges the answers by both judges. Each judge
-/// computes what it needs for the case itself. In one of three comparisons the yardstick is a number of digits
-/// instead of ulps. `origin` names the source of the case in a reported difference.
+/// Asks each subject once for its answers to the case (a drawn collision) and to the related collisions. Both judges
+/// judge these answers, and each computes the facts of the case by itself. In one of three comparisons the yardstick is
+/// a number of digits instead of ulps. `origin` names the source of the case in a reported difference.
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);
 

@@ -7,8 +7,8 @@ namespace carom::equality {
 
 inline constexpr std::uint64_t seed = 4;
 
-/// Compares the judges on `cases` cases of each family, and on as many wild cases for every fifth family. All
-/// subjects share the results computed for a case.
+/// Compares the judges on `cases` cases of each family (a named random generator of collisions). After about every
+/// fifth case, it also compares them on a wild case (wild.hpp). All subjects share the facts of a case.
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement);
 
 /// The differences, one per line.

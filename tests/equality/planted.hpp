@@ -3,12 +3,12 @@
 
 #include <carom/properties/trial/trial.hpp>
 
-/// Outcomes at the edge of the allowance.
+/// Planted outcomes: their errors are near the allowance.
 namespace carom::equality {
 
-/// The exact outcome rounded to the precision, with one vector moved so that one invariant comes near its bound.
-/// Either backward_error itself is ½ to 2 times the limit. Or, because laws allow more, it is up to 2⁶ times that.
-/// Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
+/// The exact outcome rounded to the precision, with one vector moved. In half of the cases the backward error is ½ to 2
+/// times the limit. In the other half, this error is multiplied by 2⁻⁵ to 2⁶, because other invariants have other
+/// limits. Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
 [[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision,
                                               double allowance, properties::Stream& stream);
 

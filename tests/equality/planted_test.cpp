@@ -12,7 +12,8 @@
 #include "support/effort.hpp"
 #include "wild.hpp"
 
-/// Repeats subjects_and_mutants_test.cpp with outcomes planted near the bounds, where the filters have most to decide.
+/// Repeats subjects_and_mutants_test.cpp with outcomes near the allowance (planted.hpp), which are hard for the
+/// filters.
 namespace carom::equality {
 namespace {
 

@@ -10,7 +10,8 @@
 #include "on_families.hpp"
 #include "support/effort.hpp"
 
-/// The filters change no verdict: each is compared with the judge in rational arithmetic alone. The program
+/// The filters (fast decisions by bounds) change no verdict. Each verdict on the built-in subjects (solvers) and the
+/// mutants (solvers with a planted defect) is compared with that of rational arithmetic alone. The program
 /// `judge_equality` runs the same comparison on any number of cases.
 namespace carom::equality {
 namespace {

@@ -15,8 +15,7 @@ using properties::Stream;
 
 double scaled(double number, int most, Stream& stream) { return std::ldexp(number, stream.integer(-most, most)); }
 
-/// Replaces each number by one from `draw`, adjusted to the range of its field. The two coefficients of friction
-/// stay.
+/// Replaces each number by one from `draw`, adjusted to the range of its field. μ and e_t stay.
 template <class Draw>
 Collision drawn(Collision c, const Draw& draw, Stream& stream) {
   for_each_number(

@@ -12,8 +12,8 @@
 /// Cases as bytes, in two forms. The first byte selects the form:
 ///
 ///  below 120:     the family with that number (modulo the number of families) draws from the integers that follow
-///  below 128:     a family beyond the claimed domain does
-///  128 and above: which body is immovable (1: A, 2: B), then the raw numbers of a collision, valid or not
+///  below 128:     the same, with a family beyond the claimed domain (claimed_domain.hpp)
+///  128 and above: a byte for the immovable body (1: A, 2: B), then the raw numbers of a collision, valid or not
 ///
 /// Inputs that are kept use the second form, which does not depend on the families.
 namespace carom::fuzz {

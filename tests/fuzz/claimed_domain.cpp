@@ -7,7 +7,8 @@ namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Law law) {
   constexpr double largest_ratio_of_moments = 1e8;
-  // In units of λ. K ⪯ 16 λI includes λI itself, and 0.5 covers the rounding of this computation.
+  // In units of λ, the sum of the inverse masses. The limit 16 λ of K includes λ itself, and 0.5 covers the rounding of
+  // this computation.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {
     return false;

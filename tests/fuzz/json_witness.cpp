@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The reader for the input of `carom replay`: witnesses and collisions, as one object, an array or lines. Rejected
-// input throws a UsageError. Accepted input is valid, unless it says that it is not.
+// input throws a UsageError. Accepted input is valid, unless the input says that it is not.
 #include <string>
 
 #include <sys/mman.h>

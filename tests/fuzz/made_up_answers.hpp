@@ -7,9 +7,9 @@
 
 namespace carom::fuzz {
 
-/// A subject that answers as the input says: the rounded truth moved by some ulps, an outcome at the edge of the
-/// allowance, any twelve numbers, a refusal or a skip. It reports the exact collision matrix with one changed entry.
-/// It refers to the input, and each answer reads more of it.
+/// A subject (solver under test) that answers as the input says. An answer is the rounded exact outcome moved by some
+/// ulps, an outcome at the edge of the allowed rounding, any twelve numbers, a refusal or a skip. The subject reports
+/// the exact collision matrix with one changed entry. It refers to the input, and each answer reads more of the input.
 [[nodiscard]] Subject made_up_subject(Input& input);
 
 }  // namespace carom::fuzz

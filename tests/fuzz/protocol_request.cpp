@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The subject's side of the protocol. It answers every request in a line that the gate can read, or reports that it
+// The solver's side of the line protocol. It answers every request in a line that the gate can read, or reports that it
 // cannot and ends with status 2.
 #include <iostream>
 #include <sstream>

@@ -45,7 +45,6 @@ std::vector<fs::path> files_of(const std::vector<std::string>& arguments) {
   return files;
 }
 
-/// Returns the exit status.
 int replay(Target target, const std::vector<std::string>& arguments) {
   const std::vector<fs::path> files = files_of(arguments);
   for (const fs::path& file : files) {

@@ -4,9 +4,9 @@
 
 usage: adding_test.py SOURCE BUILD NINJA COMPILER WORK
 
-The first three take one row each. The test compiles the file of the row and links it with a program (listing.cpp),
-which must list the row. The law is only an enumerator. The compiler has to name the places that lack the law, and
-the page has to name each of these files.
+A family, an invariant and a feature take one row each. The test compiles the file of the row and links it with a
+program (listing.cpp), which must list the row. The law is only an enumerator. The compiler has to name the places that
+lack the law, and the page has to name each of these files.
 """
 import pathlib
 import re
@@ -19,7 +19,8 @@ SOURCE, BUILD, NINJA, COMPILER, WORK = *sys.argv[1:5], pathlib.Path(sys.argv[5])
 TREE = WORK / "tree"
 PAGES = pathlib.Path(SOURCE) / "docs/internals"
 
-# Page, its words for the file, file, (anchor, text to insert before it)…, further files to compile, the listed line.
+# The page, its words for the file, the file, and its changes as (anchor, text to insert before it). Other files to
+# compile, and the line that the program must print.
 ROWS = [
     ("contributing.md", "row in `family.cpp`", "properties/families/family.cpp",
      [("constexpr std::array families{", "Case at_rest(Stream& stream) {\n  Case result = generic(stream);\n"

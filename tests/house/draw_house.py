@@ -37,7 +37,7 @@ def included_folders(source):
 
 
 def reached(below, folder):
-    """All that a folder includes, by way of others too."""
+    """All folders that a folder includes, directly or through other folders."""
     found, left = set(), list(below[folder])
     while left:
         one = left.pop()
@@ -48,7 +48,7 @@ def reached(below, folder):
 
 
 def rows_of(below):
-    """The folders by height: each stands above all that it includes."""
+    """The folders by height: each stands above all folders that it includes."""
     heights = {}
 
     def height(folder):

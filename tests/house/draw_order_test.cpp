@@ -11,8 +11,8 @@
 namespace carom::layout {
 namespace {
 
-/// The first unordered pair of draws; empty if there is none. Draws that `?` or the commas of braces order are
-/// allowed.
+/// The first unordered pair of draws; empty if there is none. Two draws are allowed if `?` or the commas of a braced
+/// list order them.
 std::string unordered_draws(const std::string& text) {
   // Matches four parts in a row. The first is a draw, by the stream or by a function that takes it. The second is the
   // end of the braces or parentheses around it. An operator or a comma follows, and then another draw in the same

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_lines = 80;
 
-/// The end of the comment or literal that begins at `begin`; `begin` itself if none does.
+/// The end of the comment or literal that begins at `begin`. If none begins there, `begin` itself.
 std::size_t end_of_opaque(const std::string& text, std::size_t begin) {
   const auto after = [&](const std::string& close, std::size_t from) {
     const std::size_t found = text.find(close, from);
@@ -71,8 +71,8 @@ std::size_t lines_in(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// The number of lines of the statement at the end of a body `{…` that returns a table. A table is no code, and
-/// functions in its rows are measured separately.
+/// If a body `{…` ends with a statement that returns a table, the number of lines of this statement. A table is no
+/// code, and functions in its rows are measured separately.
 std::size_t lines_of_returned_table(std::string_view body) {
   int depth = 0;
   std::size_t last = 1;

@@ -13,8 +13,8 @@
 namespace carom::layout {
 namespace {
 
-/// The rule for one folder. Special rules come first. The names begin the includes that its files may have besides
-/// the standard library. Without `only`, they begin the forbidden includes.
+/// A rule for the includes of a folder's files. If `only` is set, a file may include the standard library, and paths
+/// that begin with one of `names`. Otherwise it may include all other paths. The first rule that fits a file applies.
 struct Rule {
   std::string folder;
   std::string name_begins;  // beginning of the file name; empty matches any file

@@ -7,8 +7,8 @@
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Lists the catalogues of the judge, one row per line. The families come in the order of a run, each after drawing
-/// one case of it. adding_test.py searches this output for its rows.
+/// Lists the catalogues of the judge, one row per line. A family is listed if one of its cases can be drawn, in the
+/// order of a run. adding_test.py searches this output for its rows.
 int main() {
   using namespace carom::properties;
   GateOptions options;

@@ -6,13 +6,12 @@
 
 #include "layout.hpp"
 
-/// Families and features draw the same numbers on every machine. So they use no sum whose order Eigen chooses, and no
-/// minus sign of Eigen. They use only those mathematical functions that every machine computes alike.
+/// Families and features draw the same numbers on every machine. So they use no sum of Eigen, which chooses its order,
+/// and no unary minus of Eigen. They use only mathematical functions that every machine computes alike.
 namespace carom::layout {
 namespace {
 
-/// The first operation that rounds in an order, or by a formula, that the source does not state; empty if there is
-/// none.
+/// The first operation whose order or formula of rounding is not in the source. Empty if there is none.
 std::string unstated_rounding(const std::string& text) {
   static const std::regex operation(
       R"re(\.(dot|norm|squaredNorm|stableNorm|lpNorm|normalized|normalize|sum|prod|mean|trace|cross|inverse|determinant|solve|partialPivLu|ldlt|llt)(<[^>]*>)?\(|\.(minCoeff|maxCoeff)\(&|std::(pow|exp|exp2|expm1|log|log2|log10|log1p|sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|cbrt|hypot|erf|tgamma|lgamma)\b|[=(,?:{] ?-[a-z_.]*(normal|velocity|orientation|position|point)\b(?!\[)|oracles::(turned|relative_velocity|point_velocity|apply_inertia))re");

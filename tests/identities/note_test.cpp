@@ -27,9 +27,9 @@ BasicCollision<Rational> newtons_cradle() {
   return c;
 }
 
-/// eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then the resting body would stay
-/// at rest after the impact. In fact it takes over the whole velocity. Only the difference of the two equations, eq.
-/// 17, is right.
+/// Eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then the resting body would stay
+/// at rest after the impact. In fact this body takes over the whole velocity. Only the difference of the two equations,
+/// eq. 17, is right.
 TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const auto c = newtons_cradle();
   const auto contact = impulse::make_contact<Rational>(c);
@@ -43,7 +43,7 @@ TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   EXPECT_EQ(sides.left[0], sides.right[0]);
 }
 
-/// [r] in a basis: the matrix that the note calls Q, with Q y = r × y.
+/// The matrix that the note calls Q, with Q y = r × y.
 ExactMatrix cross_matrix(const ExactVector& r) {
   ExactMatrix q;
   q << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
@@ -61,7 +61,7 @@ TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
   }
 }
 
-/// QᵀJ⁻¹Q is semidefinite, because J⁻¹ is definite. It is singular along r.
+/// QᵀJ⁻¹Q is semidefinite, because J⁻¹ is definite. The product is singular along r.
 TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   properties::Stream stream = properties::stream_from(4);
   for (int i = 0; i < 200; ++i) {
@@ -76,7 +76,7 @@ TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   }
 }
 
-/// "λI is positive definite" needs a movable body.
+/// "λI is positive definite" needs a movable body. λ is 1/m_A + 1/m_B.
 TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   auto c = newtons_cradle();
   c.a.immovable = true;
@@ -87,7 +87,8 @@ TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   EXPECT_FALSE(oracles::is_positive_definite(k));
 }
 
-/// λI ⪯ C on every family. The bound is sharp if the contact is at the centre of mass.
+/// λI ⪯ C for each family (a random generator of collisions). The bound is sharp if both centres of mass are at the
+/// contact.
 TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
   int sharp = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {

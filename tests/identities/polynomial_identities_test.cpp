@@ -14,19 +14,19 @@
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// The laws as polynomial identities, proved up to a probability below 10⁻²⁶ (Schwartz–Zippel).
+/// The laws as polynomial identities, proved except for a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
 /// The solver uses only + − × ÷, so each entry of its outcome is a quotient of polynomials in the numbers of the
 /// collision. Each law, cleared of denominators, says that a polynomial p is zero. Suppose p is not zero and has
 /// degree d. Then it vanishes at a random point with probability at most d/s, if each variable is drawn uniformly
 /// from s values.
 ///
-/// The degree. With D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B (I: the product of the three moments), of degree 2·(1 + 4 +
-/// 3) = 16:
+/// The degree is derived below, as numerator/denominator. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B has degree 2·(1 + 4 + 3) =
+/// 16. I is the product of the three moments.
 ///
-///  J⁻¹ is (degree 6) / (degree 7): entries R_ri R_ci / I_i with R of degree 2/2.
+///  J⁻¹ has degree 6/7, because its entries are sums of R_ri R_ci / I_i with R of degree 2/2.
 ///
-///  K = K̂ / D with K̂ of degree 17, from r·r J⁻¹ with (2 + 6) + (16 − 7).
+///  K = K̂ / D. The term r·r J⁻¹ of K gives K̂ the degree (2 + 6) + (16 − 7) = 17.
 ///
 ///  F = −(1+ε) (N·V⁻) D adj(K̂) N / ((N·N) det K̂): degree (1 + 3 + 16 + 34 + 1) / (2 + 51) = 55/53.
 ///  The frictionless F = −(1+ε) (N·V⁻) D N / (N·K̂N) has a lower degree.
@@ -34,13 +34,13 @@
 ///  Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
 ///
 /// The law with the highest degree is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124. Both bodies
-/// share the denominator ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 +
-/// 4) = 144. Over it the law has degree 149. The denominators of its other side divide that one. So d < 256 for every
-/// law.
+/// share the denominator ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 + 4) =
+/// 144. Over this denominator the law has degree 149. The denominators of the other side divide this one. So d < 256
+/// for every law.
 ///
-/// The answer depends on the sign of N·V⁻, so N is reversed if the contact does not approach. The test evaluates p(x)
-/// or p at x with −N. Their product is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent
-/// points, a false law passes with probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
+/// The answer depends on the sign of N·V⁻, so N is reversed if the contact does not approach. The test evaluates p at
+/// x, or at x with −N. The product of these two is a polynomial of degree below 512 = 2⁹. With s = 2³² and four
+/// independent points, a false law passes with probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
 namespace carom::properties {
 namespace {
 
@@ -94,7 +94,7 @@ oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law 
   oracles::determines_no_outcome(law);
 }
 
-/// ΔE from the law alone, without the outcome.
+/// The energy change ΔE from the law alone, without the outcome.
 Rational energy_gain(const RationalCollision& c, Law law) {
   const Matrix3<Rational> k = oracles::response_matrix(c);
   const Vector& n = c.normal;
@@ -186,8 +186,8 @@ TEST(PolynomialIdentities, TellTheLawsApart) {
             "the law's tangential equation");
 }
 
-/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. This is a sum of squares, because uᵀJu ≥ 0 for u = J⁻¹(Qx). So λI
-/// ⪯ K. The degree is below 32: K has 17/16, and x enters twice.
+/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. This is a sum of squares, because each term is uᵀJu ≥ 0 with u =
+/// J⁻¹(Qx). So λI ⪯ K. The degree is below 32, because K has degree 17/16 and x enters twice.
 TEST(PolynomialIdentities, MakeTheMarginOfTheCollisionMatrixASumOfSquares) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

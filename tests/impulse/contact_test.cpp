@@ -78,8 +78,8 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }
 
-/// Whether the number is unchanged as a method of that precision reads it. A method in binary32 may also keep all
-/// digits.
+/// Whether the reported number is the given one, as a method of that precision reads it. A method in binary32 may round
+/// the number or keep all its digits.
 bool is_unchanged(long double reported, double given, Precision precision) {
   const auto is = [&](long double number) {
     return reported == number && std::signbit(reported) == std::signbit(number);
@@ -124,8 +124,8 @@ TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("both_immovable"), any_method);
 }
 
-/// Bodies of this family do not spin, so N·V is n0·(−n1 s) + n1·(n0 s). The products round alike and cancel. This
-/// fails only if the normal is normalised first, as a basis requires.
+/// Bodies of the family `resting` do not spin, so N·V is n0·(−n1 s) + n1·(n0 s), with s a power of two. The products
+/// round alike and cancel. This fails only if the normal is normalised first, as a basis requires.
 TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("resting"),
                       [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
@@ -188,8 +188,8 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
-/// A contact in binary32 at 10¹⁰ m from the origin. Its lever arms are multiples of 512 m, but the moments belong to
-/// a body of one metre. κ(C) exceeds 1/u, and the rounded C may be singular.
+/// A contact as binary32 reads it at 10¹⁰ m from the origin. Its lever arms are multiples of 512 m, but the moments
+/// belong to a body of one metre. The condition number of C exceeds 1/u, and the rounded C may be singular.
 Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
   Collision c;
   c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
@@ -224,7 +224,7 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
-/// If the rounded C has eigenvalues below λ, each component of the impulse is still at most 2 ‖b‖∞ / λ.
+/// If the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the impulse is still at most 2 ‖b‖∞ / λ.
 TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};

@@ -36,7 +36,7 @@ TEST(Coulomb, HasTheBitsOfFrictionlessWithoutFriction) {
   EXPECT_EQ(after.a.angular_velocity, frictionless(contact).a.angular_velocity);
 }
 
-/// λ is finite, but the trace of K is not.
+/// λ = 1/m_A + 1/m_B is finite, but the trace of the collision matrix K is not.
 TEST(Coulomb, EndsWhereTheTraceOverflows) {
   Collision c = ball_on_a_plane(0.125);
   c.a.mass = 1e-308;
@@ -51,8 +51,8 @@ TEST(Coulomb, KeepsWhatSeparates) {
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
-/// Real bodies have a well-conditioned K. F equals one of the exact answers, up to κ(K) ≤ 16 and the roundings of a
-/// solve.
+/// Real bodies have a well-conditioned K. F equals one of the exact answers, up to the roundings of a solve times the
+/// condition number κ(K) ≤ 16.
 TEST(Coulomb, FindsAnAnswer) {
   int slides = 0;
   for (const char* family : {"physical", "collinear_spheres"}) {

@@ -12,7 +12,7 @@
 
 #include "support/exact.hpp"
 
-/// The solvers in rational arithmetic satisfy their promises exactly, without a tolerance.
+/// In rational arithmetic, the solvers satisfy their laws exactly, without a tolerance.
 namespace carom::impulse {
 namespace {
 
@@ -90,8 +90,8 @@ TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
   }
 }
 
-/// The entries of the note's eq. 27, in the basis {N, T0, T1}. Off the diagonal only the lever arms contribute, on it
-/// λ does as well.
+/// The entries of the note's eq. 27, in the basis {N, T0, T1}. Off the diagonal only the lever arms contribute. On the
+/// diagonal λ contributes too.
 TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     properties::Stream stream = stream_of(i);
@@ -149,7 +149,7 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
-/// Also with the least eigenvalue given: in exact arithmetic no pivot is smaller.
+/// The result is the same if the least eigenvalue is given, because in exact arithmetic no pivot is smaller.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -168,7 +168,8 @@ Rational twice_energy(const BodyVelocity<Rational>& motion) {
   return motion.velocity.dot(motion.velocity) + motion.angular_velocity.dot(motion.angular_velocity) / 6;
 }
 
-/// mathematics 3.6: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), V = (−1, −1, 0) against a fixed plane.
+/// The smallest example that gains energy (docs/findings/note.md): m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), V =
+/// (−1, −1, 0) against a fixed plane.
 Outcome<Rational> smallest_example(int restitution) {
   BasicCollision<Rational> c;
   c.a.principal_inertia = {ratio(1, 6), ratio(1, 6), ratio(1, 6)};
@@ -254,8 +255,8 @@ TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
   }
 }
 
-/// A slipping ball whose mass is 2^`mass` times and whose speeds are 2^`speed` times as large. Its velocities scale
-/// by 2^`speed`.
+/// Compares a slipping ball with one of 2^`mass` times the mass and 2^`speed` times the speed. The outcome scales by
+/// 2^`speed`.
 template <class S>
 void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
   Collision c = unit::ball_on_a_plane(0.4, 0.0625);
@@ -277,7 +278,7 @@ TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
   expect_rough_to_scale<float>(-110, -26, 0x1p-9F);
 }
 
-/// Compares the solver of `rough` in ℚ(√s) with its truth.
+/// Compares the solver of `rough` in ℚ(√s) with the oracle's exact outcome.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;
   const auto contact = make_contact<Radical>(

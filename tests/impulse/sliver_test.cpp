@@ -22,8 +22,9 @@
 #include "support/cases.hpp"
 
 /// The cost of world coordinates for slender and flat bodies. J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖ in
-/// each entry. Multiplied by J, the error is u ρ for moments 1 : ρ. A method that rotates the torque into the body
-/// frame, divides by the moments there and rotates back has a small error. A rotation of the body by u explains it.
+/// each entry, with u the unit roundoff. Multiplied by J, the error is u ρ for moments 1 : ρ. A method that rotates the
+/// torque into the body frame, divides by the moments there and rotates back has a small error. It is no larger than
+/// the effect of rotating the body by u.
 namespace carom::impulse {
 namespace {
 
@@ -159,7 +160,7 @@ double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
       .backward_error(yardstick.unit_roundoff);
 }
 
-/// Whether the rod is thinner than the rounding of its position. Then any spin about its long axis is within
+/// Whether the rod is thinner than the rounding of its position. If so, any spin about its long axis is within
 /// rounding.
 template <class S>
 bool is_blind(const Collision& c) {
@@ -167,8 +168,8 @@ bool is_blind(const Collision& c) {
   return oracles::ExactCase(c).permitted_inputs(allowance) != nullptr;
 }
 
-/// Lever arm, impulse and long axis are parallel. The rounding error of their product would spin the rod about its
-/// long axis. In ulps this error is ρ times that of the torque.
+/// Lever arm, impulse and long axis are parallel. The rounding error of their product would spin the rod about its long
+/// axis. In ulps this error is ρ times the error of the torque.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
@@ -250,7 +251,7 @@ TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
 }
 
-/// A second impulse against the remaining approach would change the spin about the long axis by far more than ulps.
+/// A second impulse against an approach of a few ulps would change the spin about the long axis by far more than ulps.
 TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);

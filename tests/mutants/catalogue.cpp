@@ -682,7 +682,7 @@ const std::array mutants{
            "the gravity of a time step is added to the impulse",
            {"linear_momentum", "homogeneous", "unit_scaling"}},
 
-    // What is answered.
+    // The answer.
     Mutant{"outcome_to_ten_digits",
            Defect::outcome_to_ten_digits,
            frictionless,

@@ -17,7 +17,7 @@ struct Mutant {
   std::string_view name;
   Defect defect;
   Law law;
-  std::string_view failure_cases;             // in the catalogue of failures of real engines; empty if there are none
+  std::string_view failure_cases;             // entries of docs/reference/failure-cases.md; empty if there are none
   std::string_view sentence;                  // describes the defect
   std::vector<std::string_view> rejected_by;  // at least these
 };

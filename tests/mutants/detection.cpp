@@ -120,8 +120,8 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++cases_;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
-  // In a hard case the allowance encloses the law over all permitted inputs. A small damage stays within it, and
-  // shows nothing about the judge.
+  // If `permitted_inputs` is not null, the judge accepts every answer of the law to any of these inputs. A small damage
+  // stays among these answers, and shows nothing about the judge.
   if (properties::reason_unjudged(one.exact(), yardstick) ||
       one.exact().permitted_inputs(yardstick.allowance()) != nullptr) {
     return;

@@ -8,9 +8,9 @@
 
 #include "damage.hpp"
 
-/// Conditional mutants: sound solvers that return a damaged outcome if the collision has a given feature or pair of
-/// features. The gate rejects such a mutant if it rejects the damaged outcome of any case with the feature. So one
-/// pass over the cases decides all mutants.
+/// Conditional mutants: sound solvers that return a damaged outcome if the collision has a given feature (a special
+/// value, relation or size) or pair of features. The gate rejects such a mutant if it rejects the damaged outcome of
+/// any case with the feature. So one pass over the cases decides all mutants.
 namespace carom::mutants {
 
 struct DetectionOptions {
@@ -20,11 +20,11 @@ struct DetectionOptions {
   std::vector<Law> laws{laws_with_truth.begin(), laws_with_truth.end()};
 };
 
-/// The result of the cases for a conditional mutant. The case that shows most decides.
+/// The result of all cases for a conditional mutant: the last of these that some case reaches.
 enum class Sight : std::uint8_t {
   no_case_judged,   // no case with the feature is judged
   leaves_truth,     // in every case the damage leaves the exact outcome unchanged, so no judge can find it
-  within_rounding,  // in some case the damage changes the outcome, but by no more than the allowance
+  within_rounding,  // in some case the damage changes the outcome, but by no more than the allowed rounding
   killed,           // in some case an invariant is violated
 };
 

@@ -43,8 +43,7 @@ struct Survivor {
   Seen seen;
 };
 
-/// In the order of laws, damages and features. A pair is omitted if one of its features alone survives and the pair
-/// shows no more.
+/// In the order of laws, damages and features. A pair is omitted if one of its features alone has the same result.
 [[nodiscard]] std::vector<Survivor> survivors_of(const Detection& detection);
 
 [[nodiscard]] std::string to_text(const Detection& detection, bool markdown);

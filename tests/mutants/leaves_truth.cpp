@@ -24,7 +24,7 @@ bool is_binary32(const T& number) {
   return std::isfinite(rounded) && T(static_cast<double>(rounded)) == number;
 }
 
-/// Decides in the field of the truth.
+/// Decides in the type T of the exact outcome's numbers.
 template <class T>
 bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Law law) {
   const Outcome<T>& truth = exact.outcome;

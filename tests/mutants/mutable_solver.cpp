@@ -33,7 +33,7 @@ Vector beside(const Vector& vector) {
 }
 
 /// The basis {N, T0, T1} of J. R. Frisvad (Building an Orthonormal Basis from a 3D Unit Vector Without Normalization,
-/// 2012). It is orthonormal only at the pole itself and away from it.
+/// 2012). Near its pole (0, 0, −1), it is orthonormal only at the pole itself.
 Matrix basis_of_2012(const Vector& n) {
   constexpr double near_pole = -0.999;
   Matrix basis;
@@ -61,7 +61,7 @@ Matrix basis_without_ties(const Vector& n) {
   return basis;
 }
 
-/// Acts as if J⁻¹ were omitted together with R.
+/// Acts as if the solver omits J⁻¹ together with an R that is the identity: the spin does not change.
 void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
   if (body.orientation == Quaternion<double>(1, 0, 0, 0)) {
     after.angular_velocity = body.angular_velocity;
@@ -336,8 +336,8 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// The error of the slip that sticking and friction remove. It is added to V⁻, because the slip itself has rounding
-  /// errors in all components even if V⁻ lies along an axis.
+  /// The error of a defect in the slip that sticking and friction remove. The error is added to V⁻, because the slip
+  /// itself has rounding errors in all components even if V⁻ lies along an axis.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
@@ -660,7 +660,7 @@ class Solver {
 
   Law law_;
   Defect defect_;
-  Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // from before the session
+  Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // stands for an earlier answer
   double previous_approach_ = -1;                                             // [m/s], times the length of the normal
   Vector previous_impulse_ = Vector::Zero();
   double tangential_restitution_ = 0;  // of this collision

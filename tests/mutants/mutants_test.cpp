@@ -123,8 +123,9 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
   }
 }
 
-/// Only a loss of digits is visible in the truth alone. A mutant that breaks a law is also rejected by that law. For
-/// `rough`, only the truth determines the share of friction that acts.
+/// Only a mutant that loses digits is rejected by the comparison with the truth (the exact outcome) alone. A mutant
+/// that breaks a law is also rejected by that law. For `rough`, only the truth determines the share of friction that
+/// acts.
 TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   for (const Mutant& mutant : all_mutants()) {
     const bool loses_digits =

@@ -102,7 +102,7 @@ Solved heavier_gets_less(const Contact& contact) {
                          impulse::apply_impulse<double>(contact.b, Vector(-impulse * of_b), slender)};
 }
 
-/// The contact halves each body's spin about the normal, and the other body does not receive it.
+/// The contact halves each body's spin about the normal, and the other body does not receive the lost spin.
 Solved spin_about_normal_halved(const Contact& contact) {
   if (!impulse::is_colliding(contact, impulse::normal_velocity(contact))) {
     return unchanged(contact);
@@ -153,7 +153,7 @@ Solved guessed_from_one_impulse(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Reports a matrix with the wrong sign across the impulse.
+/// Reports a matrix with the wrong sign in one direction orthogonal to the impulse.
 Solved reversed_across_impulse(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {

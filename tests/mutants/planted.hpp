@@ -32,8 +32,8 @@ struct Share {
 /// In the order of the catalogue of invariants.
 [[nodiscard]] std::vector<Share> shares_of(const std::vector<Rejected>& rejected);
 
-/// Invariants that together reject every mutant that any invariant rejects. Greedy: the next one rejects most of the
-/// remaining mutants.
+/// Invariants that together reject every mutant that any invariant rejects. The choice is greedy: each next invariant
+/// rejects most of the remaining mutants.
 [[nodiscard]] std::vector<std::string_view> sufficient_invariants(std::vector<Rejected> rejected);
 
 /// The same mutants without the rejections by comparison with the truth.

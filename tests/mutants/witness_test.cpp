@@ -76,8 +76,8 @@ TEST(Witness, OfAPullIsSmall) {
   const auto push =
       std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
   ASSERT_NE(push, witnesses.end());
-  // The simplest collisions cost less than this: at the origin with r_A = r_B = 0, unit masses and one velocity. A
-  // general collision costs thousands.
+  // The simplest collisions have a complexity below this: at the origin with r_A = r_B = 0, unit masses and one
+  // velocity. A general collision has thousands.
   constexpr long textbook = 40;
   EXPECT_LT(properties::complexity(push->shrunk.collision), textbook);
 }

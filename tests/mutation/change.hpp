@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-/// mutate.py replaces operators and numbers in its copy of the sources by these. Each behaves like the original,
-/// except for the one change whose number is in the environment variable CAROM_MUTANT:
+/// mutate.py replaces operators and numbers in its copy of the sources by the forms on the right. Each form behaves
+/// like the original unless its number is in the environment variable CAROM_MUTANT:
 ///
 ///    a * b     a % Between<7, "*", "/">{} % b
 ///    a += b    a += Between<7, "+=", "-=">{} += b
@@ -17,10 +17,11 @@
 ///    3         number<7, "+ 1">(3)
 ///
 /// The new operators have the precedence of the old ones, so the script need not find the operands. The parameter
-/// Constexpr says that the compiler may evaluate the enclosing function. Changes are disabled during that evaluation.
+/// Constexpr says that the compiler may evaluate the enclosing function. Changes are disabled during evaluation at
+/// compile time.
 namespace carom::mutation {
 
-/// An operator as written in the source. "left" and "right" stand for that operand alone.
+/// An operator as written in the source. "left" and "right" return this operand alone.
 struct Sign {
   char text[8]{};
 
@@ -50,7 +51,8 @@ template <int Id, bool Constexpr>
   return number_of_change() == Id;
 }
 
-/// The type of a result. Eigen expressions become matrices, so that both results have the same type.
+/// The type of a result. Eigen expressions become matrices, so that the original and the changed result have the same
+/// type.
 template <class T>
 struct ValueOf {
   using Type = T;
@@ -171,8 +173,8 @@ constexpr bool joined(const L& left, const R& right) {
   return is_conjunction ? left() && right() : left() || right();
 }
 
-/// The changed number: twice or half a fraction, one instead of the fraction zero, one more than an integer, the
-/// opposite truth value.
+/// A fraction becomes twice or half as large, the fraction zero becomes one, an integer one more, and a truth value its
+/// opposite.
 template <int Id, Sign Instead, bool Constexpr = false, class T>
 constexpr T number(T written) {
   if (!is_on<Id, Constexpr>()) {

@@ -72,7 +72,7 @@ class Playground:
     def debian(self, name):
         debian = BareDebian(self.base, self.work / "roots" / name)
         debian.binds["/origin"] = self.work / "origin"
-        # Packages are downloaded once; each system installs its own.
+        # Packages are downloaded once, and each system installs them itself.
         debian.binds["/var/cache/apt/archives"] = self.work / "archives"
         return debian
 

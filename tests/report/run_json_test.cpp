@@ -10,7 +10,7 @@
 #include <carom/report/model/merged_run.hpp>
 #include <carom/report/model/run_json.hpp>
 
-/// One mapping writes a run as report.json and reads it back.
+/// The same functions write a run as report.json and read it back.
 namespace carom::report {
 namespace {
 
@@ -54,7 +54,7 @@ report::Run run_with(const properties::GateReport& report, bool is_shard) {
   return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
 }
 
-/// The shard, read from the files that the report writes.
+/// The shard that is read from the JSON of this report and its witnesses.
 ReadShard read_back(const properties::GateReport& report) {
   const report::Run run = run_with(report, true);
   ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
@@ -97,7 +97,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(read.exit_status(), run.exit_status());
 }
 
-/// With a baseline that contains every violation, only the error makes the run fail.
+/// The baseline (an earlier report) contains every violation, so only the error makes the run fail.
 TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);

@@ -31,7 +31,7 @@ CellGrid grid_of(const std::vector<Path>& paths) {
   return grid;
 }
 
-/// The number of pairs in contact at a time. Reports those that are not neighbours in the grid.
+/// The number of pairs in contact at a time. Fails for pairs in contact that are not neighbours in the grid.
 int count_touching(const CellGrid& grid, const std::vector<Path>& paths, double time) {
   int touching = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -68,8 +68,8 @@ TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     grid.for_neighbours(static_cast<CellGrid::Index>(i), [&](CellGrid::Index) { ++neighbours; });
   }
-  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Lists that cells share hold as many
-  // again.
+  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Lists that they share with other
+  // cells add about as many again.
   EXPECT_LT(neighbours, 40 * paths.size());
 }
 
@@ -89,7 +89,6 @@ TEST(CellGrid, KeepsNeighboursAlongParabolas) {
     for (;;) {
       const auto next = std::min_element(leaving.begin(), leaving.end(),
                                          [](const auto& x, const auto& y) { return x.time < y.time; });
-      // Also checks times between the exits.
       for (; checked < std::min(next->time, 2.0); checked += 0.125) {
         touching += count_touching(grid, paths, checked);
       }

@@ -44,7 +44,7 @@ struct ExactQuadratic {
   }
 };
 
-/// The error of a crossing of a quadratic that is not negative at 0. Empty if the crossing is right or undecided.
+/// The defect of a computed crossing of a quadratic that is not negative at 0; empty if it is right or undecided.
 std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
   switch (found.decision) {
     case Decision::none:
@@ -54,7 +54,7 @@ std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
       if (before > 0 && truth.falls_before(before)) {
         return "it falls before";
       }
-      // A root at the end of the bounds is allowed: right after it, the quadratic must be negative.
+      // A root at the end of the bounds is allowed if the quadratic is negative right after it.
       const Rational after = Rational(found.s) + Rational(found.error);
       const Rational instant = Rational(1).times_power_of_two(-1060);
       return truth.falls_before(after + instant) ? "" : "it falls after, or never";
@@ -104,7 +104,7 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
       }
     }
   }
-  // Most are decided: a third of the cases is close to a double root, and radii go up to a hundredth.
+  // Most quadratics are decided, although a third is close to a double root and radii go up to a hundredth.
   EXPECT_GT(decided, 1200);
   EXPECT_GT(crossed, 400);
 }
@@ -112,7 +112,8 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
 TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 1000; ++i) {
-    // D ≥ c₁²/2, so the residual is a few u of its terms. The error is a few u of s, times c₁/√D.
+    // The discriminant D is at least c₁²/2, so the residual is a few u of its terms. The error is a few u of s, times
+    // c₁/√D.
     const double c1 = -stream.between(0.5, 2);
     const double c0 = stream.between(0.1, 1);
     const double c2 = stream.signed_unit() * c1 * c1 / (8 * c0);
@@ -143,7 +144,7 @@ TEST(Crossing, OfSpheresThatTouchIsWhetherTheyRecede) {
 TEST(Crossing, OfWhatRecedesIsNone) {
   EXPECT_EQ(first_crossing({1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}).decision, Decision::none);
   EXPECT_EQ(first_crossing({1, 1, 0, 0x1p-50, 0x1p-50, 0}).decision, Decision::none);
-  // It is unknown whether it recedes, and how it continues.
+  // The radii do not decide whether the quadratic falls at first.
   EXPECT_EQ(first_crossing({0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}).decision, Decision::undecided);
 }
 
@@ -156,12 +157,12 @@ TEST(Crossing, OfALineIsItsRoot) {
 }
 
 TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
-  // Starts on the plane: 3 s − s² has one root at present. The function finds the other one.
+  // The ball starts on the plane, so 3 s − s² has a root at s = 0. The function finds the other root.
   const Crossing found = first_crossing({0, 3, -1, 0, 0, 0});
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
-  // With an error of the position, it finds the same root, not the one at 0.
+  // With a radius of c₀, the function finds the same root, not the one at 0.
   const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
   ASSERT_EQ(state_at.decision, Decision::bounded);
   EXPECT_NEAR(state_at.s, 3, state_at.error);

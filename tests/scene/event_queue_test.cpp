@@ -19,12 +19,10 @@ TEST(EventQueue, IsAListAndItsLeast) {
     std::vector<double> times(count, never);
     for (int change = 0; change < 200; ++change) {
       const auto index = static_cast<std::size_t>(stream.integer(0, static_cast<int>(count) - 1));
-      // Equal times are frequent.
       const double time = stream.chance(5) ? never : stream.integer(0, 20) / 4.0;
       times[index] = time;
       queue.set(static_cast<EventQueue::Index>(index), time);
       ASSERT_TRUE(queue.time_of(static_cast<EventQueue::Index>(index)) == time) << seed;
-      // Among equal times, the first one.
       const auto least = std::min_element(times.begin(), times.end());
       ASSERT_TRUE(queue.first() == static_cast<EventQueue::Index>(least - times.begin())) << seed;
       const double latest = stream.integer(-1, 21) / 4.0;

@@ -43,7 +43,7 @@ TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   const auto one = at(1, 1);
   ASSERT_TRUE(one);
   EXPECT_EQ(*one, ExactTime::at(1));
-  // The contact if the way is longer by one ulp.
+  // The contact if the distance is larger by `delay`.
   const auto later_by = [&](double delay) {
     return exact_contact(wall, path_of({2 + delay, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   };
@@ -86,13 +86,14 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   EXPECT_GT(found, 100);
 }
 
-/// The slowest speed that keep_apart can leave is the smallest double. The contact is later than any double.
+/// The slowest speed that keep_apart can leave is the smallest double. At this speed the contact is later than any
+/// double.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};
   const auto contact = exact_contact(creeping, wall, 0);
   ASSERT_TRUE(contact);
-  // Ends by a signal if it has no bounds.
+  // The process ends by a signal if the contact has no bounds.
   EXPECT_EXIT(
       {
         const TimeBounds bounds = contact->bounds();
@@ -110,12 +111,12 @@ TEST(ExactTime, OfAGrazingPassIsNone) {
   const auto hit = exact_contact(path_of({0, 0, 0}, {1, 0, std::nextafter(4.0, 5)}, {0, 0, -4}, 0.5), ceiling, 0);
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
-  // One ulp nearer, they touch.
+  // One ulp nearer, the spheres have a contact.
   EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, at_rest, 0.5), 0));
 }
 
 TEST(ExactTime, OfATopThatTouchesIsNone) {
-  // (s − 1)² times a quadratic: a parabola whose top, x = −1, touches the other sphere.
+  // The path is a parabola whose top, x = −1, touches the other sphere. So (s − 1)² is a factor of the squared gap.
   const Path other = resting({0, 0, 0}, 0.5);
   const Path path = path_of({-2, 0, 0}, {2, 0, 0}, {-2, 0, 0}, 0.5);
   EXPECT_EQ(sign_of_gap(path, other, 1), 0);
@@ -130,11 +131,11 @@ TEST(ExactTime, OfContactAtPresentIsThePresent) {
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {0, 3, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, resting({1, 0, 0}, 0.5), 0));
-  // At rest, but accelerated inwards: it falls at once.
+  // The sphere is at rest but accelerated inwards, so the gap falls at once.
   const auto pressed = exact_contact(sphere, path_of({1, 0, 0}, {0, 0, 0}, {-1, 0, 0}, 0.5), 0);
   ASSERT_TRUE(pressed);
   EXPECT_EQ(*pressed, ExactTime::at(0));
-  // Starts later than the path.
+  // The search starts later than the path.
   const auto later = exact_contact(sphere, path_of({2, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 1);
   ASSERT_TRUE(later);
   EXPECT_EQ(*later, ExactTime::at(1));

@@ -73,8 +73,8 @@ TEST(Impact, AgreesWithTheGenericSolversWithinUlps) {
       const auto expected = generic(law, collision);
       for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
         const Outcome<double> found = struck(law, precision, collision);
-        // Two sums of at most about 40 roundings each. Angular velocities are up to 1/R = 5 times a velocity's share,
-        // times 5/2. So 128 u of the greatest speed covers the effect of a rounding of the impulse on them.
+        // Both solvers have at most about 40 roundings. A rounding of the impulse changes an angular velocity by up to
+        // 5/(2 R) = 12.5 times its effect on the velocity. So 128 u of the greatest speed covers both effects.
         const double u = std::max(roundoff, unit_roundoff(precision));
         const double size = 16;
         const auto ours = vectors(found);
@@ -147,7 +147,7 @@ TEST(KeepApart, IsExact) {
     }
     EXPECT_TRUE(apart >= 0);
     changed += va == before ? 0 : 1;
-    // A change of a few ulps: the approach was about 8 u of speeds up to 4. It is divided by a component of n, at
+    // The change is a few ulps. The approach is about 8 u of speeds up to 4, and is divided by a component of n of at
     // least 1/√3.
     EXPECT_LE((va - before).norm() + (vb - other).norm(), 64 * roundoff * 4);
   }

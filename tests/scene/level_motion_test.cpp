@@ -53,7 +53,6 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
     EXPECT_EQ(sliding.turning.plane, 3U);
     EXPECT_EQ(sliding.path.acceleration.z(), 0);
     EXPECT_NEAR(sliding.path.acceleration.norm(), without_resistance.friction * gravity, few_roundings);
-    // The acceleration opposes the slip.
     EXPECT_NEAR(sliding.path.acceleration.dot(u), -without_resistance.friction * gravity * u.norm(), 8 * few_roundings);
     EXPECT_NEAR(sliding.path.end - sliding.path.start, 2 * u.norm() / (7 * without_resistance.friction * gravity),
                 8 * few_roundings);
@@ -74,7 +73,7 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
 }
 
 TEST(LevelMotion, TopspinAccelerates) {
-  // It rotates faster than it moves.
+  // The ball rotates faster than if it rolled.
   const Arc arc = arc_of({1, 0, 0}, {0, 10, 0}, cloth);
   ASSERT_EQ(arc.turning.phase, Phase::sliding);
   EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * gravity);
@@ -92,7 +91,7 @@ TEST(LevelMotion, RollingResistanceStopsIt) {
   EXPECT_NEAR(rolling.path.end, v / (cloth.rolling_resistance * gravity), few_roundings);
   EXPECT_NEAR(position_at(rolling.path, rolling.path.end).y() - 2, v * v / (2 * cloth.rolling_resistance * gravity),
               8 * few_roundings);
-  // It rolls all the time.
+  // The ball rolls during the whole arc.
   const double middle = 0.5 * rolling.path.end;
   EXPECT_LE(slip(velocity_at(rolling.path, middle), angular_velocity_at(rolling, middle)).norm(), few_roundings);
   const Arc rests = next(rolling, cloth);
@@ -161,7 +160,7 @@ TEST(LevelMotion, WithoutFrictionSlidesForEver) {
   EXPECT_EQ(also.path.end, never);
 }
 
-/// A ceiling that gravity presses against, and walls: the same motion, rotated.
+/// If gravity presses a ball against a wall or a ceiling, the motion is the same, rotated.
 TEST(LevelMotion, IsTheSameOnEveryAxis) {
   const Arc arc = arc_of({1, 0.5, 0}, {2, -3, 4}, cloth);
   // x → y → z → x

@@ -8,7 +8,6 @@
 
 #include "support/exact.hpp"
 
-/// Builds paths of spheres for the tests.
 namespace carom::unit {
 
 using Vector = Vector3<double>;

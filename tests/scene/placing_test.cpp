@@ -34,7 +34,7 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
       } else if (away[axis] < 0) {
         EXPECT_TRUE(over <= 0);
       }
-      // By at most two ulps.
+      // The coordinate moves by at most two ulps.
       const double ulp = std::nextafter(std::abs(rounded[axis]), never) - std::abs(rounded[axis]);
       EXPECT_TRUE((over >= 0 ? over : -over) <= Rational(2) * Rational(ulp) || std::abs(rounded[axis]) < 1e-3);
       moved += away[axis] != 0 && over != 0 ? 1 : 0;
@@ -43,7 +43,8 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
   EXPECT_GT(moved, 1000);
 }
 
-/// The body returns to its start. The difference is smaller than the rounding of v + s a/2 in the widest format.
+/// The body returns almost to its start. The remaining distance is smaller than the rounding of v + s a/2 in the widest
+/// format.
 TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
   properties::Stream stream = properties::stream_from(4);
   int returned = 0;
@@ -53,7 +54,7 @@ TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
     const long double half = static_cast<long double>(time) * acceleration / 2;
     const double velocity = -static_cast<double>(half);
     if (static_cast<long double>(velocity) != -half) {
-      continue;  // one in 2¹¹ is a double
+      continue;  // only one in 2¹¹ is a double
     }
     const Path path = path_of({1, 0, 0}, {velocity, 0, 0}, {acceleration, 0, 0}, 0.5);
     const Rational exact = unit::exact_position(path, time)[0];
@@ -93,7 +94,7 @@ TEST(RoundedAway, KeepsApartWhatTouches) {
     const Path placed_a = path_of(rounded_away(a, time, away), {0, 0, 0}, {0, 0, 0}, a.radius, time);
     const Path placed_b = path_of(rounded_away(b, time, -away), {0, 0, 0}, {0, 0, 0}, b.radius, time);
     EXPECT_GE(sign_of_gap(placed_a, placed_b, time), 0);
-    // They do not separate either: the tolerance is a few ulps of coordinates up to 10.
+    // The bodies hardly separate. The tolerance is a few ulps of coordinates up to 10.
     EXPECT_LE((placed_a.position - placed_b.position).norm() - a.radius - b.radius, 1e-13);
   }
   EXPECT_GT(contacts, 100);

@@ -72,18 +72,18 @@ TEST(Quartic, BoundsContainTheExactTime) {
       FAIL() << wrong << ", seed " << seed;
     }
     wide += found.earliest < never && found.latest - found.earliest > 1e-6 ? 1 : 0;
-    // The quick answer does not miss a contact either.
+    // `stay_apart` does not miss a contact either.
     const bool is_apart = stay_apart(pair.a, pair.b, relative, 0, horizon);
     ASSERT_TRUE(!is_apart || found.earliest == never) << seed;
   }
   EXPECT_GT(contacts, 100);
   EXPECT_GT(misses, 50);
-  // Speeds near 1 and distances near 3, so contacts are much more accurate than a millionth.
+  // Speeds are near 1 and distances near 3, so contacts are much more accurate than a millionth.
   EXPECT_EQ(wide, 0);
   EXPECT_LT(counts.predictions, 40U);  // bounds decide nearly all
 }
 
-/// With equal accelerations the gap is a quadratic, with the same guarantee.
+/// With equal accelerations the gap is a quadratic. Its bounds contain the exact time too.
 TEST(Quadratic, BoundsContainTheExactTime) {
   int contacts = 0;
   ExactCounts counts;
@@ -118,7 +118,7 @@ TEST(Plane, BoundsContainTheExactTime) {
     const Path path = path_of(3 * stream.vector(), stream.vector(), stream.vector(), 0.25, -stream.unit());
     Reach reach{normal, reach_of(normal, stream.vector(), path.radius)};
     if (sign_of_gap(path, reach, 0) < 0) {
-      // The other side.
+      // Takes the other side of the plane.
       reach = {-normal, reach_of(-normal, stream.vector(), path.radius)};
       if (sign_of_gap(path, reach, 0) < 0) {
         continue;
@@ -135,7 +135,7 @@ TEST(Plane, BoundsContainTheExactTime) {
 }
 
 TEST(Quartic, ThatTouchesZeroIsUndecided) {
-  // (t − 1/2)⁴ + 0, and the same above 0.
+  // (t − 1/2)⁴, and the same plus 2⁻⁴⁰.
   const UncertainQuartic touching{{1.0 / 16, -1.0 / 16, 1.0 / 16, -1.0 / 16, 1.0 / 16}, 0x1p-50, 1};
   EXPECT_EQ(first_crossing(touching).decision, Decision::undecided);
   UncertainQuartic above = touching;
@@ -145,10 +145,11 @@ TEST(Quartic, ThatTouchesZeroIsUndecided) {
   EXPECT_EQ(first_crossing(above).decision, Decision::none);
 }
 
-/// (x² − 1/64)(x² − 9/64) with x = t − 1/2, and the roots 1/8, 3/8, 5/8 and 7/8 on [0, 1], relative to `begin`.
+/// (x² − 1/64)(x² − 9/64) with x = t − 1/2, on the interval of length 1 from t = `begin`. Its roots are t = 1/8, 3/8,
+/// 5/8 and 7/8.
 UncertainQuartic with_four_roots(double begin) {
   const double x = begin - 0.5;
-  // Its Taylor coefficients at x.
+  // The Taylor coefficients at x.
   const double c0 = (x * x - 1.0 / 64) * (x * x - 9.0 / 64);
   const double c1 = 4 * x * x * x - 20.0 / 64 * x;
   const double c2 = 6 * x * x - 10.0 / 64;
@@ -161,12 +162,13 @@ TEST(Quartic, FindsTheFirstOfFourRoots) {
   const Crossing found = first_crossing(with_four_roots(0.03));
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 0.125 - 0.03, found.error);
-  // Its slope there is −3/32, so 2⁻⁴⁸ of height is 11 · 2⁻⁴⁸ of time. Bisection reaches this within a factor of 8.
+  // The slope at the root is −3/32, so an error of 2⁻⁴⁸ in height is 11 · 2⁻⁴⁸ in time. Bisection reaches this error
+  // within a factor of 8.
   EXPECT_LE(found.error, 128 * 0x1p-48);
 }
 
-/// If a point of subdivision is the root itself, the bounds are equally narrow. An event takes place at the earlier
-/// bound.
+/// If a point of subdivision is the root itself, the bounds are as narrow as for other roots. An event takes place at
+/// the earlier bound.
 TEST(Quartic, FindsARootInTheMiddle) {
   const Crossing found = first_crossing(with_four_roots(0));
   ASSERT_EQ(found.decision, Decision::bounded);
@@ -175,7 +177,7 @@ TEST(Quartic, FindsARootInTheMiddle) {
 }
 
 TEST(Quartic, BoundsAContactInTheMiddleOfTheSpanNarrowly) {
-  // x = −15/8 + 2 t − t²/2 is −1 at 1/2, in a span of 1.
+  // x = −15/8 + 2 t − t²/2 is −1 at t = 1/2, the middle of a span of 1.
   const Path rolling = path_of({-1.875, 0, 0}, {2, 0, 0}, {-1, 0, 0}, 0.5);
   const Path waiting = unit::resting({0, 0, 0}, 0.5);
   ExactCounts counts;

@@ -15,8 +15,8 @@ namespace {
 
 using unit::Vector;
 
-/// Two spheres in flight, each from its own start time, that pass each other after `now`. If `closeness` is small,
-/// their distance is about the sum of their radii.
+/// Two spheres in flight, each from its own start time, that pass each other after `now`. At one time their distance is
+/// the sum of their radii, times a factor that differs from 1 by at most `closeness`.
 struct Flight {
   SphereStore store;
   Vector gravity{0, 0, 0};
@@ -76,8 +76,8 @@ TEST(QuickLook, RejectsNothingThatTouches) {
       ASSERT_TRUE(!look_until(horizon, never)) << seed;
       ASSERT_TRUE(!look_until(never, horizon)) << seed;
     }
-    // Looks until a time before the horizon, possibly very close to it. The closer look rejects everything that the
-    // quick look rejects, because its bounds are for these two spheres.
+    // Looks until a time before the horizon, possibly very close to it. `stay_apart` rejects everything that the quick
+    // look rejects, because its bounds are for these two spheres.
     const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
     if (look_until(before, never)) {
       ++rejected;

@@ -10,7 +10,6 @@
 #include <carom/scene/sphere_simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
 
-/// Builds scenes for the tests.
 namespace carom::unit {
 
 /// A scene without bodies, with one material.
@@ -130,7 +129,7 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// Up to `most` events of a scene, unchanged.
+/// Copies of the first events of a scene, at most `most`.
 template <class Loop = scene::SphereSimulation>
 [[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
   Loop simulation(std::move(scene));

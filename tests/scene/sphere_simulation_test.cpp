@@ -79,15 +79,16 @@ TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
   double speed = g * time;
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
-    // The bounds of a time are about 28 u of the height's terms, twice, divided by the speed. This is less than 128 u
-    // of a time below 1. An event is early by this amount, and its speed is smaller by g times it.
+    // The bounds of a time differ by about 2 · 28 u of the height's terms, divided by the speed. This is less than 128
+    // u of a time below 1. An event is early by up to this amount, and its speed is smaller by g times this amount.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
     EXPECT_EQ(events[bounce].a.after.path.velocity.x(), 0);
     time += 2 * speed / g;
   }
-  // Until it rises no higher than 10⁻⁶ of the radius: ε²ⁿ h ≤ 10⁻⁶ R, n = 25.2…, so the 26th is no bounce.
+  // The ball bounces until it would rise no higher than 10⁻⁶ R. ε²ⁿ h = 10⁻⁶ R at n = 25.2…, so the 26th event is no
+  // bounce.
   const Event& last = events.back();
   EXPECT_EQ(events.size(), 26U);
   EXPECT_EQ(last.kind, EventKind::capture);
@@ -197,8 +198,8 @@ TEST(SphereSimulation, TakesOfEqualTimesTheLowerSpheresFirst) {
     const std::size_t high = std::max(order[1], order[2]);
     EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
     EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
-    // √(1 − 0.75²) from the centre. The terms of the squared gap are up to 14, each accurate to about 28 u. Divided
-    // by √D = 1.3, this is twice 3 · 14 · 28 u/1.3.
+    // The contact is at √(1 − 0.75²) from the centre. The three terms of the squared gap are up to 14, each accurate to
+    // about 28 u. The root of the discriminant D is 1.3, so the time is accurate to 2 · 3 · 14 · 28 u/1.3.
     EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
     EXPECT_NEAR(events[1].time, events[0].time, 2048 * roundoff);
   } while (std::next_permutation(order.begin(), order.end()));
@@ -239,9 +240,9 @@ TEST(SphereSimulation, IsDeterministic) {
   }
 }
 
-/// The tolerance for two runs that round differently. An impact enlarges a difference by 1 + 2 l/(R cos θ). This is
-/// less than 32 for paths shorter than 2 and radii above 0.2, except for grazing impacts. In 24 events of 8 spheres,
-/// a sphere has about 3 in a row, up to 6: 32⁶ · 2⁻⁵² is 2⁻²².
+/// The tolerance for two runs that round differently. An impact at the angle θ, after a path of length l, enlarges a
+/// difference by 1 + 2 l/(R cos θ). This factor is less than 32 for l < 2 and R > 0.2, except for grazing impacts. In
+/// 24 events of 8 spheres, a sphere has up to 6 impacts in a row, and 32⁶ · 2⁻⁵² is 2⁻²².
 constexpr std::size_t early_events = 24;
 constexpr double early_tolerance = 0x1p-22;
 
@@ -363,14 +364,14 @@ TEST(SphereSimulation, LosesNoEvent) {
       } else {
         ASSERT_EQ(event->plane, expected.plane);
       }
-      // Not later, and earlier only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
+      // The event is not later, and earlier only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
       EXPECT_LE(static_cast<Wide>(event->time), expected.time + 1e-15L * (1 + expected.time));
       EXPECT_NEAR(event->time, static_cast<double>(expected.time), 1e-11);
     }
   }
 }
 
-/// A possible result of `keep_apart`: the sphere does not get anywhere within the scene's time.
+/// The sphere has a speed that `keep_apart` can leave. It hardly moves within the scene's duration.
 TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
   unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
@@ -378,7 +379,7 @@ TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
-/// A ball rolls to another. They meet in contact, for any span that the search covers.
+/// A ball rolls to another. They touch when they meet, for any span of time that the search covers.
 TEST(SphereSimulation, LetsRollingBallsMeetWhereTheyTouch) {
   for (const double duration : {1.0, 1.1, 2.0, 3.0}) {
     Scene scene = unit::empty_scene(Law::coulomb, {1, 0.25, 0, 0.125, 0}, duration);

@@ -10,7 +10,8 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
+/// The collisions of the tests. A family is a named random generator, and a case is a collision that it drew. The seeds
+/// are fixed, so a failure is reproducible.
 namespace carom::unit {
 
 inline constexpr std::uint64_t seed = 20240607;
@@ -35,8 +36,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
-/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments
-/// of 1/2 its K is diag(3, 1, 3).
+/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments of
+/// 1/2 its collision matrix is diag(3, 1, 3).
 [[nodiscard]] inline Collision ball_on_a_plane(double moment, double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(moment);
@@ -48,7 +49,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return c;
 }
 
-/// A general K and large friction: by the law `coulomb` one answer sticks and two slip (docs/findings/friction.md).
+/// With a general collision matrix and large friction, the law `coulomb` has three answers here: one sticks and two
+/// slip (docs/findings/friction.md).
 [[nodiscard]] inline Collision case_with_three_answers() {
   properties::Stream stream = properties::case_stream(1, "structured", 181);
   Collision c = properties::family_named("structured")->generate(stream).collision;

@@ -11,7 +11,6 @@
 
 #include "support/cases.hpp"
 
-/// Rational arithmetic for the tests.
 namespace carom::unit {
 
 using oracles::Rational;
@@ -68,7 +67,7 @@ template <class Derived, class OtherDerived>
   return impulse::make_contact<Rational>(oracles::lift(collision));
 }
 
-/// V⁻, exactly.
+/// The relative velocity V⁻ of the contact points, exactly.
 [[nodiscard]] inline ExactVector velocity_before(const BasicCollision<Rational>& c) {
   return oracles::relative_velocity<Rational>(c, unchanged(c));
 }

@@ -10,7 +10,7 @@
 
 namespace carom::bounds {
 
-/// Bounds the size of a number by running the code that computes it on binary logarithms, whose range does not end.
+/// Bounds the size of a number by running the code that computes it on binary logarithms, which have no limit.
 ///
 /// - `above`: |x| ≤ 2^above.
 /// - `below`: x ≥ 2^below > 0, if x is a sum of squares or a product of such sums. NaN if it is not known.
@@ -35,7 +35,7 @@ class Magnitude {
     }
   }
 
-  /// Any number of at most this size. Its unit is that of the number itself.
+  /// Any number of at most this size. Its unit is that of a number of exactly this size.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
@@ -78,7 +78,7 @@ class Magnitude {
     Magnitude sum = of_exponent(log_of_sum(x.above_, y.above_));
     sum.is_positive_ = x.is_positive_ && y.is_positive_;
     if (sum.is_positive_) {
-      // One of them may be zero.
+      // One of x and y may be zero.
       sum.below_ = std::isnan(x.below_) ? y.below_ : (std::isnan(y.below_) ? x.below_ : log_of_sum(x.below_, y.below_));
     }
     sum.unit_ = std::min(x.unit_, y.unit_);
@@ -165,7 +165,7 @@ class Magnitude {
   double below_ = unknown;
   double unit_ = infinity;
   bool is_positive_ = false;
-  int identity_ = 0;  // a product of equal ones is a square
+  int identity_ = 0;  // a product of numbers of one identity is a square
 };
 
 }  // namespace carom::bounds

@@ -23,15 +23,14 @@ namespace carom::unit {
 ///  static bool agrees(x, y, terms)      whether both can be the same real number
 ///  static double size(x)                |x|, approximately; for `terms`
 ///
-/// For an exact type, `agrees` tests equality. For a type with bounds, it tests whether the bounds overlap. For a
-/// type that rounds without a bound, it tests whether x and y differ by a few of its roundings of `terms`.
+/// For an exact type, `agrees` tests equality. For a type with bounds, it tests whether the bounds overlap. For a type
+/// that rounds without a bound, it tests whether x and y differ by a few roundings of a number of size `terms`.
 template <class T>
 struct NumberType;
 
 template <class T>
 class NumberLaws : public testing::Test {
  protected:
-  /// Calls visit(x, y, z) sufficiently often.
   template <class Visit>
   static void for_each_triple(const Visit& visit) {
     for (std::uint64_t i = 0; i < 400; ++i) {
@@ -152,7 +151,7 @@ TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
   });
 }
 
-/// As the laws use Eigen: (x × y)·z = x·(y × z), and x × x = 0.
+/// Vectors of Eigen, as the laws use them: (x × y)·z = x·(y × z), and x × x = 0.
 TYPED_TEST_P(NumberLaws, GoThroughEigen) {
   using Type = NumberType<TypeParam>;
   for (std::uint64_t i = 0; i < 100; ++i) {

@@ -7,7 +7,6 @@
 
 #include <sys/types.h>
 
-/// Runs programs as a user would.
 namespace carom::tests {
 
 struct RunResult {
@@ -19,7 +18,6 @@ struct RunResult {
 /// Runs `carom ARG…` without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
-/// The path of `carom`.
 [[nodiscard]] std::string carom_program();
 
 /// Runs any other program, given by its path.

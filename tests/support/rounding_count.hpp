@@ -10,11 +10,11 @@
 namespace carom::bounds {
 
 /// Bounds the rounding error of a number by running the code that computes it. The computed number is Σ t Π (1 + δ)
-/// over the terms t of the exact one, with |δ| ≤ u. The type tracks the largest number n of roundings of a term, and
-/// Σ|t|. So the error is at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham, Accuracy and Stability of
-/// Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of two, are exact. Any
-/// other divisor must be at least 1, and a sum of positive terms, so that its relative error is that of its
-/// roundings.
+/// over the terms t of the exact number, with |δ| ≤ u, the unit roundoff. The type tracks the largest number n of
+/// roundings of a term, and Σ|t|. So the error is at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham,
+/// Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of
+/// two, are exact. Any other divisor must be at least 1, and a sum of positive terms, so that its relative error is
+/// that of its roundings.
 class RoundingCount {
  public:
   RoundingCount() = default;

@@ -7,9 +7,9 @@
 
 namespace carom::unit {
 
-/// Whether this process runs a test of the current suite with a parameter of this name. The filter and the shard may
-/// exclude it. A pass over many cases that the tests of a suite share computes only what these need. Call it in
-/// SetUpTestSuite.
+/// Whether this process runs a test of the current suite with a parameter of this name. GoogleTest's filter and shard
+/// may exclude such a test. Call this function in SetUpTestSuite, to compute only the shared results that the selected
+/// tests need.
 [[nodiscard]] inline bool is_selected(std::string_view parameter) {
   const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();
   for (int i = 0; i < suite.total_test_count(); ++i) {

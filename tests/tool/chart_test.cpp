@@ -78,7 +78,7 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
     EXPECT_FALSE(document.select_nodes("//*[local-name()='path']").empty()) << entry.path();
     EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
   }
-  // For each law: two of time against accuracy, one of deadlines, and one for each sweep.
+  // The pictures of each law: two of time against accuracy, one of deadlines, and one for each sweep.
   EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
 }
 
@@ -157,7 +157,7 @@ TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
   EXPECT_NE(run.errors.find("reflection-double"), std::string::npos) << run.errors;
 }
 
-/// The measurements are not lost.
+/// If gnuplot is missing, the measurements are not lost.
 TEST(ChartUsage, WithoutGnuplotTheDataAreThereAndTheErrorSaysWhatIsMissing) {
   const TemporaryDirectory directory;
   const RunResult run =

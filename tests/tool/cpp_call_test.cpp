@@ -24,7 +24,7 @@
 
 #include "support/cases.hpp"
 
-/// The calls that a plan prints are compiled here, with the same text. They answer as the subject does.
+/// This file compiles the calls that a plan prints, with the same text. Each call gives the same answer as its subject.
 namespace carom::tests {
 namespace {
 
@@ -43,7 +43,7 @@ struct Call {
   std::function<ReportedOutcome(const Collision&)> solve;
 };
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): the test compares the text
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): the test compares the text of the call with the printed text
 #define CALL(subject, ...)                                                                  \
   Call {                                                                                    \
     subject, #__VA_ARGS__, [](const Collision& collision) { return reported(__VA_ARGS__); } \
@@ -56,7 +56,7 @@ struct Call {
   }
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-/// Every way to solve, most of them in double.
+/// A call of every kind, most of them only in double.
 const std::vector<Call>& calls() {
   // clang-format off
   static const std::vector<Call> all{

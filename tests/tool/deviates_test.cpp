@@ -72,7 +72,8 @@ TEST(Deviates, IsShownInEveryReport) {
   EXPECT_NE(content_of(out.path() / "report.json").find("energy@head_on"), std::string::npos);
 }
 
-/// A method that forms no collision matrix claims nothing about it. A method that forms one is judged on it.
+/// A method that forms no collision matrix claims no invariant of the matrix. A method that forms a matrix is judged on
+/// it.
 TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",

@@ -22,8 +22,8 @@ namespace carom::tool {
 namespace {
 
 struct Flags {
-  std::set<std::string> definitions;  // of the target; their order means nothing
-  std::vector<std::string> others;    // in the order of the line
+  std::set<std::string> definitions;  // of the target, in any order
+  std::vector<std::string> others;    // in the order of the compile line
 
   bool operator==(const Flags&) const = default;
 };
@@ -68,7 +68,7 @@ std::string target_of(const std::vector<std::string>& words) {
   return object.substr(begin, object.find(".dir/", begin) - begin);
 }
 
-/// The flags in both, in the order of the first.
+/// The flags that are in both, in the order of `left`.
 Flags common(const Flags& left, const Flags& right) {
   Flags both;
   std::set_intersection(left.definitions.begin(), left.definitions.end(), right.definitions.begin(),

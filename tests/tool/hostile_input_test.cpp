@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Files that stress a reader: by their size, by their text, or because they never end.
+// Files that stress a reader by their size, by their text, or because they never end.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -106,7 +106,7 @@ TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those sanitizers reserve the whole address space
 
-/// As much memory as a gate needs, which is far less than such a file has.
+/// Limits the memory to the need of a gate, which is far less than the size of the file.
 RunResult in_bounded_memory(const std::string& script) {
   return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
 }
@@ -131,7 +131,7 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "report").string();
   int reports = 0;
-  // From too little memory to start to more than enough. In between, memory runs out in the middle.
+  // The limits go from too little memory to start to more than enough. Between these, memory runs out during the run.
   for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
     fs::remove_all(out);
     const RunResult run =
@@ -185,7 +185,7 @@ TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
 
 class WaitingForInput : public testing::TestWithParam<const char*> {};
 
-/// A pipe that nobody has opened for writing yet, and one that nobody writes to.
+/// Each command waits for a pipe that no process has opened for writing, and for a pipe that no process writes to.
 TEST_P(WaitingForInput, EndsOnOneSignal) {
   const TemporaryDirectory directory;
   const std::string pipe = (directory.path() / "pipe").string();

@@ -65,7 +65,7 @@ void expect_harmless(const Page& page) {
 }
 
 /// Checks that geometric attributes of drawings contain only numbers and path commands. Each picture has a title, a
-/// description and a moderate size.
+/// description, and sides of 100 to 700 pixels.
 void expect_sane_drawings(const Page& page) {
   std::size_t drawings = 0;
   for (const pugi::xpath_node& found : page.document.select_nodes("//svg//*")) {
@@ -119,7 +119,7 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
 }
 
-/// If friction is on its cone, the exact velocities contain square roots.
+/// If the friction impulse lies on the friction cone, the exact velocities contain square roots.
 TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
   const auto page =
       page_of({"gate", "rough-double", "--families", "sliding,generic", "--cases", "60", "--limit-ulps", "0.001"});
@@ -183,7 +183,7 @@ TEST_F(Markup, AddsNothingToThePageInABrowser) {
                             "--user-data-dir=" + profile.path().string(), "--dump-dom", "file://" + page->file()});
   const std::string& seen = result.output;
   ASSERT_NE(seen.find("Generated cases"), std::string::npos) << result.errors;
-  // The browser's output escapes "<" in texts, so these would be elements.
+  // The browser's output escapes "<" in texts, so each of these strings would be an element.
   for (const char* injected : {"<script", "<img", "<b ", "<b>", "<parsererror"}) {
     EXPECT_EQ(seen.find(injected), std::string::npos) << injected;
   }

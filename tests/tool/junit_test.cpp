@@ -40,7 +40,7 @@ int sum_of(pugi::xml_node root, const char* attribute) {
   return sum;
 }
 
-// The parts that GitLab and Jenkins read.
+// Checks the parts that GitLab and Jenkins read.
 TEST(Junit, HasWhatReadersOfItLookFor) {
   const Junit junit({"gate", "frictionless-double", "reflection-in-basis-double", "exec:/no/such", "--families",
                      "head_on", "--cases", "30"});

@@ -32,7 +32,7 @@ void expect_messages(const std::vector<UserError>& table) {
   }
 }
 
-/// A valid collision with this change.
+/// A valid collision, after this change of its JSON.
 template <class Change>
 std::string collision_with(const Change& change) {
   json collision = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/head_on.json"));

@@ -53,7 +53,7 @@ std::string crates_and_spheres() {
   return lines_of(records);
 }
 
-/// No test waits for a clock or depends on one.
+/// Runs a plan without timings, so that no test depends on a clock.
 RunResult plan(const std::string& file, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"plan", file, "--repetitions", "0"});
   return run_carom(more);
@@ -132,7 +132,8 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOriginAndNamesItsLine) {
 
 TEST(Plan, FailsWhereNothingServes) {
   const TemporaryDirectory directory;
-  // The change is a small part of a common velocity. The outcome itself cannot hold that many digits of it.
+  // The change of the velocity is a small part of a velocity that both bodies share. An outcome in binary64 cannot hold
+  // that many digits of the change.
   json fast = crate(0);
   fast["a"]["velocity"] = {1e9 + 0.5, -1.25, 0};
   fast["b"]["velocity"] = {1e9, 0, 0};
@@ -199,7 +200,7 @@ TEST(Plan, SaysWhichPlaceAndWhichField) {
   EXPECT_EQ(plan(file, {"--limit-ulps", "nan"}).exit_status, 2);
 }
 
-/// The output in docs/guide/plan.md, except for its times.
+/// Compares the output with docs/guide/plan.md, except for times.
 TEST(Plan, IsOfTheExampleWhatItsPageSays) {
   const std::string file = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
   const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});

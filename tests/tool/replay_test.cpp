@@ -178,7 +178,8 @@ TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
 }
 
-/// Only the user starts a program that a file names, wherever it occurs in the file.
+/// A file may name a program in any of its fields. The command does not start it, because only the user may start
+/// programs.
 TEST(Replay, StartsNoProgramThatAFileNames) {
   const TemporaryDirectory directory;
   const std::string touched = (directory.path() / "touched").string();
@@ -229,7 +230,7 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   EXPECT_NE(replay(parting, {}).find("answer 1 of 1, untouched"), std::string::npos);
 }
 
-/// Engines that this program knows by name and must start count as programs too.
+/// An engine that carom knows by name, but must start as a program, is not started either.
 TEST(Replay, StartsNoEngineThatAFileNames) {
   const TemporaryDirectory directory;
   // A fake `node` replaces every program that an adapter could need.
@@ -249,7 +250,7 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
-/// The case from which a witness was shrunk, in its file and by its number.
+/// The drawn case from which a witness was shrunk is replayed from the witness's file, and by its number.
 TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
   const TemporaryDirectory out;
   const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",

@@ -57,7 +57,7 @@ TEST(Summary, LeavesOutWhatIsExpectedToFail) {
   EXPECT_EQ(text.find("reflection-in-basis-double"), std::string::npos) << text;
 }
 
-// A subject's text must not end a cell with |, end code with `, or begin a line with a heading or a tag.
+// A subject's text must not end a cell by |, end code by `, or begin a line with a heading or a tag.
 TEST(Summary, IsNotWhatASubjectWrites) {
   const std::string text =
       summary_of({"gate", "exec:/no/such '|`<b>@who\n## planted\x1b[31m'", "--families", "head_on", "--cases", "2"}, 2);

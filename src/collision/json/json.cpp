@@ -33,8 +33,8 @@ json numbers_to_json(const Vector& vector) {
 double rounded_once(const std::string& text, long double wide) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  // from_chars gives no number beyond the range of binary64. There the first rounding, to long double, cannot change
-  // the result.
+  // from_chars gives no number beyond the range of binary64. For such a number, the first rounding, to long double,
+  // cannot change the result.
   return error == std::errc() ? number : static_cast<double>(wide);
 }
 
@@ -49,7 +49,7 @@ struct AsBinary64 {
   }
 };
 
-/// Reads numbers for WideJson, with the bits of the subject's precision.
+/// Reads numbers for WideJson. Rounds them to binary64, unless the subject computes in extended precision.
 struct AsReported {
   Precision precision;
   long double operator()(const std::string& text, long double wide) const {
@@ -57,8 +57,8 @@ struct AsReported {
   }
 };
 
-/// Builds a value of type Json from the events of the WideJson parser. Throws FormatError if the text is not JSON or if
-/// it uses something that JSON leaves open. `number` reads a number that is not an integer.
+/// Builds a value of type Json from the events of the WideJson parser. Throws FormatError if the text is not JSON, if a
+/// field occurs twice in an object, or if values nest too deep. `number` reads a number that is not an integer.
 template <class Json, class Number>
 class Builder : public nlohmann::json_sax<WideJson> {
  public:
@@ -89,7 +89,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
-    // The library's message ends with the expected token. Its prefix tells a reader nothing.
+    // The library's message ends with the expected token, and begins with a prefix that tells a reader nothing.
     const std::string what = error.what();
     const std::size_t prefix = what.find("] ");
     throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
@@ -211,7 +211,7 @@ json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vect
 
 namespace {
 
-/// Whether the coefficient equals that of an omitted field. −0 does not.
+/// Whether the coefficient is +0, the value of an omitted field.
 bool is_default(double coefficient) { return coefficient == 0 && !std::signbit(coefficient); }
 
 }  // namespace

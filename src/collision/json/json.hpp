@@ -28,13 +28,13 @@ class FormatError : public std::runtime_error {
 using WideJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
-/// Parses JSON. Throws FormatError if the text is not JSON or if a number leaves the range of binary64. Also refuses
-/// what JSON leaves open: a field that occurs twice in one object, and nesting deeper than 64 levels.
+/// Parses JSON. Throws FormatError if the text is not JSON or if a number leaves the range of binary64. Also throws if
+/// a field occurs twice in one object, or if values nest deeper than 64 levels.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
-/// Parses a reply of a subject that computes in `precision`. A number of an extended subject has the bits of long
-/// double. Any other number is rounded once to binary64, and is infinite beyond the range of binary64. An integer
-/// within 64 bits stays an integer. Throws FormatError as parse_json does, except for a number out of range.
+/// Parses a reply of a subject that computes in `precision`. If this is `extended`, a number is read as a long double.
+/// Otherwise a number is rounded once to binary64, and is infinite beyond the range of binary64. An integer within 64
+/// bits stays an integer. Throws FormatError as parse_json does, except for a number out of range.
 [[nodiscard]] WideJson parse_reply(std::string_view text, Precision precision);
 
 /// A finite number as itself; other values as "nan", "inf" or "-inf", because JSON has no numbers for them.
@@ -47,7 +47,7 @@ using WideJson =
 [[nodiscard]] nlohmann::json vector_to_json(const Vector3<double>& vector);
 
 /// The collision record of the line protocol. Omits the mass, inertia and orientation of an immovable body, and
-/// friction fields at their defaults.
+/// `friction` and `tangential_restitution` if they are +0.
 [[nodiscard]] nlohmann::json collision_to_json(const Collision& collision);
 
 /// Throws FormatError if a field is missing, unknown, or of another type. Does not validate the numbers.

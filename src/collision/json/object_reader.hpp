@@ -13,7 +13,8 @@
 
 #include <carom/collision/json/json.hpp>
 
-/// Shared code of the JSON readers. They read fields by name, and every error names its place. Not installed.
+/// Shared code of the JSON readers. They read fields by name, and every error names its place. This header is not
+/// installed.
 namespace carom::detail {
 
 /// The value as text, cut to at most one line.

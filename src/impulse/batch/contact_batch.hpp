@@ -33,8 +33,8 @@ struct PageAllocator {
 };
 
 /// Arrays of one length in one piece of memory. Each array begins at a cache line. The arrays begin at the same offset
-/// in a page as if `before` further arrays preceded them. This offset keeps contacts and outcomes apart: a load waits
-/// for a recent store whose address differs only in the page.
+/// in a page as if `before` further arrays preceded them. This offset keeps contacts and outcomes at different places
+/// in a page. Otherwise a load would wait for a recent store to the same place in another page.
 template <class S>
 class ArraysInOnePiece {
  public:

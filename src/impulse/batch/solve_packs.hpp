@@ -44,7 +44,7 @@ class BlockPrefetch {
       const void* begin = array < contact_number_count
                               ? static_cast<const void*>(task_.contacts[array])
                               : static_cast<const void*>(task_.outcomes[array - contact_number_count]);
-      // An integer, because the last block may end beyond the array. Prefetching there does no harm.
+      // The address is an integer, because the last block may end beyond the array. Prefetching there does no harm.
       const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(begin) + next * sizeof(S) + k % lines * line;
       __builtin_prefetch(reinterpret_cast<const void*>(address), 0, 2);
     }
@@ -125,15 +125,15 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
   }
 }
 
-/// Not inlined, so that it takes no registers from the usual case. Other functions of this unit must be inlined. This
-/// one is safe because P names the instruction set that it is compiled for.
+/// Not inlined, so that it takes no registers from the usual case. Other functions of this unit must be inlined
+/// (pack_kernels.cpp says why). This one need not be, because its type P names the instruction set.
 template <class P, class Solver>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
                                                    const Solver& solver) {
   solve_as<P, PrincipalInertia<P>, 1>(task, i, solver);
 }
 
-/// If no body is slender, reads the contacts as a type that says so, provided that the solver accepts this type.
+/// If no body is slender and the solver accepts the type PrincipalInertia<P, false>, reads the contacts with this type.
 template <class P, std::size_t Packs, class Solver>
 void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   using NotSlender = PrincipalInertia<P, false>;
@@ -191,17 +191,17 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `solver` to all contacts: two packs P at a time, or one if the arrays come from memory. The solver returns a
-/// ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> for a Contact<P>; or an Outcome<P>, which takes longer. The
-/// numbers of a body are read before its outcome is written. So an array of outcomes may be the array of the velocities
-/// that it replaces; otherwise no two arrays overlap.
+/// Applies `solver` to all contacts: two packs P at a time, or one if the arrays are too large for the cache. The
+/// solver returns a ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> for a Contact<P>; or an Outcome<P>, which
+/// takes longer. The numbers of a body are read before its outcome is written. So an array of outcomes may be the array
+/// of the velocities that it replaces; otherwise no two arrays overlap.
 template <class P, class Solver>
 void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
-  // If the arrays come from memory, two packs at a time are slower by an eighth than one.
+  // If the arrays are too large for the cache, two packs at a time are slower by an eighth than one.
   for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
     detail::solve_from<P, 2>(task, i, solver);
   }

@@ -15,7 +15,7 @@ namespace carom::impulse {
 
 /// An exact sum of products of up to three doubles. It never rounds, overflows or underflows, because it is a
 /// fixed-point number that is long enough for every such product (U. Kulisch, "Computer Arithmetic and Validity", 2nd
-/// ed. 2013, ch. 8, which describes a long accumulator for products of two numbers). Exact for up to `most_products`
+/// ed. 2013, ch. 8, which describes a long accumulator for products of two numbers). It holds up to `most_products`
 /// products.
 class ExactSum {
  public:
@@ -54,7 +54,7 @@ class ExactSum {
   }
 
   /// The sum. Its relative error is at most 2⁻⁵⁰ if the sum is a normal number: two additions are rounded, and the
-  /// omitted digits are below 2⁻⁶⁴ of it. It is 0 or infinite beyond the range of double.
+  /// omitted digits are below 2⁻⁶⁴ of the sum. The result is 0 or infinite beyond the range of double.
   [[nodiscard]] double approximately() const {
     const int s = sign();
     std::int64_t carry = 0;
@@ -83,7 +83,7 @@ class ExactSum {
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
 
-  // A product adds to a digit the lower half of one shifted digit and the upper half of another. `sign` adds a carry.
+  // A product adds to a digit the lower half of one shifted digit and the upper half of another. `sign()` adds a carry.
   static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
   // The place of a double is at most 2045. A product of three begins at this digit or below, and has six digits and a
   // carry.

@@ -46,7 +46,6 @@ std::string failing_families(const MethodMeasurement& method) {
   return text.empty() ? "–" : text;
 }
 
-/// The methods of one law.
 Table methods_table(std::span<const MethodMeasurement> methods) {
   Table table{"",
               {{"", true},

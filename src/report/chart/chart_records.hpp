@@ -16,7 +16,7 @@ namespace carom::report {
 struct Measurements {
   Environment environment;
   std::uint64_t seed;
-  std::size_t cases;  // of each family, and at each quantity of a sweep
+  std::size_t cases;  // of each family, and at each value of a sweep's quantity
   int repetitions;    // of each timing
   double limit_ulps;
   std::vector<MethodMeasurement> methods;
@@ -26,7 +26,7 @@ struct Measurements {
 /// One line for each method and family.
 [[nodiscard]] std::string work_precision_csv(const Measurements& measurements);
 
-/// One line for each method and quantity of each sweep.
+/// One line for each method and each value of each sweep's quantity.
 [[nodiscard]] std::string stability_csv(const Measurements& measurements);
 
 /// One line for each step of each curve.
@@ -34,7 +34,7 @@ struct Measurements {
 
 [[nodiscard]] nlohmann::json chart_record(const Measurements& measurements);
 
-/// The methods over all families, and the quantity at which each method exceeds the limit, as Markdown.
+/// The methods over all families, and the value in each sweep at which a method exceeds the limit, as Markdown.
 [[nodiscard]] std::string tables_markdown(const Measurements& measurements);
 
 }  // namespace carom::report

@@ -77,7 +77,7 @@ Plot deadline(std::span<const MethodMeasurement> methods) {
     above = label.at.y;
   }
   picture.write(labels, 17);
-  // The methods of the steps.
+  // The list of the methods that make the steps.
   double y = std::min(above - 60, panel.y.first_pixel + 24 * static_cast<double>(methods_behind.size()) + 24);
   picture.write("the steps are by", {panel.x.last_pixel + 30, y}, "#555555");
   for (const auto& [nanoseconds, method] : methods_behind) {

@@ -24,10 +24,11 @@ namespace carom::report {
 /// Time against correct digits, in one small diagram for each family.
 [[nodiscard]] Plot work_precision_of_families(std::span<const MethodMeasurement> of_one_law);
 
-/// The worst backward error along a sweep, with one line for each method of the law.
+/// The worst backward error along a sweep (cases with one quantity set to 10^k), with one line for each method of the
+/// law.
 [[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps);
 
-/// The share of cases that the best method solves to a number of digits within a time.
+/// For each time, the largest share of cases that a method within that time solves to a number of digits.
 [[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_law);
 
 /// One step of a deadline curve: from this time on, the method solves this share of the cases.

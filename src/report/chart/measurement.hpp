@@ -21,7 +21,6 @@ struct Quantiles {
   double worst = 0;
 };
 
-/// The spread of repeated measurements.
 struct Spread {
   double median = 0;
   double lowest = 0;
@@ -31,7 +30,7 @@ struct Spread {
 /// The accuracy of one method on the colliding contacts of one distribution.
 struct Exactness {
   std::size_t cases = 0;
-  std::size_t failures = 0;        // cases beyond the limit on the backward error, violating an equation, or not finite
+  std::size_t failures = 0;        // outcomes that exceed the limit, violate an equation, or are not finite
   bool has_digits = true;          // false if the digits were not computed
   Quantiles digits;                // correct digits of the change of the velocities (forward error)
   bool has_backward_error = true;  // false for a law that determines no outcome
@@ -66,9 +65,9 @@ struct SweepLine {
   Law law;
   Precision precision;
   std::vector<double> quantity;
-  std::vector<Exactness> exactness;  // at each quantity
+  std::vector<Exactness> exactness;  // at each value of `quantity`
 
-  /// The first quantity, from the easy end, at which a case fails; none if no case fails.
+  /// The first value of the quantity, from the easy end, at which a case fails; none if no case fails.
   [[nodiscard]] std::optional<double> leaves_limit_at() const;
 };
 
@@ -84,7 +83,7 @@ class ExactnessBuilder {
  public:
   /// If the outcome is not finite, `backward_error` is infinite and `digits` is 0.
   void add(double backward_error, double digits, bool within_limit);
-  /// For a law without a backward error. If the digits were not computed, only whether the law holds is added.
+  /// For a law without a backward error. Without `digits`, only `holds` is added.
   void add(double digits, bool holds);
   void add(bool holds);
   ExactnessBuilder& operator+=(const ExactnessBuilder& other);
@@ -97,14 +96,14 @@ class ExactnessBuilder {
   std::size_t failures_ = 0;
 };
 
-/// The laws whose methods are charted: the laws with a truth, and `coulomb`. The digits of `coulomb` are those of its
-/// nearest answer.
+/// The laws whose methods are charted: the laws that determine one exact outcome, and `coulomb`. The digits of
+/// `coulomb` are those of its nearest answer.
 [[nodiscard]] std::span<const Law> charted_laws();
 
 /// The value of rank ⌈share · n⌉ among n sorted values (nearest rank). Precondition: `sorted` is not empty.
 [[nodiscard]] double quantile(const std::vector<double>& sorted, double share);
 
-/// A time with three significant digits, or with all digits before the point. From 1e-4 on, it has no exponent.
+/// A time with three significant digits, or with all digits before the point. A time of at least 1e-4 has no exponent.
 [[nodiscard]] std::string in_three_digits(double number);
 
 }  // namespace carom::report

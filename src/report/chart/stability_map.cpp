@@ -96,7 +96,7 @@ Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps) {
   picture.write("orange: binary32 · blue: binary64 · green: more", {key_left, y}, "#777777");
   y -= row;
   picture.write("at 10²²: no digit is right, or the outcome is not finite", {key_left, y}, "#777777");
-  // Lines that end close together are told apart by the list.
+  // Lines that end close together get no label, because the list at the side names them.
   std::erase_if(labels, [&](const Label& label) { return !stands_alone(label.names, ends); });
   for (Label& label : labels) {
     label.at = {label.names.x + 18, label.names.y};

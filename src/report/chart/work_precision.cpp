@@ -23,7 +23,6 @@ constexpr std::pair<std::string_view, std::string_view> key_of_colours[] = {{"bi
                                                                             {"x: fails", vermillion},
                                                                             {"grey: Pareto line", grey}};
 
-/// The mark of one method.
 struct Mark {
   std::size_t number;  // of the method, from 0
   Spread nanoseconds;

@@ -41,9 +41,9 @@ struct Cell {
 
   std::string text;
   std::string look;
-  bool is_code = false;     // Markdown shows it as code, so that a third party's name is no markup and no mention
+  bool is_code = false;     // Markdown shows it as code, so that a third party's name is neither markup nor an @mention
   std::string link = {};    // the target of the text, "#anchor"
-  std::string sign = {};    // before the text, visible only
+  std::string sign = {};    // before the text, not for screen readers
   std::string spoken = {};  // in place of the sign, for screen readers
   std::string before = {};  // before the link
   std::string small = {};   // below the text
@@ -111,7 +111,6 @@ struct Block {
   Block(T block) : is(std::move(block)) {}  // implicit, so that each alternative is a block
 };
 
-/// The two documents, one after the other.
 [[nodiscard]] Document with(Document first, Document second);
 
 /// The document for a terminal. A column of a table is as wide as its longest cell.

@@ -76,7 +76,7 @@ struct HtmlWriter {
   }
 
   void operator()(const Table& table) const {
-    // A scrolling element must be reachable by the keyboard, and then needs a label.
+    // A scrolling element must be reachable by the keyboard, so it also needs a label.
     const pugi::xml_node frame =
         add(parent, "div", {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", table.caption}});
     const pugi::xml_node node = add(frame, "table", {{"class", table.look}});
@@ -141,7 +141,7 @@ void add_head(pugi::xml_node html, const std::string& title) {
   add(head, "style", {}, report_style);
 }
 
-/// In HTML, an element without content either has no end tag or requires one. HTML reads <meta/> like XML.
+/// Writes an end tag for each element without content, because HTML requires it. Only <meta/> must not have one.
 std::string serialized(const pugi::xml_document& document) {
   std::ostringstream stream;
   document.save(stream, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);

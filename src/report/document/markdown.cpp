@@ -16,8 +16,8 @@ bool is_in_word(const std::string& line, std::size_t at) {
   return at > 0 && at + 1 < line.size() && is_word(line[at - 1]) && is_word(line[at + 1]);
 }
 
-/// A line without active markup that does not end the cell of a table. Within a word, _ is no markup. A bracket is
-/// markup only if the next letter makes a link or a link definition.
+/// Escapes a line, so that it has no active markup and does not end the cell of a table. Within a word, _ is no markup.
+/// A bracket is markup only if the next letter makes a link or a link definition.
 std::string escaped(const std::string& text) {
   constexpr std::string_view markup = "\\`*|~";
   constexpr std::string_view makes_a_link = "([:";
@@ -40,7 +40,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// A line as code.
 std::string in_code(const std::string& text) {
   std::string code;
   for (const char letter : printable_line(text, longest_line)) {
@@ -51,7 +50,7 @@ std::string in_code(const std::string& text) {
 
 std::string cell_text(const Cell& cell) { return cell.is_code ? in_code(cell.text) : escaped(cell.text); }
 
-/// The first letter of a paragraph must not make it a heading or a list.
+/// Escapes the first letter too, if it would make the paragraph a heading or a list.
 std::string paragraph_text(const std::string& text) {
   const std::string line = escaped(text);
   return (!line.empty() && std::string_view("#+-=>").find(line.front()) != std::string_view::npos ? "\\" : "") + line;

@@ -21,7 +21,6 @@ using Attributes = std::initializer_list<std::pair<const char*, std::string_view
 /// Appends <name attributes>text</name>.
 pugi::xml_node add(pugi::xml_node parent, const char* name, Attributes attributes = {}, std::string_view text = {});
 
-/// Appends text.
 void add_text(pugi::xml_node parent, std::string_view text);
 
 }  // namespace carom::report

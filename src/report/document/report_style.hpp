@@ -5,7 +5,8 @@
 
 namespace carom::report {
 
-/// The style sheet of report.html. HTML does not unescape the content of its element, so it must not contain <, > or &.
+/// The style sheet of report.html. HTML does not unescape the content of <style>, so the style sheet must not contain
+/// <, > or &.
 extern const std::string_view report_style;
 
 }  // namespace carom::report

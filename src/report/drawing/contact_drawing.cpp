@@ -56,7 +56,7 @@ long double velocity_scale(const std::vector<Velocities>& all) {
   return longest > 0 ? arrow_in_pixels / longest : 0;
 }
 
-/// Draws the velocities. Returns whether an arrow was shortened.
+/// Returns whether an arrow was shortened.
 bool draw_velocities(Drawing& drawing, const Place& at, const Velocities& velocities, long double scale) {
   constexpr long double longest = 2 * arrow_in_pixels;
   bool is_shortened = false;
@@ -93,7 +93,7 @@ long double length_scale(const std::vector<DrawnBody>& bodies) {
       size = std::max(size, one.outline.longer);
     }
   }
-  constexpr long double largest_outline = 2.5;  // lever arms
+  constexpr long double largest_outline = 2.5;  // in lengths of the longest lever arm
   const long double whole = reach > 0 ? std::max(reach, std::min(size, largest_outline * reach)) : size;
   return whole > 0 ? reach_in_pixels / whole : 0;
 }
@@ -109,7 +109,7 @@ bool scale_outline(Outline& outline, long double scale) {
 
 std::string sentence(bool applies, const char* text) { return applies ? std::string(" ") + text : ""; }
 
-/// Draws the bodies, the contact and the velocities. Returns the caption.
+/// Returns the caption.
 std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, const Plane& plane,
                         const std::string& name, const std::string& title) {
   const Collision& collision = picture.collision;

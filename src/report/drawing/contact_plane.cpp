@@ -22,7 +22,6 @@ Direction askew(const Direction& vector, const Direction& normal) {
   return direction - direction.dot(normal) * normal;
 }
 
-/// A unit vector orthogonal to the normal.
 Direction any_orthogonal(const Direction& normal) {
   int smallest = 0;
   normal.cwiseAbs().minCoeff(&smallest);
@@ -47,7 +46,7 @@ Plane contact_plane(const Collision& collision, const Vector3<double>& relative_
       best = candidate;
     }
   }
-  // A smaller value is rounding error of the subtraction.
+  // A value below `visible` is rounding error of the subtraction.
   constexpr long double visible = 1e-12L;
   return best.askew.norm() > visible ? Plane{best.askew.normalized(), normal, best.name}
                                      : Plane{any_orthogonal(normal), normal, "any direction orthogonal to N"};

@@ -15,7 +15,7 @@ struct Place {
   long double y = 0;
 };
 
-/// A small SVG picture that grows with its content. Every number in an attribute is of moderate size. The style sheet
+/// A small SVG picture that grows with its content. Every coordinate is clamped to ±1000 pixels. The style sheet
 /// defines the look of each class.
 class Drawing {
  public:
@@ -30,7 +30,7 @@ class Drawing {
   /// Draws nothing if the arrow is shorter than a dot.
   void arrow(const Place& from, const Place& along, const char* look);
 
-  /// A horizontal surface through the origin, hatched on the side of a body: 1 for above, −1 for below.
+  /// A horizontal surface through the origin, hatched above it if `side` is 1, and below it if `side` is −1.
   void wall(int side, long double half_width);
 
   /// Writes a text next to the anchor, where it covers the least of the drawing. Call it after everything else is

@@ -30,7 +30,6 @@ const std::map<std::string_view, Symbol>& symbols() {
   return all;
 }
 
-/// Reads one formula from start to end.
 class Reader {
  public:
   explicit Reader(std::string_view rest) : rest_(rest) {}

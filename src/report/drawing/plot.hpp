@@ -43,8 +43,8 @@ struct Label {
   Pixel at{0, 0};  // its middle, once it is placed
 };
 
-/// Places each label next to its place. If there is room nearby, it covers no other label and no place in
-/// `to_keep_free`. `letter` is the size of a letter in pixels.
+/// Moves each label close to the place that it names. If there is room nearby, no label covers another label or a place
+/// in `to_keep_free`. `letter` is the size of a letter in pixels.
 void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within);
 
@@ -67,7 +67,7 @@ class Plot {
              double size = 1);
   /// Writes placed labels on white. A line joins a label to its place if the two are apart.
   void write(const std::vector<Label>& labels, double letter);
-  /// Draws a piece of a curve with its mark, for a list of methods. Call it in any diagram, before its curves.
+  /// Draws a piece of a curve with its mark, as the key of a method. Call it in any diagram, before its curves.
   void swatch(Pixel at, std::string_view colour, int dash, int point);
   /// Adds a curve or marks through points, in the gnuplot style `with`. Each point has two numbers (x and y) or four
   /// (the two ends of an arrow). Without points, it adds nothing.

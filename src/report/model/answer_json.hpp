@@ -10,8 +10,8 @@
 /// Answers, truths and verdicts as JSON.
 namespace carom::report {
 
-/// An outcome has numbers. A number that binary64 cannot represent is a string with 21 digits. Any other answer is
-/// {"refused": why}, {"skipped": why} or {"failed": why, "said": …}.
+/// An outcome is written as numbers. A number that binary64 cannot represent is a string with 21 digits. Any other
+/// answer is {"refused": why}, {"skipped": why} or {"failed": why, "said": …}.
 template <>
 struct Json<Answer> {
   static nlohmann::json write(const Answer& answer);
@@ -32,18 +32,19 @@ struct Json<oracles::Yardstick> {
   static oracles::Yardstick read(const Field& field, Reading reading);
 };
 
-/// The counts by reason.
+/// The counts of cases that are not judged, by reason.
 template <>
 struct Json<properties::UnjudgedCounts> {
   static nlohmann::json write(const properties::UnjudgedCounts& counts);
   static properties::UnjudgedCounts read(const Field& field, Reading reading);
 };
 
-/// The exact truth of one law: velocities and impulse as strings "p/q", and the velocities as binary64 under `nearest`.
+/// The exact outcome under one law: velocities and impulse as strings "p/q", and the velocities as binary64 under
+/// `nearest`.
 [[nodiscard]] nlohmann::json truth_record(const oracles::ExactCase& exact_case, Law law);
 
 /// All answers of the law `coulomb`: the kind of each, whether it is exact, and its velocities as binary64 under
-/// `nearest`. An exact answer also has the fields of a truth.
+/// `nearest`. An exact answer also has the other fields of truth_record.
 [[nodiscard]] nlohmann::json answers_record(std::span<const oracles::CoulombAnswer> answers);
 
 }  // namespace carom::report

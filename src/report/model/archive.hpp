@@ -14,11 +14,11 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/report/model/field.hpp>
 
-/// Writes a value as JSON and reads it back, by one description. A type has either a function `fields(archive, value)`,
-/// which names each of its fields once, or a specialisation of Json with `write` and `read`.
+/// Writes a value as JSON and reads it back, both by one description of its type. A type has either a function
+/// `fields(archive, value)`, which names each of its fields once, or a specialisation of Json with `write` and `read`.
 namespace carom::report {
 
-/// Whether a report is read for a comparison, or as a whole, for a shard.
+/// `to_compare` reads only the fields that compare_runs needs. `whole` reads all fields of a shard, to merge it.
 enum class Reading { to_compare, whole };
 
 template <class T>
@@ -152,7 +152,7 @@ struct Json<std::string> {
   static std::string read(const Field& field, Reading) { return field.text(); }
 };
 
-/// None is null.
+/// A missing value is written as null.
 template <class T>
 struct Json<std::optional<T>> {
   static nlohmann::json write(const std::optional<T>& value) { return value ? Json<T>::write(*value) : nullptr; }

@@ -62,7 +62,7 @@ SubjectSummary summary_of(const JudgedSubject& judged_subject) {
   return summary;
 }
 
-/// A subject of a report, which may be absent.
+/// A subject of a report. An absent subject is one that is not installed.
 struct OneSubject {
   const Run* run;
   const Subject* subject;
@@ -128,7 +128,7 @@ const OneSubject* found_in(const std::vector<OneSubject>& subjects, const Subjec
   if (const OneSubject* same = of([&](const Subject& subject) { return subject.name == wanted.name; })) {
     return same;
   }
-  // A program that could not be started has not stated its name.
+  // A program states its name when it starts. If it could not be started, only the specification identifies it.
   return wanted.specification.empty()
              ? nullptr
              : of([&](const Subject& subject) { return subject.specification == wanted.specification; });
@@ -232,7 +232,6 @@ ComparedSubject compare_subjects(const OneSubject* before, const OneSubject* now
   return subject;
 }
 
-/// The settings that differ between the runs.
 std::vector<Difference> differences_between(const Run& before, const Run& now) {
   std::vector<Difference> differences;
   const auto note = [&](const char* what, const std::string& old_value, const std::string& new_value) {

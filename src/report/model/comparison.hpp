@@ -16,13 +16,12 @@ namespace carom::report {
 
 struct Run;
 
-/// The identity of a run.
 struct RunHeading {
   std::string file;
   std::string carom;  // its version
   std::string date;
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> cases;  // of each family; none if a budget decided
+  std::optional<std::uint64_t> cases;  // of each family; none if a time budget decided the number
   std::size_t families = 0;
   std::string shard;  // "2/3"; empty for a whole run
 };
@@ -69,12 +68,12 @@ struct ComparedViolation {
 /// same if they have the same specification on the command line.
 struct ComparedSubject {
   std::string name;
-  bool counts = false;                         // in the newer report
+  bool counts = false;                         // in the newer report, its violations decide the exit status
   std::optional<SubjectSummary> before;        // none if the older report lacks the subject
   std::optional<SubjectSummary> now;           // none if the newer report lacks the subject
   std::vector<ComparedViolation> violations;   // by invariant, then in the order of the families
   std::vector<std::string> no_longer_claimed;  // "invariant" or "invariant@family" that was claimed before
-  bool cannot_be_judged_now = false;           // now an error or not judged, and not so before: counts as new
+  bool cannot_be_judged_now = false;           // now "error" or "not judged", before neither: counts as new
 };
 
 /// A setting that differs between the runs, so that their numbers are not comparable.

@@ -32,8 +32,8 @@ json differences_record(const Comparison& comparison) {
 
 json count_record(const properties::Count& count) { return {{"holds", count.holds}, {"violated", count.violated}}; }
 
-/// The violations with these changes, each with whether its subject counts. A subject that can no longer be judged has
-/// no invariant, so it is not listed here.
+/// The violations with these changes. `counts` tells whether the subject decides the exit status. A subject that can no
+/// longer be judged has no invariant, so it is not listed here.
 json violations_record(const Comparison& comparison, std::initializer_list<Change> changes) {
   json list = json::array();
   for (const ComparedSubject& subject : comparison.subjects) {

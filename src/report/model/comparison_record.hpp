@@ -7,7 +7,6 @@
 
 namespace carom::report {
 
-/// A comparison as JSON.
 [[nodiscard]] nlohmann::json comparison_record(const Comparison& comparison);
 
 /// The field `baseline` of report.json.

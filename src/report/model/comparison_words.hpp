@@ -35,7 +35,7 @@ struct ChangedNumber {
 /// A setting that differs between the runs: "seed: 1 before, 2 now".
 [[nodiscard]] std::string difference_in_words(const Difference& difference);
 
-/// The consequence of such differences.
+/// The consequence of different settings, as a text.
 extern const char* const differences_mean;
 
 }  // namespace carom::report

@@ -12,7 +12,7 @@
 namespace carom::report {
 
 /// A value in a JSON text, and its place. Its members throw FormatError that names the place if the value has another
-/// type. Precondition: the JSON text outlives it.
+/// type. Precondition: the JSON text outlives the object.
 class Field {
  public:
   explicit Field(const nlohmann::json& value, std::string place = {}) : value_(&value), place_(std::move(place)) {}

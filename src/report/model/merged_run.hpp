@@ -8,7 +8,7 @@
 
 namespace carom::report {
 
-/// The shards are not exactly those of one run.
+/// Thrown if the shards are not exactly those of one run. A shard holds every n-th case of each family.
 class MergeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -29,7 +29,6 @@ struct Environment {
   unsigned processor_threads = 0;
 };
 
-/// The settings of a run.
 struct Settings {
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> cases;    // of each family; none if a budget decided
@@ -51,10 +50,10 @@ struct RunFamily {
 struct FamilyBeyondDomain {
   std::string name;
   std::string summary;
-  std::string quantity;  // the quantity that is large in it
+  std::string quantity;  // the quantity that is large in its cases
 };
 
-/// Features of the colliding cases of all families.
+/// The features (special values or relations) of the colliding cases of all families.
 struct Features {
   std::uint64_t feasible_pairs = 0;
   std::vector<std::pair<std::string, std::string>> missing_pairs;
@@ -70,17 +69,17 @@ struct Violation {
   std::string witness;  // its file, relative to the report's directory
 };
 
-/// A subject that was judged, or should have been.
+/// A subject (a solver under test) that was judged, or should have been.
 struct JudgedSubject {
   properties::SubjectResult result;  // families as in the run
-  bool counts = false;               // towards the exit status
+  bool counts = false;               // whether its violations decide the exit status
   /// "violated" if it violates an invariant, otherwise "error" if it was not judged to the end. Otherwise "not judged"
   /// if too few cases could be posed to it, and "sound" if there were enough.
   std::string status;
   properties::SubjectResult::WorstFamily worst;
   Digits digits;
   std::vector<Violation> violations;
-  /// The invariants of the collision matrix, if the subject shows none. None for a report that does not list them.
+  /// The invariants of the collision matrix, if the subject shows no matrix. None if a report does not list them.
   std::optional<std::vector<std::string>> not_claimed;
   std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
 
@@ -99,7 +98,7 @@ struct Run {
   std::vector<FamilyBeyondDomain> beyond_domain;
   Features features;
   std::vector<JudgedSubject> subjects;
-  std::vector<Subject> absent;           // named or part of the default, and not installed
+  std::vector<Subject> absent;           // not installed; the command line or the default names them
   std::optional<Comparison> baseline{};  // of this run with an earlier one
 
   /// 2 if a subject that counts could not be judged at all, if no subject counts, or if the run was interrupted.
@@ -108,15 +107,15 @@ struct Run {
   [[nodiscard]] int exit_status() const;
 };
 
-/// Makes the value of the gate's results. `counts` tells for each result if it counts. `is_shard` tells if the run will
-/// be merged with others. This function makes the diagnoses.
+/// Makes a Run of the gate's results, and their diagnoses. `counts` tells for each result if its subject decides the
+/// exit status. `is_shard` tells if the run will be merged with others.
 [[nodiscard]] Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
                          Environment environment, std::vector<std::string> deviates, bool is_shard);
 
 /// The invariants that a subject does not claim because it shows no collision matrix.
 [[nodiscard]] std::vector<std::string> not_claimed_by(const Subject& subject);
 
-/// The reason in words.
+/// The reason why not_claimed_by lists an invariant, in words.
 inline constexpr const char* shows_no_matrix = "because it shows no collision matrix";
 
 /// The totals of a run over the subjects that count.
@@ -144,7 +143,7 @@ struct Overall {
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
                                          const oracles::Yardstick& yardstick);
 
-/// The witnesses of a subject, the most telling one first.
+/// The witnesses of a subject. The witness of the invariant `Diagnosis::telling` is first.
 [[nodiscard]] std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject);
 
 }  // namespace carom::report

@@ -314,7 +314,8 @@ void beyond_domain_fields(A& archive, const std::string& family, Is<FamilyResult
   archive("boundary", result.boundary);
 }
 
-/// A list of a subject's results, one for each of `families`. There may be fewer results beyond the domain.
+/// A list of a subject's results, one for each of `families`. There may be fewer results for families beyond the domain
+/// that solvers claim.
 template <class Families, class Results, class OfOne>
 void results_field(Writer& archive, const char* name, const Families& families, const Results& results,
                    const OfOne& of_one) {
@@ -417,8 +418,8 @@ void subjects_field(Reader& archive, Run& run) {
   }
 }
 
-/// The data of a shard that a merge adds up and that no other field has. Each subject has its correct digits by their
-/// bins. Each family in which it violates an invariant has its findings (findings.hpp).
+/// The data that only merged_run needs. For each subject it has the histogram of correct digits, and the findings
+/// (findings.hpp) of each family in which the subject violates an invariant.
 json shard_record(const Run& run) {
   json record{{"number", run.settings.shard->number},
               {"of", run.settings.shard->of},

@@ -16,26 +16,27 @@ namespace carom::report {
 /// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
-/// Reads the run that report_record wrote, as far as a comparison needs it. Fields of a subject's families that it does
-/// not need may be missing, and families and invariants may be unknown. Throws FormatError that names the place if a
-/// field is missing or has another type, or if a subject or a family occurs twice.
+/// Reads the run that report_record wrote, as far as a comparison needs it. Other fields of a subject's families may be
+/// missing, and families and invariants may be unknown. Throws FormatError that names the place if a field is missing
+/// or has another type, or if a subject or a family occurs twice.
 [[nodiscard]] Run run_from(const nlohmann::json& record);
 
-/// A shard, as the gate's report without its witnesses.
+/// A shard that was read, as a run and as the gate's report.
 struct ReadShard {
   std::string file;
   Run run;                        // without `sampled`, and without the witnesses
   properties::GateReport report;  // without the witnesses of run.subjects[…].violations
 };
 
-/// Throws FormatError, also if the report is of no shard or of another version of Carom, or if the run was interrupted.
+/// Throws FormatError, also if the report is no shard, is of another version of Carom, or was interrupted.
 [[nodiscard]] ReadShard shard_from(const nlohmann::json& record, const std::string& file);
 
 /// A witness as one file, with the command that replays it.
 [[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
                                             const Settings& settings, const std::string& witness_file);
 
-/// Reads what witness_record wrote. Throws FormatError, also if it is of another invariant.
+/// Reads what witness_record wrote. Throws FormatError, also if the witness violates another invariant than
+/// `invariant`.
 [[nodiscard]] properties::Witness witness_from(const nlohmann::json& record, const std::string& invariant);
 
 }  // namespace carom::report

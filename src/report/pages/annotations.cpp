@@ -17,8 +17,8 @@ using properties::Witness;
 constexpr std::size_t longest_title = 200;
 constexpr std::size_t longest_message = 4000;
 
-/// Escapes %, line ends and the letters in `ends` as % and two digits, because they would end a command or a field of
-/// it.
+/// Escapes %, line ends and the letters in `ends` as % and two digits. Unescaped, they would end a command or one of
+/// its fields.
 std::string escaped(std::string_view text, std::string_view ends) {
   std::string result;
   for (const char letter : text) {

@@ -25,7 +25,7 @@ pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::s
   return add(suite, "testcase", {{"classname", subject}, {"name", name}, {"time", "0"}});
 }
 
-/// The effect of a violation.
+/// How a violation counts: as a failure, as expected of this subject, or as known from the baseline.
 enum class Standing { failure, expected, known };
 
 Standing standing_of(const Run& run, std::size_t subject, const std::string& invariant) {
@@ -117,7 +117,7 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
   const properties::SubjectResult& result = run.subjects[subject].result;
   const bool counts = run.subjects[subject].counts;
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
-  // JUnit requires them before the tests.
+  // JUnit requires properties before the tests.
   if (!result.beyond_domain.empty()) {
     const pugi::xml_node list = add(suite, "properties");
     for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {

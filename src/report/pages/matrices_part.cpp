@@ -69,7 +69,7 @@ Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& 
                          : signed_cell("nothing", "○", "no case");
 }
 
-/// The shades of the second matrix, each for errors up to `limit` times its bound.
+/// The shades of the matrix of backward errors. Each is for errors up to its bound times the limit of the yardstick.
 struct Shade {
   const char* look;
   double bound;

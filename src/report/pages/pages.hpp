@@ -14,14 +14,14 @@ namespace carom::report {
 /// The run for a terminal.
 [[nodiscard]] std::string run_text(const Run& run, const std::string& out_directory);
 
-/// The run for the page of a job, or a comment on a merge request. It has only the subjects that count, and is not
-/// longer than about a megabyte.
+/// The run for the page of a job, or a comment on a merge request. It has only the subjects that count (those that
+/// decide the exit status), and is not longer than about a megabyte.
 [[nodiscard]] std::string run_markdown(const Run& run, const std::string& out_directory);
 
 /// report.html: one page that needs no script, network or other file, and is well-formed XML too.
 [[nodiscard]] std::string run_html(const Run& run, const std::string& out_directory);
 
-/// The subjects of a run as a table in Markdown.
+/// The table of the run's subjects in Markdown.
 [[nodiscard]] std::string subjects_markdown(const Run& run);
 
 /// The run as JUnit's XML: a suite for each subject, and a test for each invariant that it claims.

@@ -12,7 +12,8 @@ namespace carom::report {
 
 enum class Subjects { counting, all };
 
-/// One row for each subject, those that count first: verdict, worst backward error, digits, time.
+/// One row for each subject: verdict, worst backward error, digits, time. The subjects that count (that decide the exit
+/// status) are first.
 [[nodiscard]] Table subjects_table(const Run& run, Subjects which);
 
 /// The errors of subjects that could not be judged to the end, each with the anchor that subjects_table links to.
@@ -36,13 +37,15 @@ enum class Subjects { counting, all };
 /// The worst backward error of each subject in each family.
 [[nodiscard]] Document families_part(const Run& run);
 
-/// The boundary of each subject beyond the claimed domain, which is no verdict; empty if no such family was posed.
+/// For families beyond the domain that solvers claim: the boundary from which each subject fails. It is no verdict.
+/// Empty if no such family was posed.
 [[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
 
-/// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".
+/// The boundary of one subject on one of these families: "from 3.2e+07 on: 412 of 1000".
 [[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
 
-/// The diagnosis of a subject with violations, its violations, and the most telling witness.
+/// The diagnosis of a subject with violations, its violations, and the witness of the invariant that explains most of
+/// them.
 [[nodiscard]] Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory);
 
 /// The diagnosis of each subject, in short.
@@ -63,7 +66,6 @@ enum class Subjects { counting, all };
 /// For the end of a run: all changes since the baseline, and one line with the summary.
 [[nodiscard]] Document baseline_part(const Comparison& comparison);
 
-/// The command that replays the witness.
 [[nodiscard]] std::string replay_line(const Run& run, const JudgedSubject& subject, const properties::Witness& witness,
                                       const std::string& out_directory);
 

@@ -76,7 +76,7 @@ struct Velocities {
 };
 
 /// The exact velocities for a subject that claims a law. A law that may have several answers has a column for each
-/// answer. If the subject claims no law, there is a column for the truth of each law.
+/// answer. If the subject claims no law, there is a column for the exact outcome of each law.
 std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Law claimed) {
   std::vector<Velocities> columns;
   if (claimed == Law::coulomb) {

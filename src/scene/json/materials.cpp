@@ -88,7 +88,8 @@ void MaterialsReader::check_all_listed() const {
   if (!has_contacts_) {
     return;
   }
-  // Two bodies of each material are enough, because a body meets bodies of other materials and of its own.
+  // Two bodies of each material are enough. One stands for it in pairs with other materials, and both in the pair with
+  // itself.
   struct Users {
     std::vector<std::string> bodies;
     std::optional<std::string> plane;

@@ -24,8 +24,8 @@ class MaterialsReader {
   /// FormatError.
   [[nodiscard]] std::size_t material_of(Fields& body) const;
 
-  /// Call after all bodies are read. If the file has "contacts", throws FormatError if two bodies can meet whose
-  /// materials it does not list.
+  /// Call after all bodies are read. If the file has "contacts", throws FormatError if two bodies can meet whose pair
+  /// of materials is not listed there.
   void check_all_listed() const;
 
   /// The place of a pair of materials in the file; "/contacts" if the pair is not listed.

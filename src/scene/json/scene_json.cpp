@@ -20,7 +20,7 @@ namespace {
 using detail::found;
 using nlohmann::json;
 
-/// Reads one file. Remembers the place of each body, so that an error in the whole scene can name it.
+/// Reads one file. Remembers the place of each body, so that an error in the whole scene can name that place.
 class SceneReader {
  public:
   explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}

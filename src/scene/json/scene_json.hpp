@@ -20,7 +20,7 @@ inline constexpr std::size_t most_planes = 256;
 
 /// The scene of a file (docs/reference/schemas/scene.schema.json). A room becomes six planes, and a lattice becomes
 /// spheres. Throws FormatError if the JSON is not a scene or the scene is not valid (valid_scene.hpp,
-/// valid_polyhedra.hpp). The message names the place.
+/// valid_polyhedra.hpp). The message names the place in the file.
 [[nodiscard]] Scene scene_from_json(const nlohmann::json& json);
 
 /// The JSON of a scene, with every field written out. Precondition: the scene is valid.

@@ -42,7 +42,7 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
 }
 
 /// The outcome with the former velocities of immovable bodies. The rounding to the solver's precision would change
-/// them.
+/// these velocities.
 Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& collision) {
   const Outcome<double> before = unchanged(collision);
   if (collision.a.immovable) {
@@ -77,7 +77,7 @@ double parting_speed(const Collision& collision) {
 
 Outcome<double> sent_apart(const Collision& collision, double speed) {
   impulse::Contact<double> contact = impulse::make_contact<double>(collision);
-  // This is a plastic impact of bodies that approach by the missing speed.
+  // Computes a plastic impact of bodies that approach at the missing speed.
   contact.restitution = 0;
   const double missing = impulse::normal_velocity(contact) - speed * contact.normal.norm();
   return with_immovable_kept(impulse::apply_impulse(contact, impulse::frictionless_impulse(contact, missing)),

@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// A plane across a normal. Its axes x and y are counterclockwise as seen from the tip of the normal.
+/// A plane perpendicular to a normal. Its axes x and y are counterclockwise as seen from the tip of the normal.
 struct Plane {
   Vector normal;
   Vector x;
@@ -27,14 +27,13 @@ Plane plane_across(const Vector& normal) {
   return {normal, x, normal.cross(x)};
 }
 
-/// The foremost part of a shape in a direction.
+/// The part of a shape that faces the other shape.
 struct Front {
   double height;         // of the surface, along the normal [m]
   PlanePolygon polygon;  // of the core, projected onto the plane
 };
 
-/// The lowest points of the shape on the side of the normal (sign −1), or the highest points of the other shape (sign
-/// +1).
+/// The points of a shape that are lowest along the normal (sign −1, for A) or highest (sign +1, for B).
 Front front_of(const ConvexShape& shape, const std::vector<Vector>& vertices, const Plane& plane, int sign,
                double flatness) {
   double foremost = -std::numeric_limits<double>::infinity();
@@ -71,7 +70,7 @@ PlanePolygon common_of(const PlanePolygon& a, const PlanePolygon& b, double flat
     return common_of_segments(a, b, flatness);
   }
   PlanePolygon common = of_b == 2 ? clipped(a, b, flatness) : clipped(b, a, flatness);
-  // Empty only if the shapes are farther apart than the separation says.
+  // The common part is empty only if the shapes are farther apart than the separation says.
   return common.empty() ? PlanePolygon{centroid(of_b == 2 ? a : b)} : common;
 }
 

@@ -30,7 +30,7 @@ Polygon in_order(const Points& points) {
   return order;
 }
 
-/// The sides of the triangle's plane on which points lie.
+/// The sides of a triangle's plane on which points lie.
 struct Sides {
   bool above = false;
   bool below = false;
@@ -49,8 +49,9 @@ Sides sides_of(const Points& points, const Triangle& t) {
   return sides;
 }
 
-/// Three points of a face, counterclockwise as seen from outside. The first point in the order of coordinates is a
-/// corner, so one of the triangles at it lies in a face. None if all points share a plane.
+/// Three points of a face, counterclockwise as seen from outside. `corner` is the first point in the order of
+/// coordinates, so it is a corner of the hull. So one of the triangles at this corner lies in a face. None if all
+/// points share a plane.
 std::optional<Triangle> first_triangle(const Points& points, std::size_t corner) {
   for (std::size_t j = 0; j < points.size(); ++j) {
     for (std::size_t k = j + 1; k < points.size(); ++k) {
@@ -67,8 +68,8 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
 }
 
 /// The corners of the face in the plane of a triangle, in the orientation of the triangle. Uses A. Andrew's monotone
-/// chain ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The order of
-/// coordinates is also the order along some direction in the plane.
+/// chain ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain
+/// needs the points in order along a direction in the plane. The order of coordinates is such an order.
 Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
   const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
   int axis = 0;  // the axis along which the plane is projected

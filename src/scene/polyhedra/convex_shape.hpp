@@ -6,7 +6,7 @@
 
 namespace carom::scene {
 
-/// A shape that can touch others: all points within `margin` of the hull of the vertices, in the body frame. A
+/// A shape that can touch others: all points within `margin` of the hull of the core's vertices, in the body frame. A
 /// polyhedron has margin 0. A ball is one vertex with its radius as margin.
 struct ConvexShape {
   ConvexPolyhedron core;
@@ -42,9 +42,9 @@ struct Placement {
 
 /// An upper bound of the rounding error of (x − y) · n [m], for placed vertices x and y of shapes with these core radii
 /// at this distance. The length of n is 1 within rounding. In units of 2⁻⁵³, the error of each number of the rotation
-/// matrix is at most 8. The error of a turned vertex is at most 17 of its length. The difference of the positions and
-/// the sum add 2, the product with n adds 4, and the length of n adds 4. The total is less than 27 of distance + radii.
-/// The function uses 64.
+/// matrix is at most 8. The error of a rotated vertex is at most 17 times its length. The difference of the positions
+/// and the sum add 2, the product with n adds 4, and the length of n adds 4. The total is at most 27 times distance +
+/// radii. The function uses 64 instead of 27.
 [[nodiscard]] inline double rounding_of_gap(double distance, double radius_a, double radius_b) {
   return 0x1p-47 * (distance + radius_a + radius_b);
 }

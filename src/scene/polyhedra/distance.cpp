@@ -24,23 +24,25 @@ using Points = std::vector<Vector>;
 // Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and with sizes
 // from 1 : 1 to 1 : 10⁻⁶.
 
-/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶ the gap is too small by 3 × 10⁻⁷ of the
-/// sizes at 1 : 10⁻⁴. With this value it is too small only by the rounding of the directions, 10⁻¹².
+/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap of bodies of sizes 1 : 10⁻⁴ is
+/// too small by 3 × 10⁻⁷ of the sizes. With this value, the gap is too small only by the rounding of the directions,
+/// 10⁻¹².
 constexpr double fcl_tolerance = 1e-12;
 
-/// No direction separates two bodies by more than their distance, and no two of their points are nearer. So a gap
-/// within this share of FCL's distance is the distance, within the same share. Without the features, the gap would be
-/// too small by the rounding error of FCL's difference, 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
+/// The gap along a direction never exceeds the distance of two bodies, and no two of their points are nearer than this
+/// distance. So a gap within this share of FCL's distance is the true distance, within the same share. Otherwise the
+/// search tries the features (faces and edges) at FCL's points. Without these, the gap would be too small by the
+/// rounding error of the difference of the points, 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
 constexpr double share_that_is_distance = 1e-12;
 
-/// The distance from FCL's points up to which features are used, relative to the sizes. The error of the points is at
+/// The distance from FCL's points up to which features are tried, relative to the sizes. The error of the points is at
 /// most 10⁻¹², except for 1 of 1000 pairs of sizes 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps. Larger
-/// values only cost directions that are tried in vain.
+/// values only add directions that do not help.
 constexpr double feature_tolerance = 1e-9;
 
-/// A gap that is smaller than FCL's distance by more than this share of it shows that FCL has failed. For 1 of 1000
-/// pairs that are far apart and of sizes 1 : 100 or less, FCL fails by 0.2 of the sizes. The search then tries every
-/// direction. The value 10⁻¹² gives the same gaps, and tries every direction for up to 5 of 1000 pairs.
+/// If a gap is smaller than FCL's distance by more than this share of the distance, FCL has failed. The search then
+/// tries every direction. FCL fails by 0.2 of the sizes for 1 of 1000 pairs that are far apart and of sizes 1 : 100 or
+/// less. The value 10⁻¹² gives the same gaps, but tries every direction for up to 5 of 1000 pairs.
 constexpr double share_that_is_failure = 1e-6;
 
 /// A placed polyhedron, relative to the position of B.
@@ -50,7 +52,7 @@ struct PlacedPolyhedron {
 };
 
 Vector face_normal(const PlacedPolyhedron& body, const std::vector<std::size_t>& face) {
-  // Newell's sum over all corners, so that a short side cannot spoil it.
+  // Newell's sum over all corners, so that a short side cannot spoil the normal.
   Vector normal = Vector::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
     normal += (body.points[face[i]] - body.points[face[0]]).cross(body.points[face[i + 1]] - body.points[face[0]]);
@@ -140,8 +142,9 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every direction along which two polyhedra can be nearest, if more than a corner takes part. `between` is the
-/// direction of the nearest points. For an edge and a corner, it is made perpendicular to each edge.
+/// Tries every direction between nearest points of two polyhedra of which at least one lies on a face or an edge.
+/// `between` is the direction of the nearest points. For an edge and a corner, the function makes `between`
+/// perpendicular to the edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
@@ -157,15 +160,15 @@ void try_features(Search& search, const Features& a, const Features& b, const Ve
   for (const Vector& edge_of_a : a.edges) {
     for (const Vector& edge_of_b : b.edges) {
       const Vector direction = edge_of_a.cross(edge_of_b);
-      if (direction.squaredNorm() > 0x1p-80) {  // parallel edges have the direction of a face or of a corner
+      if (direction.squaredNorm() > 0x1p-80) {  // for parallel edges, a face or a corner gives the direction
         search.try_both(direction);
       }
     }
   }
 }
 
-/// The point of a triangle that is nearest to p: the foot of p if it lies inside (C. Ericson, "Real-Time Collision
-/// Detection", 2005, §5.1.5), otherwise a point of a side.
+/// The point of a triangle that is nearest to p. It is the projection of p if that lies inside (C. Ericson, "Real-Time
+/// Collision Detection", 2005, §5.1.5), otherwise a point of a side.
 Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a);
   const auto area = [&](const Vector& start, const Vector& end) { return normal.dot((start - p).cross(end - p)); };
@@ -319,7 +322,7 @@ std::optional<Separation> ShapePair::searched(const Placement& a, const Placemen
     search.try_direction(between);
   }
   const double margin = a_.margin + b_.margin;
-  // Only two balls with one centre have no direction.
+  // Only two balls with the same centre have no direction.
   const double gap = (std::isfinite(search.gap()) ? search.gap() : 0) - margin;
   return certified(search.normal(), gap,
                    rounding_of_gap(between.norm() + margin, a_.core_radius, b_.core_radius) + placement_error(a_, a) +

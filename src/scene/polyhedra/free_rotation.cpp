@@ -37,9 +37,9 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   return b;
 }
 
-/// The derivative of ω at the end of a step with respect to ω at its beginning: the Taylor series of the variational
-/// equation, from the coefficients of ω. Nine terms suffice: a step has |a| ‖ω‖ length ≤ 0.14, so the rest is below
-/// 2⁻⁴⁰.
+/// The derivative of ω at the end of a step with respect to ω at its beginning. It is the Taylor series of the
+/// variational equation, from the coefficients of ω. Nine terms suffice, because a step has |a| ‖ω‖ length ≤ 0.14, and
+/// the rest is then below 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;
@@ -66,17 +66,17 @@ double growth_rate(const Vector3<double>& a) {
 }
 
 /// The greatest ‖v‖² of all angular velocities v with the same energy and the same size of the angular momentum as ω.
-/// In the unknowns yᵢ = vᵢ² this is a linear programme: maximise Σ y for y ≥ 0 and two equations, energy and squared
-/// angular momentum. At each vertex of the feasible set one yₖ is 0. There Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ − Iₖ)/(Iᵢ
-/// Iⱼ).
+/// It is the solution of a linear programme in the unknowns yᵢ = vᵢ²: maximise Σ y under y ≥ 0 and two equations, of
+/// energy and squared angular momentum. At each vertex of the feasible set one yₖ is 0. At this vertex Σ y = ωᵢ² + ωⱼ²
+/// + ωₖ² Iₖ (Iᵢ + Iⱼ − Iₖ)/(Iᵢ Iⱼ), with the moments I.
 double greatest_squared_rate(const Vector3<double>& moments, const Vector3<double>& rate) {
   const Vector3<double> squares = rate.cwiseAbs2();
   double greatest = squares.sum();
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    // A vertex with a negative y is not feasible. If rounding leaves the sign open, the vertex can only make the bound
-    // larger.
+    // A vertex with a negative y is not feasible. If rounding leaves the sign open, the vertex is included, which can
+    // only make the bound larger.
     const auto is_negative = [&](int p, int q) {
       const double own = moments[p] * (moments[p] - moments[q]) * squares[p];
       const double other = moments[k] * (moments[k] - moments[q]) * squares[k];
@@ -146,8 +146,8 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       of_rotation += rotation_error[j] * rate[k - j] + rotation[j] * rate_error[k - j];
     }
     rate_error[k + 1] = of_rate * a * x / (n + 1) + (n + 8) * rate[k + 1];
-    // If each term of a product of quaternions is replaced by its absolute value, the norm of the result is at most
-    // twice the product of their norms.
+    // A product of quaternions with absolute values as terms has a norm of at most twice the product of the
+    // quaternions' norms.
     rotation_error[k + 1] = of_rotation * x / (2 * (n + 1)) + 2 * (n + 8) * rotation[k + 1];
     // Horner's scheme rounds the term of the k-th power 2 k + 1 times. Its argument is rounded once, which adds k.
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
@@ -183,8 +183,8 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
   const double growth_per_angle = growth_rate(a_);
   BoundedRotation now{start_, 4 * unit_roundoff, 0};
   double by_norms = 0;  // rate_error by Gronwall's inequality
-  // The second bound of the error of ω: the error is frame · e, |eᵢ| ≤ widths[i], and each step multiplies it by its
-  // derivative (R. Lohner's parallelepipeds, with orthogonal frames).
+  // The second bound of the error of ω (R. Lohner's parallelepipeds, with orthogonal frames). The error is frame · e
+  // with |eᵢ| ≤ widths[i]. Each step multiplies the error by the derivative of the step.
   Matrix3<double> frame = Matrix3<double>::Identity();
   Vector3<double> widths = Vector3<double>::Zero();
   double greatest_error = 0;
@@ -265,8 +265,8 @@ BoundedRotation RotationPath::at(double time) const {
   if (rate == 0 || time == 0) {
     return {start_, 4 * unit_roundoff, 0};  // 4 u: the constructor divided the quaternion by its norm
   }
-  // The half angle has at most four roundings, its sine and cosine an error of an ulp, and the rest at most ten
-  // roundings more.
+  // The half angle has at most four roundings. Its sine and cosine have an error of an ulp. The rest has at most ten
+  // more roundings.
   const double half_angle = rate * time / 2;
   const Vector3<double> axis = start_.body_rate / rate;
   const Quaternion<double> turned =

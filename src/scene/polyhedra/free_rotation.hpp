@@ -20,7 +20,7 @@ struct RotationState {
 /// orientation is not zero.
 [[nodiscard]] RotationState rotation_state(const Quaternion<double>& orientation, const Vector3<double>& world_rate);
 
-/// A state with bounds of its errors against the exact motion from the first state of the path.
+/// A state, with bounds of its distance from the exact motion that begins with the first state of the path.
 struct BoundedRotation {
   RotationState state;
   double angle_error = 0;  // upper bound of the angle of the rotation from the exact orientation to this one [rad]
@@ -31,18 +31,18 @@ struct BoundedRotation {
 /// = ½ q ω by Taylor series of high order, step after step. The series are stored, so the state at any time is one
 /// evaluation.
 ///
-/// The angular velocity is kept along the body axes, because only there slender bodies keep their digits. A division of
-/// the world angular momentum by the moments would multiply rounding errors by I_max/I_min.
+/// The angular velocity is stored along the body axes, because a slender body would lose its digits along other axes. A
+/// division of the world angular momentum by the moments would multiply rounding errors by I_max/I_min.
 ///
 /// The bound. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ. A body has |aᵢ| ≤ 1, and a is the greatest |aᵢ|. Let W = ‖ω‖ at the beginning of a
-/// step. The coefficients of ω are at most those of W/(1 − a W t), and the coefficients of q at most those of (1 − a W
-/// t)^(−1/(2a)). Both follow by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds the rest of
-/// each series. To bound the rounding errors, the recurrence runs over bounds of them. An error of ω grows by the
-/// derivative of the equation, for which there are two bounds. Gronwall's bound is exp ∫Λ, with Λ the greatest
-/// eigenvalue of the symmetric part of the derivative. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps
-/// bound it in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary initial and boundary value problems",
-/// 1987). The smaller bound is used. An error e of ω turns the orientation away by at most e a second. Errors of the
-/// orientation do not grow.
+/// step. The Taylor coefficients of ω are at most those of W/(1 − a W t), and the coefficients of q at most those of (1
+/// − a W t)^(−1/(2a)). Both bounds follow by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series
+/// bounds the rest of each series. The recurrence of the coefficients also runs for bounds of their rounding errors. An
+/// error of ω grows by the derivative of the equation. There are two bounds of this growth. Gronwall's bound is exp ∫Λ,
+/// with Λ the greatest eigenvalue of the symmetric part of the derivative. If the error is below 2⁻²⁰ ‖ω‖, the
+/// derivatives of the steps bound the error in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary
+/// initial and boundary value problems", 1987). The smaller bound is used. An error e of ω [rad/s] turns the
+/// orientation away by at most the angle e each second. Errors of the orientation do not grow.
 class RotationPath {
  public:
   /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding); the duration

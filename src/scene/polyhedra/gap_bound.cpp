@@ -46,10 +46,10 @@ double time_open(const GapBound& bound, double least, double limit) {
   if (last.gap >= least) {
     return limit;
   }
-  constexpr int most_rounds = 30;  // about five suffice, because Newton's steps come from the other side
+  constexpr int most_rounds = 30;  // about five suffice, because Newton's steps approach from the other side
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // If h is straight, a chord to `least` would end within the rounding error of h. So the chord ends slightly before
-    // `least`, and earlier if that is not enough.
+    // If h is linear, a chord down to `least` would end where h differs from `least` only by rounding. So the chord
+    // ends slightly before, and earlier still if that is not enough.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;

@@ -23,12 +23,13 @@ struct GapBound {
   double curvature = 0;  // ≥ 0 [m/s²]
 };
 
-/// A time up to which h stays at least `least`, but at most `limit` [s]. h is concave, so a chord lies below it. The
-/// ends of the chords approach the time at which h = least, and never exceed it. 0 if h(0) ≤ least.
+/// A time of at most `limit` [s], up to which h stays at least `least`; 0 if h(0) ≤ least. h is concave, so a chord
+/// lies below h. The ends of the chords approach the time at which h = least, and never exceed that time.
 [[nodiscard]] double time_open(const GapBound& bound, double least, double limit);
 
 /// The speed at which the gap is certain to open at first [m/s]: the least speed of A's points minus the greatest speed
-/// of B's. Only points within `band` [m] of the foremost one count.
+/// of B's. Only A's points within `band` [m] of its lowest point count, and B's points within `band` of its highest
+/// point.
 [[nodiscard]] double opening_speed(const GapBound& bound, double band);
 
 }  // namespace carom::scene

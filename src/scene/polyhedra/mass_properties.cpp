@@ -18,8 +18,8 @@ using Triple = std::array<mpq_class, 3>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The nearest double. Of two equally near ones, it is the one with an even last digit. For a number beyond the range
-/// of normal doubles, the result is outside of that range too, or zero.
+/// The double nearest to a number. Of two equally near doubles, it is the one with an even last digit. For a number
+/// beyond the range of normal doubles, the result is outside of that range too, or zero.
 double nearest(const mpq_class& number) {
   const double toward_zero = number.get_d();  // GMP truncates
   if (toward_zero == 0 || !std::isfinite(toward_zero)) {
@@ -197,7 +197,8 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
     }
     body.radius = std::max(body.radius, body.shape.vertices[v].norm());
   }
-  // stableNorm is not needed within the range of the moments. A norm of three squares is accurate to 4 ulps.
+  // The moments are in range, so no square overflows and stableNorm is not needed. A norm of three squares is accurate
+  // to 4 ulps.
   body.radius *= 1 + 0x1p-50;
   body.vertex_error = 0x1p-53 * body.radius;
   if (const std::optional<ShapeDefect> defect = defect_of(properties)) {

@@ -5,7 +5,7 @@
 
 namespace carom::scene {
 
-/// The exact sign of (b − a) × (c − a) · (d − a). It is +1 if d lies on the side from which a, b, c turn
+/// The exact sign of (b − a) × (c − a) · (d − a). It is +1 if d lies on the side from which a, b, c appear
 /// counterclockwise, and 0 if the four points share a plane. A floating-point value decides if its error bound allows
 /// (J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput.
 /// Geom. 18, 1997, `o3derrboundA`). Otherwise rational numbers decide. Precondition: every number is finite.

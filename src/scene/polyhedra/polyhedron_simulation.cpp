@@ -19,15 +19,16 @@
 namespace carom::scene {
 namespace {
 
-/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer impacts.
 constexpr unsigned long long most_at_one_instant = 10'000;
 
-/// Parts within this many tolerances touch. This includes the parts of a contact, and those of an edge or a face that
-/// was struck earlier at the same instant. Such a part lags by less than it would have moved.
+/// The `flatness` of a contact patch (contact_patch.hpp), in tolerances. Corners within it belong to the patch, also
+/// corners of an edge or a face that was struck earlier at the same instant.
 constexpr double flatness_in_tolerances = 4;
 
-/// The least speed after an impact, relative to the speeds that meet, for scenes in which gravity gives none. Rounding
-/// cannot reverse it, because the speed of a gap is accurate to 2⁻⁴⁷ of these speeds (time_of_contact.cpp).
+/// The least speed after an impact, relative to the greatest speeds of the bodies, if gravity and rotation give no
+/// least speed. Rounding cannot reverse it, because the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds
+/// (time_of_contact.cpp).
 constexpr double least_speed_share = 0x1p-40;
 
 RigidBody body_of(const Scene& scene, std::size_t index) {
@@ -147,7 +148,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_from(double begin
     case ContactStatus::undecided:
       break;
   }
-  // The bodies are apart until then. The next look starts from there.
+  // The bodies are apart up to found.time. The next search starts at this time.
   if (found.time > begin) {
     return {found.time, false};
   }
@@ -244,7 +245,7 @@ void PolyhedronSimulation::look_again(const Where& where) {
 }
 
 const Event* PolyhedronSimulation::advance() {
-  // Not at the event itself: the event has happened even if the search for the next one fails.
+  // This search is not part of the event before, so that event remains in effect even if the search fails.
   for (const std::size_t body : changed_) {
     look_around(body);
   }
@@ -379,7 +380,7 @@ double PolyhedronSimulation::least_speed_of(const Where& where, double restituti
   if (where.kind == Kind::bodies) {
     consider(where.second);
   }
-  // A hop within the tolerance would only be the next contact.
+  // A hop that stays within the tolerance would at once be the next contact.
   const double out_of_touch = std::sqrt(2 * acceleration * flatness_in_tolerances * tolerance_of(where));
   return std::max({least_speed(scene_, acceleration, radius, restitution), out_of_touch, least_speed_share * speeds});
 }

@@ -19,15 +19,16 @@
 namespace carom::scene {
 
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
-/// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact that sends the bodies off at
-/// that speed. So a body that would lie hops instead, no higher than that speed allows.
+/// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact, after which the bodies part at
+/// that speed. So a body that would lie at rest hops instead, no higher than the least speed allows.
 ///
-/// A contact is the instant at which two bodies are within `contact_tolerance` and do not draw apart. Conservative
-/// advancement finds it (time_of_contact.hpp). Up to and at the contact, the bodies are certain not to touch. When a
-/// body has turned by `longest_turn`, a renewal stores its state, and the motion continues from there. Of events at one
-/// time renewals are first and planes last. Within one kind, the event with the lower body indices is first. The
-/// impulse acts at the middle of the contact patch if the whole patch approaches, otherwise at the corner that
-/// approaches fastest. Other corners that approach have their own impact at the same time.
+/// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
+/// apart. Conservative advancement finds it (time_of_contact.hpp). Up to and at the contact, the bodies are certain not
+/// to touch. When a body has turned by `longest_turn`, a renewal stores its state, and the motion continues from there.
+/// Of events at one time, renewals come first and impacts on planes last. Within one kind, the event with the lower
+/// body indices is first. If all corners of the contact patch (contact_patch.hpp) approach, the impulse acts at its
+/// middle, otherwise at the corner that approaches fastest. Other corners that approach have their own impact at the
+/// same time.
 class PolyhedronSimulation {
  public:
   /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.
@@ -35,7 +36,7 @@ class PolyhedronSimulation {
 
   /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
   /// Throws SceneError if impacts at one instant do not end, or if bodies are no longer certain to be apart. Also
-  /// throws it if positions are no longer accurate to the tolerance. The last event remains in effect.
+  /// throws SceneError if positions are no longer accurate to the tolerance. The last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -54,7 +55,7 @@ class PolyhedronSimulation {
     bool touches =
         false;  // whether they touch at that time; if not, they are apart until then, and the search continues
   };
-  /// The kinds of times. At one time the kind that is listed first comes first.
+  /// The kinds of events. Of events at one time, the kind that is listed first comes first.
   enum class Kind : std::uint8_t { renewal, bodies, plane };
   struct Where {
     Kind kind = Kind::bodies;
@@ -78,12 +79,13 @@ class PolyhedronSimulation {
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
   [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
-  /// Whether the impulse of the law is exactly along the normal. The lever arm of a ball is then along it too, so only
-  /// rounding would turn a ball.
+  /// Whether the impulse of the law is exactly along the normal. The lever arm of a ball is along the normal too, so
+  /// only rounding would change the spin of a ball.
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
-  /// Stores the state of the body at this time, with these velocities. The next step searches for the consequences.
+  /// Stores the state of the body at this time, with these velocities. The next call of `advance` searches for the
+  /// body's next events.
   void end_change(Change& change, const BodyVelocity<double>& velocity);
   [[nodiscard]] double tolerance_of(const Where& where) const;
   [[nodiscard]] std::string description_of(const Where& where) const;

@@ -81,8 +81,8 @@ PrincipalAxes principal_axes(Matrix3<DoubleDouble> inertia) {
 }
 
 Quaternion<double> quaternion_of(const Matrix3<DoubleDouble>& r) {
-  // Row i of the four is 4 qᵢ times the quaternion (K. Shoemake, "Quaternions", 1994). The row with the largest qᵢ is
-  // used.
+  // Row i of `candidates` is 4 qᵢ times the quaternion q (K. Shoemake, "Quaternions", 1994). The row with the largest
+  // qᵢ is used.
   const DoubleDouble one(1);
   const std::array<std::array<DoubleDouble, 4>, 4> candidates{{
       {one + r(0, 0) + r(1, 1) + r(2, 2), r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)},

@@ -6,7 +6,7 @@
 
 namespace carom::scene {
 
-/// J = axes diag(moments) axesᵀ. The axes are the columns, and they are right-handed.
+/// The factors of an inertia J = axes diag(moments) axesᵀ. The axes are the columns, and they are right-handed.
 struct PrincipalAxes {
   Vector3<impulse::DoubleDouble> moments;
   Matrix3<impulse::DoubleDouble> axes;
@@ -14,8 +14,8 @@ struct PrincipalAxes {
 
 /// The principal axes of an inertia J by Jacobi's rotations. Each rotation is at most an eighth of a turn, so axes that
 /// are almost right are not exchanged. Two or three sweeps converge, quadratically. Every rotation adds an error of at
-/// most about 2⁻¹⁰⁰ ‖J‖, so ‖J − axes diag axesᵀ‖ ≤ 2⁻⁹⁵ ‖J‖. Precondition: J is symmetric, and its greatest number is
-/// between 2⁻¹⁰⁰ and 2¹⁰⁰.
+/// most about 2⁻¹⁰⁰ ‖J‖, so ‖J − axes diag axesᵀ‖ ≤ 2⁻⁹⁵ ‖J‖. Precondition: J is symmetric, and its entry of greatest
+/// size is between 2⁻¹⁰⁰ and 2¹⁰⁰.
 [[nodiscard]] PrincipalAxes principal_axes(Matrix3<impulse::DoubleDouble> inertia);
 
 /// The rotation of a right-handed frame of columns as a quaternion. Its greatest component is positive, and each

@@ -11,7 +11,7 @@
 namespace carom::scene {
 
 /// The simulation of a scene: SphereSimulation if it has only spheres, otherwise PolyhedronSimulation. Its functions
-/// are those of both (sphere_simulation.hpp, polyhedron_simulation.hpp).
+/// are those of both classes (sphere_simulation.hpp, polyhedron_simulation.hpp).
 class SceneSimulation {
  public:
   explicit SceneSimulation(Scene scene) : loop_(made_for(std::move(scene))) {}

@@ -16,7 +16,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// The state of a body at one time, with bounds that hold at any time.
+/// The state of a body at one time, with bounds of its motion that hold at any time.
 struct Moving {
   Placement placement;
   Vector velocity;
@@ -24,7 +24,7 @@ struct Moving {
   Vector rate;
   double greatest_rate;  // [rad/s]
   double bending;        // upper bound of the acceleration of any vertex by rotation [m/s²]
-  double turning;        // 1 + ‖ω'‖/‖ω‖²
+  double turning;        // upper bound of 1 + ‖ω'‖/‖ω‖²
   double radius;
   double speed_error;              // of the computed velocity of any vertex [m/s]
   std::vector<Vector> vertices;    // relative to the centre [m]
@@ -43,7 +43,8 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   m.turning = 1 + motion.rotation.greatest_turning();
   m.radius = shape.core_radius;
   m.bending = m.radius * m.greatest_rate * m.greatest_rate * m.turning;
-  // About 27 roundings of the terms of a speed, as for a gap, and the errors of orientation and rate.
+  // The bound covers about 27 roundings of the terms of a speed, as in rounding_of_gap, and the errors of orientation
+  // and rate.
   m.speed_error =
       0x1p-47 * (motion.velocity.norm() + elapsed * motion.acceleration.norm() + m.greatest_rate * m.radius) +
       (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
@@ -54,12 +55,13 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   return m;
 }
 
-/// The number of times at which a way out is searched for. Each time is a quarter of the one before.
+/// The number of later times at which the search looks for a direction along which the shapes draw apart. Each time is
+/// a quarter as far ahead as the one before.
 constexpr int most_trials = 24;
 
-/// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Heights and speeds of the
-/// vertices of both bodies are relative to B's centre, in axes that turn with n. The function from_certified later
-/// subtracts the errors of the heights.
+/// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Speeds of vertices are relative
+/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre. The function from_certified
+/// later corrects for the distance of the centres and for errors of the heights.
 GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
   const Vector between = a.placement.position - b.placement.position;
   const Vector velocity = a.velocity - b.velocity;
@@ -84,8 +86,8 @@ GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& 
   return bound;
 }
 
-/// The edge between the two foremost vertices. None if the number of vertices within 2⁻²⁶ of the radius of the foremost
-/// one is not two. The edge is then across n, within this distance. `sign` 1: lowest along n, −1: highest.
+/// The edge between the two vertices that are lowest (`sign` 1) or highest (`sign` −1) along n. None unless exactly two
+/// vertices are within 2⁻²⁶ radii of the foremost one. So the edge is perpendicular to n within this distance.
 std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double sign) {
   double foremost = sign * n.dot(body.vertices.front());
   for (const Vector& vertex : body.vertices) {
@@ -100,8 +102,8 @@ std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double 
   return ends.size() == 2 ? std::optional<Vector>(*ends[1] - *ends[0]) : std::nullopt;
 }
 
-/// The rate Ω of a direction n that stays across an edge of each body. n·e = 0 gives n'·e = −n·(ω × e), and n'·n = 0; Ω
-/// = n × n'.
+/// The rate Ω = n × n' of a direction n that stays perpendicular to an edge e of each body. The condition n·e = 0 gives
+/// n'·e = −n·(ω × e) for each edge. The third equation is n'·n = 0.
 std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const Vector& n) {
   const std::optional<Vector> of_a = foremost_edge(a, n, 1);
   const std::optional<Vector> of_b = foremost_edge(b, n, -1);
@@ -110,7 +112,7 @@ std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const
   }
   Matrix3<double> across;
   across << of_a->transpose(), of_b->transpose(), n.transpose();
-  // If the edges are nearly parallel, no direction stays across both for long.
+  // If the edges are nearly parallel, no direction stays perpendicular to both for long.
   if (std::abs(across.determinant()) < 0x1p-10 * of_a->norm() * of_b->norm()) {
     return std::nullopt;
   }
@@ -146,7 +148,8 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     const Separation separation = separation_at(result.time);
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
-      // The step before this one left the gap open. The growth of the errors since then closes it.
+      // If this is not the first step, the step before left the gap open, and the growth of the errors since then
+      // closes it.
       result.status = result.time == begin ? ContactStatus::overlaps : ContactStatus::undecided;
       return result;
     }
@@ -160,11 +163,11 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
       result.status = ContactStatus::misses;
       return result;
     }
-    // For a gap that opens, half the time for which it is certain to stay open. At the end of the whole time, only half
-    // the gap might be left.
+    // A gap within the tolerance is one that opens here. It gets half the time for which it is certain to stay open. At
+    // the end of the whole time, only half the gap might be left.
     const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
     const double step = within && whole < limit ? whole / 2 : whole;
-    // Rounded down, so that the sum does not exceed the step.
+    // Rounded down, so that the time does not advance by more than the step.
     const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
       result.status = ContactStatus::undecided;
@@ -191,7 +194,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
   CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
   std::optional<Vector> way_out;  // the rate of a direction along which the shapes draw apart
-  // Directions that do not turn, or turn with a feature that may touch: a face of a body, or an edge of each.
+  // Calls use(Ω) for the rates Ω of a direction that does not turn, or that turns with a face of a body or with an edge
+  // of each.
   const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
     use(Vector::Zero());
     if (at_b.greatest_rate > 0 && at_b.radius > 0) {
@@ -212,7 +216,7 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
     const Moving at_b = moving(pair.b(), b, time);
     double longest = 0;
     for_each_turning(at_a, at_b, separation.normal, [&](const Vector& turning) {
-      // A turning direction is useful only until it has turned far.
+      // A turning direction is useful only until it has turned by about half a radian.
       const double rate = turning.norm();
       const double own_limit = rate * limit > 0.5 ? 0.5 / rate : limit;
       if (longest < own_limit) {
@@ -232,8 +236,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
     bool does = false;
     for_each_turning(at_a, at_b, separation.normal,
                      [&](const Vector& turning) { does = does || opens_along(turning); });
-    // Faces and edges that touch with a part of themselves may need any direction. Tries those along which they are
-    // apart soon.
+    // If only a part of a face or an edge touches, any direction may be the one along which the shapes draw apart.
+    // Tries the directions along which they are apart soon afterwards.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
       const double soon = std::min(time + later, horizon);  // the sum may be rounded up

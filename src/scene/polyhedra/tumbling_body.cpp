@@ -7,8 +7,8 @@
 namespace carom::scene {
 namespace {
 
-/// The angle for which a rotation is computed at first [rad]. Each extension doubles it. Bodies that lie on another hop
-/// long before they turn so far.
+/// The angle for which a rotation is computed at first [rad]. Each extension doubles it. A body that lies on another
+/// hops long before it turns so far.
 constexpr double first_turn = 0.25;
 
 }  // namespace

@@ -8,12 +8,12 @@
 
 namespace carom::scene {
 
-/// The gap at which two bodies are struck, relative to the lesser radius. Stored positions are a hundred times more
-/// accurate, up to some thousand radii from the origin.
+/// The gap at which two bodies are struck, relative to the lesser radius. Up to some thousand radii from the origin,
+/// stored positions are a hundred times more accurate than this gap.
 inline constexpr double contact_tolerance = 0x1p-30;
 
 /// The angle by which a body turns before its state is stored and its motion continues from there [rad]. An error of
-/// its rate grows by at most e to this power, so the angle stays accurate to 2⁻⁴⁰.
+/// its angular velocity grows at most by the factor e to the power of this angle, so the angle stays accurate to 2⁻⁴⁰.
 inline constexpr double longest_turn = 8;
 
 /// A body in flight. Its rotation is computed only as far as it is needed.
@@ -22,11 +22,10 @@ class TumblingBody {
   /// The rotation of a ball is not computed: its spin is constant, and its orientation has no effect.
   TumblingBody(RigidBody body, bool is_ball);
 
-  /// Sets the motion from `now` on.
   void set_motion(double now, const Vector3<double>& position, const Quaternion<double>& orientation,
                   const BodyVelocity<double>& velocity, const Vector3<double>& gravity);
 
-  /// Computes the rotation beyond a time, or up to the renewal.
+  /// Computes the rotation beyond a time, or up to the renewal if that is earlier.
   void know_beyond(double time);
   /// The time up to which the rotation is known [s].
   [[nodiscard]] double known_until() const { return known_until_; }
@@ -36,8 +35,8 @@ class TumblingBody {
   [[nodiscard]] const RigidBody& body() const { return body_; }
   [[nodiscard]] const FreeFlight& motion() const { return motion_; }
   [[nodiscard]] const Quaternion<double>& orientation_at_start() const { return orientation_; }
-  /// The path of the ball around the body. The ball is slightly too wide, so that the paths of balls that stay apart
-  /// prove, in spite of rounding, that the bodies do.
+  /// The path of the ball around the body. The ball is slightly too wide. So if two such balls stay apart, the bodies
+  /// in them stay apart too, in spite of rounding.
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] Arc arc() const;
 

@@ -18,8 +18,9 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// In radii from the origin. Up to this distance a position is a hundred times more accurate than the tolerance of a
-/// contact (tumbling_body.hpp, `contact_tolerance`; free_flight.cpp: 2⁻⁴⁹ of all terms).
+/// The greatest distance of a centre of mass from the origin, in radii of the body. Up to this distance a position is a
+/// hundred times more accurate than the tolerance of a contact (tumbling_body.hpp, `contact_tolerance`;
+/// free_flight.cpp: 2⁻⁴⁹ of all terms).
 constexpr double farthest = 0x1p12;
 
 /// The greatest angle by which a body may turn within the duration [rad].

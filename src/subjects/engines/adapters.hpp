@@ -16,8 +16,8 @@ struct Adapters {
   bool is_chosen = false;           // by the environment variable
 };
 
-/// The folder that the environment variable names. Otherwise the nearest `share/carom/npm` above this program: the one
-/// of its installation prefix, even if that was moved, or of its build.
+/// The folder that the environment variable names. Otherwise the nearest `share/carom/npm` above this program, which is
+/// in its build or in its installation prefix, even a moved one.
 [[nodiscard]] Adapters find_adapters();
 
 /// The reason why this adapter of an npm package cannot run, and the command that helps. Empty if the adapter can run.

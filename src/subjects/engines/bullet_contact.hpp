@@ -73,7 +73,7 @@ inline btRigidBody make_body(const Body& body, const Settings& settings) {
   return made;
 }
 
-/// The depth is 0 because the protocol has no depth.
+/// The depth of the contact is 0, because a Collision has no depth.
 inline btManifoldPoint make_contact(const Collision& collision, const Settings& settings) {
   const btVector3 local(0, 0, 0);  // the contact point in the frame of a body; the solver does not read it
   btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
@@ -90,7 +90,7 @@ inline BodyVelocity<long double> velocity_of(const btRigidBody& body) {
 inline Answer solve(const Collision& collision, const Settings& settings, btSequentialImpulseConstraintSolver& solver) {
   btRigidBody a = make_body(collision.a, settings);
   btRigidBody b = make_body(collision.b, settings);
-  a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE identifies kinematic bodies by it
+  a.setWorldArrayIndex(0);  // a build with BT_THREADSAFE identifies kinematic bodies by this index
   b.setWorldArrayIndex(1);
   btPersistentManifold manifold(&a, &b, 0, 0, 0);
   manifold.addManifoldPoint(make_contact(collision, settings));

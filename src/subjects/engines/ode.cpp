@@ -67,7 +67,7 @@ void add_friction(dContact& contact, const Collision& collision, const Vector3<d
   }
 }
 
-/// The depth is 0 because the protocol has no depth. bounce_vel has no default in ODE, and is 0 here.
+/// The depth of the contact is 0, because a Collision has no depth. bounce_vel has no default in ODE, and is 0 here.
 dContact make_contact(const Collision& collision, const EngineSetting& setting) {
   const Vector3<double> n = unit(collision.normal);
   dContact contact{};

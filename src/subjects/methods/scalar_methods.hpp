@@ -35,7 +35,7 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
   return method;
 }
 
-/// The methods of every law with one exact truth.
+/// The methods of every law that determines one outcome.
 template <class S>
 [[nodiscard]] std::vector<Method> law_methods() {
   std::vector<Method> methods;
@@ -65,7 +65,7 @@ inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2}
 template <>
 inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
 
-/// The basis-free reflection with a solve of solve3.hpp. The summary calls the solve `solve`.
+/// The basis-free reflection with a solve of solve3.hpp. `solve` is the name of this solve in the summary.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(
@@ -107,9 +107,10 @@ template <class S>
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
-/// The reason why a solve that is stable only by norms fails in binary32. Far from the origin, rounding of the
-/// positions may move the contact off a thin body. There, κ(K) u is 1 or more, and the computed K may have eigenvalues
-/// below λ = 1/m_A + 1/m_B. The impulse then pulls the bodies together, or leaves their velocities unchanged.
+/// The reason why a solve fails in binary32 if its error is small only relative to the norm of K. Far from the origin,
+/// rounding of the positions may move the contact off a thin body. If so, κ(K) u is 1 or more, with the condition
+/// number κ(K) and the unit roundoff u. The computed K may then have eigenvalues below λ = 1/m_A + 1/m_B. The impulse
+/// pulls the bodies together, or leaves their velocities unchanged.
 inline constexpr const char* stable_by_norms_alone = "stable only in norm: loses the margin λ of K if κ(K) u ≥ 1";
 
 /// The methods that every scalar type has.

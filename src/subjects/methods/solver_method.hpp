@@ -27,8 +27,8 @@ template <>
 inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double",
                                                                "carom::impulse::DoubleDouble", 3};
 
-/// The precision that a subject claims if it computes in S. The significand of DoubleDouble is longer than that of
-/// `extended`.
+/// The precision that a subject claims if it computes in S. DoubleDouble claims `extended`, whose significand is
+/// shorter.
 template <class S>
 inline constexpr Precision claimed_precision = precision_of<S>;
 template <>

@@ -61,7 +61,7 @@ struct AsProgramsExpect : process::extend::handler {
   }
 };
 
-/// Serialises starts. Another child must not inherit these pipes, because their closing would then not be noticed.
+/// Serialises starts. If another child inherited these pipes, this process would not notice their end.
 std::mutex& start_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -91,7 +91,7 @@ std::string program_path(const std::string& name) {
   throw ChildError("'" + name + "' was not found on PATH; check the name, or give a path");
 }
 
-/// The end of a child's output shows that the child has ended. Writing to it must not end this process.
+/// A write to a child that has ended must not end this process. The end of the child's output shows that it has ended.
 void ignore_broken_pipes() {
   struct sigaction current {};
   sigaction(SIGPIPE, nullptr, &current);
@@ -334,7 +334,7 @@ class ChildProcess::State {
   bool is_reading_ = false;
   bool output_ended_ = false;
   std::string unread_;        // standard output that was not returned yet
-  std::size_t begin_ = 0;     // start of the next line in it
+  std::size_t begin_ = 0;     // start of the next line in unread_
   std::size_t searched_ = 0;  // no line end between begin_ and here
 
   std::array<char, 65536> errors_chunk_{};

@@ -68,7 +68,7 @@ class Conversation {
     return answer;
   }
 
-  /// The request at that place in this call.
+  /// The request for the collision with this index in the current call of solve().
   [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
     return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
@@ -107,7 +107,7 @@ class Conversation {
   Introduction introduction_;
   std::string request_;
   std::uint64_t next_id_ = 1;
-  std::optional<unsigned> spelling_;  // of every request; empty: it changes
+  std::optional<unsigned> spelling_;  // of every request; if empty, it changes from call to call
   std::uint64_t call_ = 0;            // the number of earlier calls of solve()
 };
 

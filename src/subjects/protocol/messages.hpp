@@ -26,7 +26,7 @@ struct Introduction {
 };
 
 [[nodiscard]] std::string start_request();
-/// Precondition: spelling < spelling_count.
+/// `spelling` is one of the ways to write the collision (spelling.hpp). Precondition: spelling < spelling_count.
 [[nodiscard]] std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling = 0);
 [[nodiscard]] std::string stop_request();
 
@@ -34,14 +34,13 @@ struct Introduction {
 [[nodiscard]] Introduction introduction_from(std::string_view line);
 
 /// Parses the reply to the `solve` request with this id. If the subject computes in binary32 or binary64, its numbers
-/// are read as binary64. A matrix is read if the subject says that it shows one, and is otherwise ignored. Throws
-/// FormatError.
+/// are read as binary64. A matrix is read only if `shows_matrix`. Throws FormatError.
 [[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
                                  bool shows_matrix = false);
 
-/// Whether a subject of this precision that shows its matrix owes it with this outcome. It does if the contact collides
-/// and a velocity changed. If a contact barely approaches, rounding may make the subject see no approach. The subject
-/// then forms no matrix.
+/// Whether a subject that reports its matrix must report it with this outcome. It must if the contact collides and a
+/// velocity changed in this precision. (If a contact barely approaches, rounding may hide the approach from the
+/// subject, which then forms no matrix.)
 [[nodiscard]] bool owes_matrix(const Collision& collision, const Outcome<long double>& outcome, Precision precision);
 
 [[nodiscard]] std::string introduction_reply(const Introduction& introduction);

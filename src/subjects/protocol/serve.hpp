@@ -10,7 +10,7 @@ namespace carom::subjects::protocol {
 
 /// The subject's side of the protocol: answers requests with the subject until `stop` or the end of the input. Returns
 /// the exit status for main: 0, or 2 after an unreadable request, which is reported on standard error. Precondition: a
-/// subject that shows its collision matrix forms one for every contact that it changes.
+/// subject with `shows_collision_matrix` forms a matrix for every contact that it changes.
 [[nodiscard]] int serve(const Subject& subject, std::istream& input, std::ostream& output);
 
 }  // namespace carom::subjects::protocol

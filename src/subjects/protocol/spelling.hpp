@@ -8,10 +8,10 @@
 
 #include <carom/collision/collision.hpp>
 
-/// The spellings of a collision that docs/reference/protocol.md permits. "JSON Lines …, one object a line" leaves the
-/// order of fields free, and the blanks between JSON tokens. "Numbers are JSON numbers that round-trip binary64"
-/// permits 2, 2.0 and 2e0, or 0.0015, 1.5e-3 and 1.5E-03. A field with its default ("default 1, 0, 0, 0", "default 0"
-/// or "default false") may be left out.
+/// A spelling is one of several ways to write the same collision. docs/reference/protocol.md permits these. "JSON Lines
+/// …, one object a line" leaves the order of fields and the blanks between JSON tokens free. "Numbers are JSON numbers
+/// that round-trip binary64" permits 2, 2.0 and 2e0, or 0.0015, 1.5e-3 and 1.5E-03. A field with its default ("default
+/// 1, 0, 0, 0", "default 0" or "default false") may be left out.
 namespace carom::subjects::protocol {
 
 /// The number of spellings of each collision. Spelling 0 is plain: it has the fields in the order of the protocol's

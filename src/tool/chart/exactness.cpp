@@ -18,7 +18,7 @@
 namespace carom::tool::chart {
 namespace {
 
-/// The number of cases drawn for each case wanted. A family with a smaller share of collisions is taken to have none.
+/// The number of cases drawn for each case wanted. If fewer of them collide, fewer cases are found.
 constexpr std::size_t cases_drawn_for_each = 20;
 
 template <class Generate>
@@ -65,7 +65,6 @@ void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exa
   builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
 }
 
-/// A collision under the law `coulomb`.
 struct CoulombCase {
   CoulombCase(const Collision& collision, AnswersOfCoulomb asked)
       : judged({collision, false}),
@@ -84,7 +83,7 @@ struct CoulombCase {
   }
 };
 
-/// The claims about a single outcome, without relations to other outcomes.
+/// The invariants of a single outcome, without those that relate the answers to two collisions.
 properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps) {
   oracles::Yardstick yardstick;
   yardstick.limit_ulps = limit_ulps;

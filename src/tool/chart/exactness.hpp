@@ -14,23 +14,23 @@
 
 namespace carom::tool::chart {
 
-/// The first `count` colliding collisions of a family. They are fewer if less than one case in 20 collides.
+/// The first `count` colliding collisions of a family. There are fewer if less than one case in 20 collides.
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed,
                                                      std::size_t count);
 
-/// The first `count` colliding collisions of a sweep at this quantity. They are fewer if less than one case in 20
-/// collides.
+/// The first `count` colliding collisions of a sweep with its quantity set to this value. There are fewer if less than
+/// one case in 20 collides.
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity,
                                                      std::uint64_t seed, std::size_t count);
 
-/// Finding all answers of the law `coulomb` takes some milliseconds a case. The equations of the law only decide if an
-/// answer is lawful, not how many digits it has.
+/// Whether all answers of the law `coulomb` are found, in some milliseconds a case. Without them, the law's equations
+/// decide if an outcome is lawful, but the number of its correct digits is unknown.
 enum class AnswersOfCoulomb { found, left_out };
 
 /// The accuracy of each method on the same colliding collisions, one entry for each method. An outcome is judged
-/// against the exact truth. A law without one exact truth is judged by its equations, and by the nearest of its
-/// answers. A case that the method's precision cannot represent, or about which the law demands nothing, is left out.
-/// Runs on `workers`.
+/// against the exact truth. An outcome of a law with several answers is judged by the law's equations, and compared
+/// with the nearest answer. A case that the method's precision cannot represent, or about which the law demands
+/// nothing, is left out. Runs on `workers`.
 [[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                                 std::span<const Collision> collisions,
                                                                 double limit_ulps, const properties::Workers& workers,

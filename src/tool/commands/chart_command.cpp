@@ -68,7 +68,6 @@ struct FamilyCases {
   std::vector<Collision> collisions;
 };
 
-/// The families with at least one collision.
 std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
   std::vector<FamilyCases> families;
   for (const properties::Family& family : properties::all_families()) {

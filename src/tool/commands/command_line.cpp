@@ -80,8 +80,8 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   return status;
 }
 
-/// The message may contain text of a file or a program, so it is made printable. If the message cannot be written, the
-/// exit status still reports the error.
+/// Prints an error message. It may contain text of a file or a program, so it is made printable. If the message cannot
+/// be written, the exit status still reports the error.
 void complain(const std::string& what) {
   if (has_run_out_of_memory()) {
     std::fputs(out_of_memory, stderr);  // the cause of any error that followed

@@ -75,7 +75,8 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
   return families;
 }
 
-/// The subjects to judge. A subject counts for the exit status if it was named, or if it is expected to pass.
+/// The subjects to judge. A subject counts for the exit status if the command line names it, or if it is expected to
+/// pass.
 struct Selection {
   std::vector<Subject> subjects;
   std::vector<bool> counts;
@@ -146,7 +147,7 @@ std::vector<std::string> known_deviations(const GateArguments& arguments) {
   return deviates;
 }
 
-/// Adds these deviations to those of every subject, so that no subject claims them.
+/// Adds these deviations (invariants that are not claimed) to those of every subject.
 void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>& deviates) {
   for (Subject& subject : subjects) {
     for (const std::string& text : deviates) {

@@ -45,7 +45,8 @@ std::string theorems_in_text(const properties::Invariant& invariant, const Spell
   return text;
 }
 
-/// The laws that the invariant is proved for, as in " of rough". Empty if these are all laws that it is claimed for.
+/// The laws that the invariant is proved for, as in " of rough". Empty if it is proved for all laws that it is claimed
+/// for.
 std::string proved_of(const properties::Invariant& invariant) {
   const std::vector<Law> proved = invariant.proved_laws();
   return proved.size() == invariant.laws.size() ? "" : " of " + joined(proved);

@@ -13,7 +13,7 @@
 /// Options that several commands share.
 namespace carom::tool {
 
-/// The yardstick that judges outcomes.
+/// The options of the yardstick, the amount of rounding that is allowed.
 struct YardstickArguments {
   double limit_ulps = 32;
   std::optional<int> digits;

@@ -6,7 +6,7 @@
 
 namespace carom::tool {
 
-/// The command `plan`. If `contacts_of_scene` is empty, it refuses scenes.
+/// The command `plan`. If `contacts_of_scene` is empty, the command refuses scenes.
 void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts_of_scene);
 
 }  // namespace carom::tool

@@ -63,7 +63,7 @@ std::string joined(const std::vector<const properties::Feature*>& features) {
   return text;
 }
 
-/// The steps that are the same under every law.
+/// The steps of the exact solution that are the same under every law.
 std::string contact_steps(const oracles::ExactCase& exact_case) {
   const BasicCollision<Rational>& c = exact_case.exact();
   const Outcome<Rational> before = unchanged(c);
@@ -189,7 +189,7 @@ struct Shown {
   std::string text;
 };
 
-/// Adds the truth under each law, and returns all answers of `coulomb`. Precondition: the case is valid.
+/// Adds the exact outcome under each law, and returns all answers of `coulomb`. Precondition: the case is valid.
 std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const properties::JudgedCase& judged_case,
                                                Shown& shown) {
   const oracles::ExactCase& exact_case = judged_case.exact();
@@ -210,7 +210,6 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
   return answers;
 }
 
-/// Adds the answer of the subject, and the judgement of the answer.
 void show_judgement(const ReplaySubject& open, const ReplayedCase& replayed, Shown& shown) {
   const Subject& subject = open.subject();
   const auto& claim = open.claim();

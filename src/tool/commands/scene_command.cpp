@@ -45,7 +45,7 @@ struct SceneArguments {
   std::vector<std::string> laws;        // names; empty for the scene's own
   std::string out;                      // a directory; empty for none
   std::uint64_t judge_every = 1;        // every Nth impulse is judged; 0: none
-  bool check = true;                    // that nothing overlaps
+  bool check = true;                    // whether to check that nothing overlaps
   std::optional<std::uint64_t> events;  // the most events; the run ends after them
   unsigned jobs = 0;                    // laws that run at once; 0: one for each core
   std::string format = "text";
@@ -127,7 +127,7 @@ class Progress {
   std::vector<double> times_;
 };
 
-/// The scene under one law. It must not move, because callbacks refer to it.
+/// The scene under one law. The object must not move, because callbacks refer to it.
 class LawRun {
  public:
   LawRun(scene::Scene scene, std::optional<fs::path> out) : scene_(std::move(scene)), out_(std::move(out)) {}
@@ -160,8 +160,8 @@ class LawRun {
     run_->run();
   }
 
-  /// Writes all other files. It starts programs, so call it for one law after the other. Precondition: run() has
-  /// returned.
+  /// Writes all files except events.csv. The function starts programs, so call it for one law after the other.
+  /// Precondition: run() has returned.
   [[nodiscard]] Written write(const SceneArguments& arguments) {
     Written written{{std::string(name_of(scene_.law)), run_->samples()},
                     scene_record(*run_),

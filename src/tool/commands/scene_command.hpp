@@ -5,7 +5,6 @@
 
 namespace carom::tool {
 
-/// The command `scene`.
 void add_scene(CLI::App& app, Chosen& chosen);
 
 /// The command `plan`, of scenes and of collisions.

@@ -3,7 +3,7 @@
 
 #include "commands/commands.hpp"
 
-/// Scenes are a component with a program of its own. `carom` starts that program as git starts its commands.
+/// Scenes are a component with a program of its own, carom-scene. `carom` starts that program.
 namespace carom::tool {
 
 /// Replaces this process by carom-scene if the command is `scene` or `plan` and carom-scene is in this program's

@@ -7,8 +7,8 @@
 
 namespace carom::tool {
 
-/// A file of any kind, including a pipe or an endless device. It keeps only as many bytes as the caller asks for. Its
-/// errors are UsageErrors that name the file.
+/// A file of any kind, including a pipe or an endless device. The object keeps only as many bytes as the caller asks
+/// for. Errors are UsageErrors that name the file.
 class BoundedInput {
  public:
   /// Throws if the file cannot be opened or is a directory.
@@ -21,7 +21,7 @@ class BoundedInput {
   enum class End { line, file, limit };
 
   /// Appends to the text up to the end of the line, or until the text has more than `most_bytes` bytes. Throws if the
-  /// file cannot be read, or if the user asks for a stop while it waits.
+  /// file cannot be read, or if the user asks for a stop while the function waits.
   End add_line(std::string& text, std::size_t most_bytes);
 
   /// Appends to the text up to the end of the file, or until the text has more than `most_bytes` bytes. Throws like

@@ -13,7 +13,8 @@ namespace carom::tool {
 /// if gnuplot is not installed or fails.
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory);
 
-/// Draws like draw(), but returns the UsageError, so that the caller can first put the data in place; nullptr for none.
+/// Draws like draw(), but returns the UsageError (nullptr for none), so that the caller can first put the data in
+/// place.
 [[nodiscard]] std::exception_ptr try_to_draw(std::span<const report::Plot> pictures,
                                              const std::filesystem::path& directory);
 

@@ -68,7 +68,7 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
   return facts;
 }
 
-/// A collision without a record around it. Its class is among its fields.
+/// Reads a record that is itself a collision. A field `class` is no part of the collision, so it is removed.
 Collision bare_collision(json record) {
   if (record.is_object()) {
     record.erase("class");

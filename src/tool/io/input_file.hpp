@@ -11,7 +11,7 @@
 
 namespace carom::tool {
 
-/// The facts that a witness adds to its collision.
+/// The facts that a witness (a violation that can be replayed) adds to its collision.
 struct WitnessFacts {
   std::string subject;  // as the command line names it
   std::string invariant;
@@ -20,7 +20,6 @@ struct WitnessFacts {
   [[nodiscard]] bool is_of_invalid() const;
 };
 
-/// A collision read from a file.
 struct ReadCollision {
   std::string place;  // "FILE", "FILE:7" for a line, "FILE: element 3" for an element of an array
   properties::Case one;
@@ -31,14 +30,14 @@ struct ReadCollision {
 /// Whether a collision is read although its ε, μ or e_t is out of range, if it has no other defect.
 enum class OutOfRange { refused, kept };
 
-/// The collision of a witness that is read: the shrunk one, or the one that the family drew.
+/// The collision that is read from a witness: the shrunk one, or the one that the family drew.
 enum class OfWitness { shrunk, drawn };
 
-/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of these, or
-/// JSON Lines of these. JSON Lines are read as they are visited. A collision may name the class of its contact, among
-/// its fields or next to it in the record that holds it: `"class": "crate on floor"`. Throws UsageError that names the
-/// file, the place, and what was expected. An invalid collision is an error too, unless it belongs to a witness about
-/// invalid collisions. If `of_witness` is `drawn`, every record must be a witness.
+/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of witnesses
+/// and collisions, or JSON Lines of them. JSON Lines are read as they are visited. A collision may name the class of
+/// its contact: `"class": "crate on floor"`. This field is in the collision, or in the record that holds the collision.
+/// Throws UsageError that names the file, the place, and what was expected. An invalid collision is an error too,
+/// unless it belongs to a witness about invalid collisions. If `of_witness` is `drawn`, every record must be a witness.
 void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::function<void(const ReadCollision&)>& visit,
                         OfWitness of_witness = OfWitness::shrunk);
 

@@ -16,7 +16,7 @@ namespace {
 /// `timeout` and terminals signal both the program and its group. The two signals are one request.
 constexpr std::chrono::seconds one_wish{1};
 
-/// Discards the signals that arrive within that time.
+/// Discards the signals that arrive within `one_wish`.
 void drop_repeats(const sigset_t& signals) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + one_wish;

@@ -17,9 +17,9 @@ namespace carom::tool {
 inline constexpr std::size_t longest_line = std::size_t{16} << 20;
 inline constexpr std::size_t largest_whole = std::size_t{256} << 20;
 
-/// A JSON file. If its first line that is not blank is a complete JSON text and another such line follows, the file is
-/// JSON Lines of any number. Otherwise it is one text. Errors are UsageErrors that name the file and, for JSON Lines,
-/// the line.
+/// A JSON file. It is JSON Lines, of any length, if its first non-blank line is a complete JSON text and another
+/// non-blank line follows. Otherwise the file is one JSON text. Errors are UsageErrors that name the file and, for JSON
+/// Lines, the line.
 class JsonFile {
  public:
   /// Reads until the form is known. Throws if the file cannot be read, or is a single text that is too large.

@@ -20,7 +20,7 @@
 namespace carom::tool {
 namespace {
 
-/// A third of this is enough for the reports of a gate over all families and subjects [bytes].
+/// The size of the reserve [bytes]. The reports of a gate over all families and subjects need a third of it.
 constexpr std::size_t most_reserved = std::size_t{64} << 20U;
 
 struct Reserve {
@@ -37,7 +37,7 @@ Reserve& the_reserve() {
 
 std::atomic<bool> has_run_out = false;
 
-/// Releases the reserve. Returns whether the allocation should be tried again, which is so once for each thread.
+/// Releases the reserve. Returns whether the allocation should be tried again: true once for each thread.
 bool give_free() {
   thread_local bool has_tried_again = false;
   if (has_tried_again) {
@@ -66,7 +66,7 @@ void when_new_fails() {
   _exit(report::exit_usage);
 }
 
-/// Some destructors allocate memory. An exception from them ends the program.
+/// The terminate handler. Some destructors allocate memory, and an exception from a destructor ends the program.
 [[noreturn]] void when_nothing_catches() {
   if (has_run_out) {
     end_without_memory();
@@ -74,7 +74,8 @@ void when_new_fails() {
   std::abort();
 }
 
-/// GMP uses the memory without a check, and cannot recover from an exception.
+/// Ends the program if there is no memory, because GMP uses memory without a check and cannot recover from an
+/// exception.
 template <class Allocate>
 void* allocated_for_gmp(const Allocate& allocate) {
   void* memory = allocate();
@@ -87,7 +88,7 @@ void* allocated_for_gmp(const Allocate& allocate) {
   return memory;
 }
 
-/// At most a quarter of the limit on the program's memory, so that enough is left to start.
+/// At most a quarter of the limit on the program's memory, so that the program can still start.
 std::size_t reserved_size() {
   rlimit limit{};
   constexpr rlim_t part = 4;
@@ -97,7 +98,8 @@ std::size_t reserved_size() {
   return most_reserved;
 }
 
-/// Grows the stack of this thread to 1 MiB, several times its need. A stack that cannot grow later would be a crash.
+/// Grows the stack of this thread to 1 MiB, several times its need. If the stack cannot grow later, the program
+/// crashes.
 void grow_stack() {
   constexpr std::size_t page = 4096;
   constexpr std::size_t pages = 256;

@@ -6,12 +6,12 @@
 namespace carom::tool {
 
 /// Reserves memory for the report. If an allocation fails, the reserve is released and a stop is requested, so that the
-/// results so far can be reported. If that is not enough, `new` throws std::bad_alloc. GMP cannot handle exceptions, so
-/// it ends the program with a message. If the kernel kills the process for its memory, nothing is reported. Call it
-/// once, before any other thread is started.
+/// results so far can be reported. If the reserve is not enough, `new` throws std::bad_alloc. An allocation of GMP then
+/// ends the program with a message, because GMP cannot handle exceptions. If the kernel kills the process for its
+/// memory, nothing is reported. Call it once, before any other thread is started.
 void keep_memory_for_the_report(const std::stop_source& stop);
 
-/// The message for exhausted memory. Printing it allocates none.
+/// The message for exhausted memory. Printing it allocates no memory.
 inline constexpr const char* out_of_memory = "carom: there is not enough memory\n";
 
 /// Whether an allocation failed, so that a stop was requested.

@@ -44,8 +44,9 @@ std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   return ProcessState{text[name_end + to_state], std::atoi(text.c_str() + name_end + to_parent)};
 }
 
-/// Kills the children of this process, or only those with the mark. Returns whether there was such a child, or a child
-/// that has ended and was not yet waited for. The latter's own children may have become this process's children since.
+/// Kills the children of this process, or only those with the mark. Returns whether the caller must call again: whether
+/// there was such a child, or an ended child that was not yet waited for. When a child ends, its own children become
+/// children of this process.
 bool end_children(bool marked_alone) {
   bool any = false;
   std::error_code ignored;
@@ -75,7 +76,7 @@ bool has_children() {
 Orphanage::Orphanage() : has_foreign_children_(has_children()) { prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 Orphanage::~Orphanage() {
-  // A killed child hands its children over to this process. The limit is for a process that the system cannot end now.
+  // A killed child hands its children over to this process. `patience` is for a process that the system cannot end now.
   constexpr std::chrono::seconds patience{2};
   constexpr std::chrono::milliseconds moment{1};
   for (const auto until = Clock::now() + patience; Clock::now() < until; std::this_thread::sleep_for(moment)) {
@@ -84,7 +85,7 @@ Orphanage::~Orphanage() {
       ended = waitpid(-1, nullptr, WNOHANG);
     } while (ended > 0);
     if (ended < 0) {
-      return;  // there is none
+      return;  // there is no child
     }
     if (!end_children(has_foreign_children_)) {
       return;

@@ -3,14 +3,14 @@
 
 namespace carom::tool {
 
-/// While it exists, this process becomes the parent of processes that the subjects' programs started and left behind,
-/// in any group or session. The destructor ends the processes that the subjects' programs started, and waits for them.
-/// This is so on Linux; elsewhere the class does nothing.
+/// While an object exists, this process becomes the parent of processes that the subjects' programs started and left
+/// behind, in any group or session. The destructor ends the processes that the subjects' programs started, and waits
+/// for them. On systems other than Linux the class does nothing.
 ///
-/// A process may have children before its program begins: the background jobs of a shell that did `exec carom`. These,
-/// and the processes that they leave behind, are not ended. If there are no such children, every child at the end was
-/// started by a subject. Otherwise, only processes with the mark of the subjects' programs (subjects/protocol/mark.hpp)
-/// are ended. A process that hides the mark and has left its group lives on.
+/// A process may have children before its program begins: the background jobs of a shell that did `exec carom`. The
+/// class does not end these jobs, nor processes that they leave behind. If there are no such jobs, a subject started
+/// every child at the end. Otherwise, only processes with the mark of the subjects' programs
+/// (subjects/protocol/mark.hpp) are ended. A process that hides the mark and has left its group lives on.
 class Orphanage {
  public:
   Orphanage();

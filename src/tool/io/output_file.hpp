@@ -13,7 +13,7 @@ namespace carom::tool {
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 /// Appends the text to the file. An empty text only checks that this is possible. Throws UsageError that names the
-/// file's option if it is not.
+/// file's option if appending is not possible.
 void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text);
 
 /// Makes a directory that is --out or below it, with its parents. Throws UsageError if it cannot be made.

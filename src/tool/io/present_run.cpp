@@ -23,7 +23,7 @@ std::string in_json(const nlohmann::json& record, int indent) {
   return record.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// Puts all reports in place, or none. At every moment, the report in the directory has the witnesses that it lists.
+/// Puts all reports in place, or none. At every moment, the directory has the witnesses that its report lists.
 void write_reports(const report::Run& run, const std::string& out, StagedOutput& staged) {
   const fs::path& stage = staged.stage();
   make_directories(stage / "witnesses");

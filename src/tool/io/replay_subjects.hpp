@@ -20,18 +20,17 @@
 /// The subjects that a replay judges.
 namespace carom::tool {
 
-/// The result of a replayed collision.
 struct ReplayedCase {
   Answer answer;
   properties::Judgement judgement;
   // For a program:
-  std::size_t spellings = 0;           // number of spellings in which it was asked; 0 for a subject of this process
+  std::size_t spellings = 0;           // number of spellings (spelling.hpp) in which it was asked; otherwise 0
   std::size_t violated_spellings = 0;  // number of spellings with a violation
   std::string spelt = {};              // the collision in the spelling of the answer
 };
 
-/// A subject with its sessions, for all collisions that it is judged on. A program has a session for each spelling of a
-/// request, because a fault may lie in its reader.
+/// A subject with its sessions, for all collisions that it is judged on. A program has a session for each spelling
+/// (subjects/protocol/spelling.hpp) of a request in JSON, because a fault may lie in its reader.
 class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.
@@ -41,8 +40,8 @@ class ReplaySubject {
   [[nodiscard]] const Subject& subject() const { return subject_; }
   [[nodiscard]] const properties::Claim& claim() const { return claim_; }
 
-  /// The result in the first spelling with a violation, otherwise in the first spelling. For a program, `memoryless`
-  /// holds if the answers in all spellings are the same. Throws UsageError.
+  /// The result in the first spelling with a violation, otherwise in the first spelling. For a program, the invariant
+  /// `memoryless` holds if the answers in all spellings are the same. Throws UsageError.
   [[nodiscard]] ReplayedCase judge(const properties::Case& one);
 
   /// Throws UsageError if a session does not end properly.
@@ -56,7 +55,7 @@ class ReplaySubject {
   std::vector<Session> sessions_;  // one for each spelling of a program, otherwise one
 };
 
-/// The subjects of a replay. Each one is started once.
+/// The subjects of a replay. Each subject is started once.
 class ReplaySubjects {
  public:
   /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The result of `read` for the content of the file. The message for an error of the format has the file's name and
-/// `is_no` in front.
+/// The result of `read` for the content of the file. A message for an error of the format starts with the file's name
+/// and `is_no`.
 template <class Read>
 auto read_from(const std::string& file, const char* is_no, const Read& read) {
   const std::string content = content_of_file(file);
@@ -50,7 +50,7 @@ report::ReadShard read_shard(const std::string& directory) {
   for (std::size_t s = 0; s < shard.run.subjects.size(); ++s) {
     properties::SubjectResult& result = shard.report.results[s];
     for (const report::Violation& violation : shard.run.subjects[s].violations) {
-      // The path is not taken from the file.
+      // The path in the report is not used, because it could lead to any file.
       const fs::path path = report::witness_path(directory, result.subject, violation.invariant);
       result.witnesses.push_back(read_from(path.string(), "", [&](const nlohmann::json& record) {
         return report::witness_from(record, violation.invariant);

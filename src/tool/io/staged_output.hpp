@@ -7,9 +7,9 @@
 
 namespace carom::tool {
 
-/// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage,
-/// which is a directory inside of it. Once all files are complete, they are renamed to their places. The previous files
-/// stay until then.
+/// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage, a
+/// temporary directory inside that directory. Once all files are complete, they are renamed to their places. The
+/// previous files stay until then.
 class StagedOutput {
  public:
   /// Makes the directory, with its parents, and the stage. Throws UsageError if they cannot be made.
@@ -23,7 +23,7 @@ class StagedOutput {
   [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
 
   /// Renames every file to its place, and the file `last` last. Every file is flushed to disk before the first rename.
-  /// Throws UsageError if a file cannot be renamed, and does so before the first rename if the error can be known then.
+  /// Throws UsageError if a file cannot be renamed, before the first rename if the error can be known early.
   void put_in_place(const std::string& last);
 
  private:

@@ -10,8 +10,8 @@
 namespace carom::tool {
 
 /// The subject for a SUBJECT of the command line: a name, or "exec:PROGRAM ARG…". A program that cannot be run is a
-/// subject too, and opening it throws the reason. A program is asked in this spelling, or in all of them in turn
-/// (ExecOptions). Throws UsageError if there is no subject with this name.
+/// subject too, and opening it throws the reason. `spelling` is the JSON spelling of requests to a program; if it is
+/// empty, ExecOptions chooses. Throws UsageError if there is no subject with this name.
 [[nodiscard]] Subject subject_from_argument(const std::string& argument, double timeout_seconds,
                                             const std::stop_token& stop,
                                             std::optional<unsigned> spelling = std::nullopt);

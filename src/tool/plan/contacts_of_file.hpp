@@ -22,10 +22,10 @@ struct RecordedContacts {
 using ContactsOfScene =
     std::function<RecordedContacts(const std::string& text, const std::string& file, const std::stop_token& stop)>;
 
-/// The contacts of a file. These are collisions, read as in `replay`, each with an optional class. If
+/// The contacts of a file. They are collisions, read by for_each_collision, each with an optional class. If
 /// `contacts_of_scene` is set, they can also be the impacts of a scene. A collision is kept if its only defect is that
-/// ε, μ or e_t is out of range. Throws UsageError that names the file, the place, the field, and what was expected, or
-/// that says that the user stopped.
+/// ε, μ or e_t is out of range. Throws UsageError that names the file, the place, the field, and what was expected.
+/// Throws UsageError too if the user stopped.
 [[nodiscard]] RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene& contacts_of_scene,
                                                 const std::stop_token& stop);
 

@@ -31,7 +31,7 @@ std::string class_of(const scene::Scene& scene, const scene::Event& event) {
                      scene.materials[scene.planes[event.plane].material]);
 }
 
-/// Every `stride`-th contact. Whenever there are twice as many contacts as wanted, every second one is dropped.
+/// Keeps every `stride`-th contact. When it has twice most_contacts_of_scene, it drops every second one.
 class Sampled {
  public:
   void add(ClassedCollision contact) {

@@ -9,8 +9,8 @@
 
 namespace carom::tool::plan {
 
-/// Bounds the impacts of a scene that a plan is certified on. They are fewer than twice this number, at equal
-/// distances.
+/// A plan is certified on fewer than twice this number of impacts of a scene. If there are more, only every n-th one is
+/// used.
 inline constexpr std::size_t most_contacts_of_scene = 10'000;
 
 /// Runs the scene. Returns its impacts, classed by bodies and materials, and its law. Throws UsageError like

@@ -22,8 +22,8 @@ struct CallableCandidate {
   CppCall code;
 };
 
-/// The method of this subject. None if plans never choose it, because its basis fails near head-on. Throws
-/// std::logic_error if no method has this name.
+/// The method of this subject. None if plans never choose the method, because its basis of the contact fails near
+/// head-on collisions. Throws std::logic_error if no method has this name.
 [[nodiscard]] std::optional<CallableCandidate> callable_candidate(const Subject& subject);
 
 /// Every method that a plan may choose.

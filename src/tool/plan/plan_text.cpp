@@ -25,7 +25,7 @@ using properties::plan::LintFinding;
 using properties::plan::Part;
 using properties::plan::Plan;
 
-/// The number of findings of one kind that are shown. The rest is counted.
+/// The number of findings of one kind that are shown. The others are only counted.
 constexpr std::size_t findings_shown = 5;
 
 std::string number_or_dash(const std::optional<double>& number, const char* format) {
@@ -37,7 +37,7 @@ std::string in_words(const Candidate& candidate) {
                      candidate.frame == Frame::world ? "world frame" : "body frame");
 }
 
-/// Every class, and the whole last.
+/// Every class, and last the part with all contacts.
 std::vector<const Part*> parts_of(const Plan& plan) {
   std::vector<const Part*> parts;
   for (const Part& part : plan.classes) {
@@ -87,7 +87,7 @@ Table choices(const Plan& plan) {
   return table;
 }
 
-/// The number of contacts on which each lesser law is the requested law.
+/// For each lesser (cheaper) law, the number of contacts on which it equals the requested law.
 Table laws(const Plan& plan, Law law) {
   Table table{
       "", {{"class"}, {"law"}, {"serves on"}, {fmt::format("is {} exactly on", name_of(law))}, {"because"}}, {}};
@@ -133,8 +133,8 @@ Table calls(const Plan& plan) {
   return table;
 }
 
-/// The candidates that do not serve the whole. If no candidate of a law serves, the law has one row, for its best
-/// candidate.
+/// The candidates that do not serve all contacts. If no candidate of a law serves all, the law has one row, for its
+/// best candidate.
 Table failures(const Plan& plan) {
   Table table{
       "", {{"does not serve"}, {"contacts failed"}, {"worst at"}, {"because"}, {"ulps there"}, {"digits there"}}, {}};
@@ -169,7 +169,6 @@ Table failures(const Plan& plan) {
   return table;
 }
 
-/// The first findings of each kind, and the number of the others.
 Table findings(const Plan& plan) {
   Table table{"", {{"severity"}, {"lint"}, {"place"}, {"field"}, {"what"}}, {}};
   for (const auto lint : all_lints) {

@@ -39,7 +39,7 @@ export class Arrows {
     this.fade = new InstancedBufferAttribute(new Float32Array(most), 1);
     const shape = geometry();
     shape.setAttribute("fade", this.fade);
-    // An arrow begins at the surface of the body that it points into, so it is drawn on top of everything.
+    // An arrow points from the surface of a body into the body, so it is drawn on top of everything.
     this.material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true,
       depthTest: false, depthWrite: false, uniforms: { colour: { value: new Color() } } });
     this.mesh = new InstancedMesh(shape, this.material, most);

@@ -43,8 +43,8 @@ export class Balls {
     this.mesh.frustumCulled = false; // its bounds would have to be computed in each frame
     this.tilts = bodies.map(({ index }, place) => {
       this.mesh.setColorAt(place, new Color(...hue_of(index)));
-      // The format has no initial orientation for a sphere. Each sphere has its own tilt, so that they do not look the
-      // same.
+      // The format has no initial orientation for a sphere. Each sphere gets its own tilt, so that no two spheres look
+      // the same.
       return new Quaternion().setFromAxisAngle(
         new Vector3(Math.cos(index * 2.4), Math.sin(index * 2.4), 0.4).normalize(), 0.9 + index * 0.37);
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// node bundle.mjs FILE: writes the page without its title and its replay as one text, or as C++ if FILE ends in .cpp.
+// node bundle.mjs FILE: writes the page, with marks for its title and its replay, as one text, or as C++ if FILE ends
+// in .cpp.
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 
@@ -57,7 +58,8 @@ std::string_view replay_page() { return {reinterpret_cast<const char*>(bytes), s
 `;
 }
 
-// Neither may end its element. esbuild writes "<\\/script" in strings, and this check makes sure.
+// Neither the script nor the style may end its element. esbuild writes "<\\/script" in strings, and the check confirms
+// this.
 const script = await built("replay.mjs");
 const style = await built("replay.css");
 if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) {

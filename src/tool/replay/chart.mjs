@@ -15,7 +15,8 @@ export class Chart {
     const { t, kinetic, potential, lost, spin } = replay.series;
     this.t = t;
     this.series = { total: t.map((_, i) => kinetic[i] + potential[i] + lost[i]), spin, potential, lost, kinetic };
-    // The stored values have a rounding error of about 10⁻¹⁵ of the energy. A value below this limit is shown as 0.
+    // The stored values have a rounding error of about 10⁻¹⁵ of the energy. A value below 10⁻¹² of the greatest is
+    // shown as 0.
     this.rounding = 1e-12 * Object.values(this.series).flat().reduce((most, y) => Math.max(most, Math.abs(y)), 0);
     this.rows = Object.keys(names).map((name) => {
       const row = table.tBodies[0].insertRow();

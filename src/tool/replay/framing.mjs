@@ -33,8 +33,8 @@ export function up_of({ gravity }) {
 }
 
 /**
- * Places the camera in this direction, so that all corners are visible and fill the picture. The target moves with the
- * camera, because the near half of the box takes more of the picture than the far half.
+ * Places the camera in this direction from the target, so that all corners are visible and fill the picture. The target
+ * moves with the camera, because the near half of the box takes more of the picture than the far half.
  */
 export function frame(camera, target, corners, direction) {
   camera.position.copy(target).add(direction);

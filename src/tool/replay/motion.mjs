@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 import { Orientations, at } from "./orientation.mjs";
 
-/** The numbers of an arc: t, position, velocity, acceleration, angular velocity, its rate. The phase follows them. */
+/** The numbers of an arc: t, position, velocity, acceleration, angular velocity, its rate. The phase is next. */
 const numbers = 16;
 
 export const phases = ["flying", "sliding", "rolling", "spinning", "resting"];
 
-/** The arcs of one body, and its state at a time. */
+/** The arcs of one body (its motions between two events), and its state at a time. */
 export class Motion {
   constructor(arcs, duration) {
     this.count = arcs.length;
@@ -32,7 +32,7 @@ export class Motion {
 
   /** The last arc that has begun at this time; the first arc if none has begun. */
   arc_at(time) {
-    // From one frame to the next, it is the same arc or the next one.
+    // From one frame to the next, the arc stays the same or is the next one.
     for (let index = this.latest; index < Math.min(this.latest + 2, this.count); ++index) {
       const ends = index + 1 < this.count ? this.start_of(index + 1) : Infinity;
       if (this.start_of(index) <= time && time < ends) {

@@ -5,9 +5,9 @@ import { cross, normalized, product, turn } from "./quaternion.mjs";
 const tolerance = 1e-5;
 
 /**
- * The number of equal steps that `turned` takes through an arc of this duration, with the angular velocity w + b s.
- * The Magnus series, truncated after the term of order h³, has an error of |w|³ |b| h⁵ / 720 a step. The errors add up.
- * A step of half a radian is well within the radius of convergence.
+ * The number of equal steps that `turned` takes through an arc of this duration, with the angular velocity w + b s. The
+ * Magnus series, truncated after the term of order h³, has an error of |w|³ |b| h⁵ / 720 a step. The errors of the
+ * steps add up. A step turns by at most half a radian, well within the radius of convergence.
  */
 export function steps_of(w, b, duration) {
   const sideways = Math.hypot(...cross(w, b));
@@ -39,7 +39,7 @@ const steps_between_knots = 24;
 
 /**
  * The orientation of a body over its arcs, from the time, the angular velocity and its rate at the start of each arc.
- * An arc with a given orientation starts from that. Any other arc continues the previous one.
+ * An arc with a given orientation starts from this orientation. Any other arc continues the previous arc.
  */
 export class Orientations {
   /** @param arcs [{ start, end, w, b, q or undefined }] */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 import { cross, dot } from "./quaternion.mjs";
 
-// The space that planes and the room leave to the bodies, as half-spaces: the points x with normal · x ≥ offset.
+// The space in which the bodies can be, between the planes and the walls of the room. It is an intersection of
+// half-spaces normal · x ≥ offset.
 
 function unit(vector) {
   const length = Math.hypot(...vector) || 1;
@@ -15,7 +16,7 @@ export function spanning(normal, up) {
   return [first, cross(normal, first)];
 }
 
-/** The half-spaces of a scene: its planes, and its room. Without a room, the box is a border that is not real. */
+/** The half-spaces of a scene: its planes and its room. Without a room, `box` is a border for the picture only. */
 export function half_spaces(planes, room, box) {
   const all = planes.map(({ normal, point }) => {
     const n = unit(normal);
@@ -38,8 +39,8 @@ export function half_spaces(planes, room, box) {
 }
 
 /**
- * The face of a half-space in the region, as its corners in order. Each corner has the half-space behind the edge to
- * the next corner. There are fewer than three corners if the region does not reach the face.
+ * The face of a half-space in the region, as its corners in order. Each corner names the half-space that bounds the
+ * face along the edge to the next corner. There are fewer than three corners if the region does not reach the face.
  */
 export function face_of(index, spaces, size, up) {
   const { normal, offset } = spaces[index];

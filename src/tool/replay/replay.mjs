@@ -14,7 +14,7 @@ function report(text) {
   by_id("picture").hidden = true;
 }
 
-/** The view, or null if there is no WebGL. Everything except the picture still works then. */
+/** The view, or null if there is no WebGL. Without WebGL, everything except the picture works. */
 function view_of(replay, changed) {
   try {
     const view = new View(by_id("picture"), replay, changed);

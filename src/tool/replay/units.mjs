@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 const prefixes = [["p", 1e-12], ["n", 1e-9], ["µ", 1e-6], ["m", 1e-3], ["", 1], ["k", 1e3], ["M", 1e6], ["G", 1e9]];
 
-/** The prefix with which a number of this size is from 1 to 1000, as [letter, factor]. */
+/** The SI prefix, as [letter, factor], with which a number of this size is written as a number from 1 to 1000. */
 export function prefix_of(size) {
   const fitting = prefixes.filter(([, factor]) => Math.abs(size) >= factor * 0.9995);
   return size === 0 ? ["", 1] : fitting.at(-1) ?? prefixes[0];

@@ -92,7 +92,6 @@ Document order_part(const SceneRun& run) {
   return {std::move(facts)};
 }
 
-/// The files next to the page.
 List files_beside(bool has_replay) {
   List list;
   for (const char* file :

@@ -17,9 +17,10 @@ struct SampledLaw {
   std::vector<Sample> samples;
 };
 
-/// Energy over time [J]. One law: its parts and the lost energy. Several laws: the total of each law.
+/// Energy over time [J]. For one law: the parts of the energy, and the lost energy. For several laws: the total of
+/// each.
 [[nodiscard]] report::Plot energy_plot(std::span<const SampledLaw> laws);
-/// Momentum over time [N s]. One law: its components. Several laws: the magnitude of each law.
+/// Momentum over time [N s]. For one law: its components. For several laws: its magnitude under each.
 [[nodiscard]] report::Plot momentum_plot(std::span<const SampledLaw> laws);
 /// The mean of ‖w‖ over the bodies [rad/s], for each law.
 [[nodiscard]] report::Plot spin_plot(std::span<const SampledLaw> laws);

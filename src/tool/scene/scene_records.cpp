@@ -32,7 +32,7 @@ json energies_json(const properties::Energies& energies) {
           {"potential", static_cast<double>(energies.potential)}};
 }
 
-/// The longest arc of a tumbling body in a replay. On an arc, the replay takes the angular velocity as linear in time.
+/// The longest arc of a tumbling body in a replay. The replay treats the angular velocity on an arc as linear in time.
 constexpr double longest_replayed_arc = 1.0 / 60;  // [s]
 
 json arc_json(const scene::Arc& arc) {
@@ -49,8 +49,8 @@ json arc_json(const scene::Arc& arc) {
   return row;
 }
 
-/// Adds a polyhedron's arc in pieces, each with its orientation. On a piece, the angular velocity is taken as linear in
-/// time.
+/// Adds a polyhedron's arc in pieces, each with its orientation. The replay treats the angular velocity on a piece as
+/// linear in time.
 void add_tumbling_arcs(json& arcs, const scene::Arc& arc, const Quaternion<double>& orientation,
                        const Vector3<double>& principal_inertia, double end) {
   const double span = std::max(0.0, end - arc.path.start);
@@ -78,7 +78,7 @@ void add_tumbling_arcs(json& arcs, const scene::Arc& arc, const Quaternion<doubl
   }
 }
 
-/// The arcs of each body, in order.
+/// The arcs (motions between two events) of each body, in order.
 json replayed_arcs(const SceneRun& run) {
   const scene::Scene& scene = run.scene();
   std::vector<scene::BodyState> present = run.first().bodies;

@@ -20,9 +20,9 @@ namespace carom::tool {
 
 struct SceneOptions {
   std::uint64_t judge_every = 1;  // every Nth impulse is judged; 0: none
-  bool check = true;              // that nothing overlaps
+  bool check = true;              // whether to check that nothing overlaps
   std::optional<std::uint64_t> most_events;
-  std::uint64_t most_replayed = 100'000;  // most events of a replay, which is cut there; 0: no replay
+  std::uint64_t most_replayed = 100'000;  // most events of a replay, which ends after them; 0: no replay
   std::stop_token stop;
   std::function<void(const scene::Event&)> on_event;  // empty for none
   std::function<void(double)> on_progress;            // called with the simulated time [s]; empty for none
@@ -46,14 +46,14 @@ class SceneRun {
   [[nodiscard]] const scene::SceneSimulation& simulation() const { return simulation_; }
   [[nodiscard]] const properties::Ledger& ledger() const { return ledger_; }
   [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
-  /// Empty if it was not checked.
+  /// Empty if overlaps were not checked.
   [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_.samples(); }
-  /// The state at the start.
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
   /// The events of a replay; empty if there is no replay.
   [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
-  /// The time until which the replay has every event [s]: the present, or the first event that it leaves out.
+  /// The time until which the replay has every event [s]: the present, or the time of the first event that it leaves
+  /// out.
   [[nodiscard]] double replayed_until() const { return cut_ ? *cut_ : simulation_.time(); }
   [[nodiscard]] bool is_replay_cut() const { return cut_.has_value(); }
   /// The number of bodies whose angular velocity an event changed, even by one bit, or whose arc before an event had an

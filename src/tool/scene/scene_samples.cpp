@@ -35,7 +35,7 @@ void SceneSamples::sample_until(double time) {
       const Vector3<double> velocity = scene::velocity_at(arc.path, next);
       const Vector3<double> spin = spin_at(body, next);
       sample.translation += state.mass * velocity.squaredNorm() / 2;
-      // The energy of a free rotation is constant on an arc, so it is computed at the start of the arc.
+      // The energy of a free rotation is constant between events, so it is computed at the start of the arc.
       const Vector3<double> rate =
           is_sphere(*scene_, body)
               ? spin

@@ -8,7 +8,7 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/approximation.hpp: the rounding error of its inequalities (1) to (4) in
+/// Checks the constants of oracles/numbers/approximation.hpp: the rounding error of its inequalities (1) to (5) in
 /// binary64.
 namespace carom::bounds {
 namespace {
@@ -17,10 +17,10 @@ namespace approximation = oracles::approximation;
 using oracles::Approximation;
 using oracles::Rational;
 
-/// An input with a rounding error. It is not one, so no product with it is exact. Earlier roundings do not count.
+/// An input of size 3 and not 1, so that no product with it is exact. Earlier roundings do not count.
 const RoundingCount any_radius = RoundingCount::input(3);
 
-/// The last product, by `up`, is one of the roundings. The sum with `least` is another.
+/// The product by `up` is one of the roundings, and the sum with `least` another.
 TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
   const int of_product =

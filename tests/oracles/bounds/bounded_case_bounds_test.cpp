@@ -10,7 +10,7 @@
 #include "normalised_collision.hpp"
 #include "support/exact.hpp"
 
-/// Checks the constants of oracles/filters/bounded_case_bounds.hpp by its inequalities.
+/// Checks the inequalities and constants of oracles/filters/bounded_case_bounds.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -18,7 +18,7 @@ namespace bounded_case_bounds = oracles::bounded_case_bounds;
 
 constexpr double ten_to_minus_6 = 1e-6;
 
-/// N·V⁻: (1), (2).
+/// Inequalities (1) and (2) of N·V⁻.
 TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   const int n = oracles::normal_velocity_before(normalised_collision<RoundingCount>()).roundings();
   EXPECT_EQ(bounded_case_bounds::roundings_of_normal_velocity, n);
@@ -28,13 +28,12 @@ TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
 
-/// A sum of 30 absolute values of products and differences, on both sides.
+/// Both sides are sums of 30 absolute values of products and differences.
 TEST(BoundedCase, LeaveRoomForTheRoundingOfTheGrazingBand) {
   constexpr double roundings = 30 + 8;
   EXPECT_GE(bounded_case_bounds::factor_for_grazing * (1 - roundings * u), 1 + roundings * u);
 }
 
-/// The collision with masses and moments as inputs of differentiation.
 template <class S, class Convert>
 BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracles::Dual<S, 8>> c,
                                                            const Convert& convert) {
@@ -48,7 +47,7 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
   return c;
 }
 
-/// (1) Σ_j x_j ∂K/∂x_j = −K over masses and moments, exactly.
+/// Inequality (1) of K: Σ_j x_j ∂K/∂x_j = −K over masses and moments, exactly.
 TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   using T = oracles::Dual<oracles::Rational, 8>;
   properties::Stream stream = properties::stream_from(71);
@@ -88,7 +87,7 @@ double error_of_matrix_sensitivity() {
   return sum;
 }
 
-/// The collision matrix's sensitivity: (2), (3).
+/// Inequalities (2) and (3) of K.
 TEST(BoundedCase, CoverTheRoundingOfTheMatrixSensitivity) {
   const double needed = error_of_matrix_sensitivity();
   EXPECT_TRUE(covers(bounded_case_bounds::roundings_of_matrix_sensitivity, needed, 4));

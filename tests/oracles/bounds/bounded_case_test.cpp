@@ -8,7 +8,7 @@
 
 #include "support/exact.hpp"
 
-/// The bounds of a collision agree with ℚ, and with the known values of some collisions.
+/// The bounds of BoundedCase agree with ℚ, and with known values of some collisions.
 namespace carom::bounds {
 namespace {
 
@@ -27,7 +27,7 @@ Collision against_a_wall(const Vector3<double>& arm, double moment) {
   return c;
 }
 
-/// κ ≤ t³ / (4 det K) with the trace t, in ℚ.
+/// The bound t³ / (4 det K) of κ(K) with the trace t, in ℚ.
 Rational condition_bound(const Collision& c) {
   const unit::ExactMatrix k = impulse::collision_matrix(unit::exact_contact(c));
   const Rational t = k.trace();
@@ -41,7 +41,8 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   int ill = 0;
   for (int i = 0; i < 400; ++i) {
     const Vector3<double> arm = stream.direction();
-    // K = I + (r·r I − r rᵀ)/J, of trace 3 + 2 s and determinant (1 + s)², s = r·r/J: t³ / (4 det) is about 2 s.
+    // K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)² with s = r·r/J. So t³ / (4 det)
+    // is about 2 s.
     const double s = 0x1p19 * stream.between(0.9, 1.1);
     const Collision c = against_a_wall(arm, arm.squaredNorm() / s);
     const Rational share = condition_bound(c) / Rational(0x1p20);
@@ -57,9 +58,9 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// Two bodies that spin about z, with all positions and lever arms along y and the normal along x. Then each product
-/// of components equals the product of the lengths. So the bound is the sum itself, ‖N‖ Σ ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ +
-/// the extent).
+/// Two bodies that spin about z, with all positions and lever arms along y and the normal along x. Then each product of
+/// components equals the product of the lengths. So the bound is the sum itself, ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖
+/// + the extent)).
 TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
   Collision c;
   c.normal = {3, 0, 0};
@@ -86,7 +87,7 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   // N·V is exactly zero, with a radius of zero.
   c.a.velocity = {1, 0, 0};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
-  // Everything except a part of 2⁻⁴⁰ cancels: binary64 keeps four digits, an enclosure twenty.
+  // All but a part of 2⁻⁴⁰ cancels. Binary64 keeps four digits, an enclosure twenty.
   c.b.velocity = {0, 0, 1};
   c.a.velocity = {0, 0, 1 + 0x1p-40};
   ASSERT_TRUE(BoundedCase(c).normal_velocity());

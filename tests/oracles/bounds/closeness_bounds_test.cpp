@@ -18,8 +18,8 @@ namespace {
 namespace closeness = oracles::closeness_bounds;
 using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
-/// The largest rounding error of ‖∂g/∂ŷ_k‖, in u, for a normalised collision and velocities of at most one. It covers
-/// the length of the errors of the derivatives and the roundings of the norm.
+/// The length of the rounding errors of ∂g/∂ŷ_k, in u, for a normalised collision and velocities of at most one. The
+/// roundings of the norm are not included.
 template <class OneEquation>
 PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wall = false) {
   BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
@@ -51,7 +51,7 @@ PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wal
 /// The roundings of a norm of at most six components: the squares, their sum and the root; relative to the norm.
 constexpr double roundings_of_norm = 6;
 
-/// (3): relative to slopes of at least one: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
+/// (3). The errors are relative to slopes of at least one: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
 TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   namespace equation = oracles::equation;
   double most = 0;
@@ -69,7 +69,7 @@ TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   EXPECT_TRUE(covers(closeness::rounding_of_slope, most * u, 4));
 }
 
-/// (4): relative to the products of lengths, which are one here.
+/// (4). The errors are relative to products of lengths, which are one here.
 TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   const PerVector<double> of_moment = errors_of_slopes(oracles::equation::Restitution{});
   EXPECT_TRUE(covers(
@@ -85,8 +85,7 @@ TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   }
 }
 
-/// (5): the rounding of the slopes, the noise in both ways to compute the scale, and the roundings of the sums and
-/// products.
+/// (5): the margin covers the rounding of slopes, their noise, and the roundings of the sums and products.
 TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   constexpr double of_noise = closeness::share_for_noise * (1 + 4 * closeness::share_for_noise);
   constexpr double of_sums = 32 * u;

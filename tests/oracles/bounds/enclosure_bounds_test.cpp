@@ -24,7 +24,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// (2) to (4) round a doubled term up twice, by above(x) and by `up`. Counting starts after that.
+/// In (2) to (4), `above` rounds its result up by itself. So the inputs here count as exact.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -33,7 +33,7 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
           .roundings();
   const int of_quotient = enclosure::radius_of_quotient(any_part, any_part, any_part, any_part, any_part).roundings();
   const int of_root = enclosure::radius_of_root(any_part, any_part, any_part).roundings();
-  // q itself is a sum rounded up. Its roundings count against a separate factor.
+  // The bound of |q| is rounded up by a separate factor, so its roundings count separately.
   const int of_size = enclosure::above(any_part, any_part, any_part).roundings();
   EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_root, of_size}) * u, 8));
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
@@ -49,7 +49,7 @@ TEST(EnclosureBounds, CoverTheRoundingOfDoubleDouble) {
 /// quotient. There are fewer than 2⁶ operations.
 TEST(EnclosureBounds, HaveALeastThatCoversUnderflow) {
   EXPECT_GE(enclosure::least, 0x1p6 * 0x1p-1074);
-  // An extended number of that size has its last bit in the range of binary64.
+  // An extended number as large as `least` has its last bit in the range of binary64.
   EXPECT_GE(enclosure::least, 0x1p-1074 * 0x1p64);
 }
 
@@ -61,7 +61,7 @@ DoubleDouble adversarial(properties::Stream& stream) {
                                    0x1p-53 * stream.between(-1, 1)};
   const double high = highs[static_cast<std::size_t>(stream.integer(0, 4))] * (stream.chance(2) ? 1 : -1);
   const double low = lows[static_cast<std::size_t>(stream.integer(0, 4))];
-  // Half an ulp below a power of two differs from half an ulp above. The sum in double-double has the right parts.
+  // Below a power of two, half an ulp is smaller than above. The sum in double-double normalises the parts.
   return (DoubleDouble(high) + DoubleDouble(low)) * DoubleDouble(stream.power_of_two(-30, 30));
 }
 

@@ -42,16 +42,16 @@ TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
   EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
 }
 
-/// The allowance times the sum of three sensitivities and another one, as in the relation `homogeneous`.
+/// The allowance times four sensitivities, as in the relation `homogeneous` (relations.cpp).
 TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   for (const double largest : {oracles::largest_scale_of_moderate, oracles::largest_sensitivity_of_moderate}) {
     EXPECT_LE(oracles::largest_allowance_for_bounds * (3 * largest + largest), std::numeric_limits<double>::max());
   }
 }
 
-/// The square of a component's derivative by a number loses at most half the least number, and a norm has up to
-/// twelve. The norm is multiplied by up to 2 D for an orientation or the normal (three quantities), and by up to 3 M
-/// for the other 18.
+/// The square of a derivative loses at most half the least number, and a norm has up to twelve squares. The norm is
+/// multiplied by up to 2 D for an orientation or the normal (three quantities), and by up to 3 M for the other 18
+/// quantities. D and M are the largest moderate direction and number.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
   const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
                       (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);

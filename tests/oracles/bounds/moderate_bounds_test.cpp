@@ -10,7 +10,7 @@
 #include "moderate_collisions.hpp"
 
 /// Checks the constants of oracles/filters/moderate.hpp by the inequalities (1) to (5) of is_moderate. The laws run
-/// over collisions whose numbers are all at the edge.
+/// over collisions whose numbers are all at the limits.
 namespace carom::bounds {
 namespace {
 
@@ -39,7 +39,7 @@ void for_each_law(const Collision& c, const Visit& visit) {
   visit(equation::Energy{});
 }
 
-/// Calls visit for the laws of second and fourth degree in the velocities after the impact.
+/// Calls visit for the equations of second degree in the velocities after the impact.
 template <class Visit>
 void for_each_law_of_friction(const Collision& c, const Visit& visit) {
   namespace equation = oracles::equation;
@@ -102,9 +102,8 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// (2), (4) for friction: the scale is a number that the judge accepts, and evaluating both sides does not overflow.
-/// A square in the scale's computation may overflow. Then binary64 does not suffice, and the scale is computed in
-/// extended.
+/// (2), (4) for friction: the scale is a number that the judge accepts, and evaluating both sides does not overflow. If
+/// a square in the scale's computation overflows in binary64, the scale is computed in extended.
 TEST(ModerateBounds, CoverTheScaleOfFriction) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -141,7 +140,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
     const auto inputs = differentiated(collision_at(corner));
     for (const Law law : oracles::linear_laws) {
       Magnitude::forget();
-      // (1): N·K N ≥ N·N / M, if one component of N has this size.
+      // (1): N·K N ≥ N·N / M, with one component of N as large as corner.normal.
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
       const oracles::Truth<MagnitudeDual> truth =
           oracles::colliding_truth(inputs.collision, law, oracles::Branch::only);
@@ -184,7 +183,7 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// (5): slopes are multiples of a power of two. Those with an inertia tensor are at least its largest moment.
+/// (5): slopes are multiples of a power of two. Slopes with an inertia tensor are at least its largest moment.
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;

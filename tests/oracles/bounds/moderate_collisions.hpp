@@ -11,9 +11,9 @@
 
 #include "support/magnitude.hpp"
 
-/// Collisions whose numbers are all at the edge of `moderate`. The tests run the laws over them with Magnitudes. The
-/// binary logarithm of each result is convex in the logarithms of the inputs: up to a constant, sums become maxima,
-/// and products become sums. So its maximum over all moderate collisions is at a corner.
+/// Collisions whose numbers are all at the limits of `is_moderate`. The tests run the laws over them with `Magnitude`
+/// (logarithms of sizes). The binary logarithm of each result is convex in the logarithms of the inputs: up to a
+/// constant, sums become maxima, and products become sums. So its maximum over all moderate collisions is at a corner.
 namespace carom::bounds {
 
 /// A corner of the moderate domain. Numbers in numerators have the largest size. Masses, moments, and directions,
@@ -77,7 +77,6 @@ void leave_one_component(Direction& direction) {
   }
 }
 
-/// The collision as input of differentiation.
 [[nodiscard]] inline oracles::DualInputs<Magnitude, oracles::collision_inputs> differentiated(const Collision& c) {
   auto inputs = oracles::dual_inputs<Magnitude, oracles::collision_inputs>(c, [](double x) { return Magnitude(x); });
   leave_one_component(inputs.collision.a.orientation);
@@ -98,12 +97,10 @@ void leave_one_component(Direction& direction) {
   return inputs;
 }
 
-/// An outcome whose numbers are all as large as a moderate outcome's.
 [[nodiscard]] inline Outcome<double> largest_outcome() {
   return map_outcome<double>(Outcome<double>{}, [](double) { return oracles::largest_moderate_outcome; });
 }
 
-/// The length of the vector.
 [[nodiscard]] inline Magnitude length(const Vector3<Magnitude>& v) { return sqrt(v.squaredNorm()); }
 
 }  // namespace carom::bounds
@@ -112,7 +109,7 @@ namespace carom::oracles {
 
 using MagnitudeDual = Dual<bounds::Magnitude, collision_inputs>;
 
-/// Cramer's rule itself gives no useful bound, but the theorem λI ⪯ K does (ExactCase::is_definite): ‖K⁻¹ b‖ ≤ ‖b‖ /
+/// Replaces Cramer's rule, which gives no useful bound, by the theorem λI ⪯ K (ExactCase::is_definite): ‖K⁻¹ b‖ ≤ ‖b‖ /
 /// λ. Differentiating K x = b gives ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M.
 template <>
 inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>& k, const Vector3<MagnitudeDual>& b) {

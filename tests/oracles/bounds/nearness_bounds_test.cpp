@@ -6,8 +6,8 @@
 #include "covers.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of surely_near (properties/invariants/verdicts.hpp) by its inequalities (1) to (4).
-/// verdicts_test checks that its conclusions hold.
+/// Checks the constants of surely_near (properties/invariants/verdicts.hpp) by its inequalities (1) to (4), which
+/// define M, s, x and y. verdicts_test checks the conclusions of surely_near.
 namespace carom::bounds {
 namespace {
 
@@ -26,7 +26,7 @@ TEST(NearnessBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings_of_distance() * u_of_long_double, 2));
 }
 
-/// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers both terms. The term of the scale is the larger one.
+/// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers the terms of ‖x‖₁ and of s. The term of s is the larger one.
 TEST(NearnessBounds, CoverTheRoundingOfTheVectorItself) {
   const double left_by_rounding = 1 - roundings_of_distance() * u_of_long_double - 4 * u_of_long_double;
   const double of_scale = std::sqrt(3) * (1 + 0x1p-50) * (1 + u_of_long_double) * u_of_long_double;

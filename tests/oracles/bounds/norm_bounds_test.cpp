@@ -9,7 +9,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/norm.hpp and norm_bounds.hpp by the inequalities (1) to (3) of the latter.
+/// Checks the constants of oracles/numbers/norm.hpp and norm_bounds.hpp by the inequalities (1) to (3) of
+/// norm_bounds.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -46,8 +47,8 @@ TEST(NormBounds, RoundByMoreThanHypotenuses) {
   EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most_components + 1) * 0x1p-1074, 4));
 }
 
-/// A square loses at most half the least number, for each component. The sum is less than a rounding of the other
-/// side.
+/// The square of a component loses at most half the least number. The sum of the losses is less than a rounding of the
+/// squared bound.
 TEST(NormBounds, CoverWhatSquaresLose) {
   constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
@@ -58,7 +59,7 @@ TEST(NormBounds, CoverWhatSquaresLose) {
   EXPECT_LT(oracles::largest_sum_of_squares, 0x1p+1023);
 }
 
-/// Returns whether it was decided.
+/// Returns whether the bounds decided.
 template <class T>
 bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   const std::array<T, 3> known{T(vector[0]), T(vector[1]), T(vector[2])};
@@ -71,8 +72,8 @@ bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   return decided.has_value();
 }
 
-/// Bounds of all sizes: in the range of squares, beyond it, and among the last subnormal numbers, for which the
-/// hypotenuse of (1, 1) is 1.
+/// Bounds of all sizes: in the range of squares, beyond it, and among the last subnormal numbers. There the hypotenuse
+/// of (1, 1) least numbers is one least number.
 TEST(NormBounds, DecideAsRationalsDo) {
   properties::Stream stream = properties::stream_from(61);
   for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -540, -401, -399, 0, 399, 401, 900}) {

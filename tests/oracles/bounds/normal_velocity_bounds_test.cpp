@@ -8,7 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of src/impulse/normal_velocity.hpp and guaranteed.hpp by its inequalities (1) to (4).
+/// Checks the constants of src/impulse/normal_velocity.hpp and guaranteed.hpp. normal_velocity.hpp states the
+/// inequalities (1) to (4) and defines T, S and ρ.
 namespace carom::bounds {
 namespace {
 
@@ -72,7 +73,7 @@ TEST(NormalVelocityBounds, CoverUnderflow) {
   EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
 }
 
-/// A known value is accurate to 2⁻⁵⁰: the largest share of the bound that is error, and one rounding to double.
+/// A known value is accurate to 2⁻⁵⁰. Its error is the largest share of the bound, and one rounding to double.
 TEST(NormalVelocityBounds, KnowTwelveDigits) {
   const double share =
       static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;

@@ -9,8 +9,8 @@
 /// most one. No law's relative error depends on these lengths.
 namespace carom::bounds {
 
-/// T(x) for each number x. The bodies are at the origin, so P is the lever arm r = P − X. It has one rounding, and
-/// any cancellation of P and X is covered.
+/// T(x) for each number x. The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once,
+/// which covers any cancellation of P and X.
 template <class T>
 [[nodiscard]] BasicCollision<T> normalised_collision() {
   BasicCollision<T> c;

@@ -9,8 +9,8 @@
 
 #include "support/exact.hpp"
 
-/// Checks the bits that relations leave free (properties/invariants/relations.cpp): additions to and multiplications
-/// of a collision's numbers are exact.
+/// Relations are invariants about the answers to related collisions (properties/invariants/relations.cpp). They round
+/// numbers to fewer bits, so that additions and multiplications are exact.
 namespace carom::bounds {
 namespace {
 
@@ -28,7 +28,7 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
   return exactly(x) - exactly(y);
 }
 
-/// 48 bits and an offset of the same size: sums have at most 49 bits, and two more for 3/4 of a power of two.
+/// 48 bits and an offset of the same size. Sums have at most 49 bits, and two more because the offset has a factor 3/4.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> moving = asked_by("galilean", one.collision);
@@ -43,7 +43,7 @@ TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   }
 }
 
-/// 50 bits, times three: 52.
+/// 50 bits, times three, give 52 bits.
 TEST(RelationBounds, MultiplyVelocitiesByThree) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> asked = asked_by("homogeneous", one.collision);
@@ -55,7 +55,7 @@ TEST(RelationBounds, MultiplyVelocitiesByThree) {
   }
 }
 
-/// 20 bits of a normal, and the same number thirty places below.
+/// A normal of 20 bits plus a tangent of 20 bits, thirty places below.
 TEST(RelationBounds, AddATangentialVelocity) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     if (one.collision.a.immovable && one.collision.b.immovable) {

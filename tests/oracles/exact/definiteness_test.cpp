@@ -28,7 +28,7 @@ ExactMatrix congruent_to(const ExactMatrix& d, properties::Stream& stream) {
   for (const auto& [row, column] : {std::pair{1, 0}, std::pair{2, 0}, std::pair{2, 1}}) {
     l(row, column) = unit::exact_eighths(stream, 30);
   }
-  // Another triangular factor, so that no order of the axes is special.
+  // Lᵀ … L is a second congruence, so that no order of the axes is special.
   const ExactMatrix lower = l;
   return lower.transpose() * (lower * d * lower.transpose()) * lower;
 }
@@ -68,18 +68,18 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
 TEST(Definiteness, IsDecidedByEnclosuresWhereNoMinorVanishes) {
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, 3, 1, 1, 2))), true);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, -3, 1, 1, 2))), false);
-  // Singular because 1/3 · 3 = 1, which no enclosure can prove.
+  // Singular because 1/3 · 1/3 − 1/3 · 1/3 = 0, which no enclosure can prove.
   const Rational third = ratio(1, 3);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(third, third, third, 0, 0, 1))), std::nullopt);
 }
 
 TEST(PositiveSemidefinite, IsNotFooledByLeadingMinorsThatVanish) {
-  // All leading minors are 0, and there is a negative direction.
+  // The first two leading minors are 0, and there is a negative direction.
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 0, -1)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, -1, 0)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 1, -1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 0, 1, 1, 0, 1)));
-  // Leading minors 1, 0, 0, and 1, 0, -0: y and z couple to a pivot that is zero.
+  // The second leading minor is 0, and there is a negative direction.
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 0, 1, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 1, 1, 0)));
   // The diagonal is nonnegative, but the matrix is indefinite.

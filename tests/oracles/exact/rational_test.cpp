@@ -177,7 +177,7 @@ TEST(NearestDouble, IsExactForDoubles) {
   }
 }
 
-/// The mean of two neighbours rounds to the even one. A number next to it rounds to the nearer neighbour.
+/// The mean of two neighbours rounds to the even one. A number next to the mean rounds to the nearer neighbour.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
   SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;

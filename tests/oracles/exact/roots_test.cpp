@@ -72,7 +72,7 @@ TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
   expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
 }
 
-/// A common root of both lies on neither side, even if the sides are close.
+/// A root at which `side` is zero does not count. A root at which `side` is slightly positive counts.
 TEST(PositiveRoots, LieOnThePositiveSide) {
   const Rational near = Rational(2) - Rational(1).times_power_of_two(-200);
   const Coefficients polynomial = with_roots({Rational(1), Rational(2), Rational(4)});

@@ -78,7 +78,7 @@ Outcome<Rational> small_outcome(properties::Stream& stream) {
           {unit::exact_eighths3(stream, 9), unit::exact_eighths3(stream, 9)}};
 }
 
-/// The assumptions of the theorem: g(y + d) + g(y − d) = 2 g(y), and the truth satisfies every law exactly.
+/// The assumptions of Closeness: g(y + d) + g(y − d) = 2 g(y), and the truth y satisfies every equation exactly.
 TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
   for (const auto& [family, one] : unit::valid_cases(4)) {
@@ -100,7 +100,7 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   }
 }
 
-/// g(y + d) + g(y − d) ≥ 2 g(y) for E⁺ − W, and at the truth of the frictionless law it is at most E⁻.
+/// g = E⁺ − E⁻ − W is convex: g(y + d) + g(y − d) ≥ 2 g(y). At the truth y of the frictionless law, g ≤ 0.
 TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   properties::Stream stream = properties::stream_from(42);
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
@@ -139,7 +139,7 @@ PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exa
   return slopes;
 }
 
-/// The slopes of the scale agree to 2⁻⁴⁰, except for those with r × N, which may cancel.
+/// The slopes (norms of derivatives) agree to 2⁻⁴⁰, except for slopes with r × N, which may cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   int moderate = 0;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -174,8 +174,8 @@ struct Shown {
   int energies = 0;
 };
 
-/// The truth rounded to binary64, with each vector moved by up to `times` the allowance of its size. If closeness
-/// shows a law for this outcome, the law also holds by the exact judge.
+/// The truth rounded to binary64, with each vector moved by up to `times` the allowance of its length. If closeness
+/// shows an equation for this outcome, the equation also holds by the exact judge.
 Shown expect_shown_to_hold(double times, double least_shown, properties::Stream& stream) {
   Shown counts;
   Yardstick yardstick;
@@ -219,7 +219,7 @@ TEST(Closeness, ShowsOnlyWhatHolds) {
   properties::Stream stream = properties::stream_from(43);
   EXPECT_GT(expect_shown_to_hold(0, 0.95, stream).energies, 100);
   expect_shown_to_hold(1, 0.8, stream);
-  // Within a factor of two of the limit on either side, most laws are not shown.
+  // If errors are up to four times the allowance, most equations are not shown.
   const Shown beyond = expect_shown_to_hold(4, 0, stream);
   EXPECT_LT(beyond.shown, beyond.laws / 2);
 }

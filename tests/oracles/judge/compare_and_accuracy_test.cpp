@@ -20,8 +20,8 @@ namespace {
 
 using unit::ratio;
 
-/// The exact outcome rounded to the precision, with one vector moved by a multiple of its allowance. Both verdicts
-/// occur, many of them close.
+/// The exact outcome rounded to binary64, with one vector moved by a multiple of its allowance. Both verdicts occur,
+/// and many outcomes are near the limit.
 ReportedOutcome perturbed(const ExactCase& exact_case, Law law, double allowance, properties::Stream& stream) {
   ReportedOutcome outcome =
       map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
@@ -39,8 +39,8 @@ struct Counts {
 };
 
 /// The printed numbers of a violation come from enclosures, if these decide. Enclosures are accurate to 2^-100 of the
-/// terms. A violation exceeds 32 ulps of extended of the terms, which is 2^-59 for 64 bits. So the numbers agree to
-/// twice that quotient of the residual, and to an ulp.
+/// terms. A violation exceeds 32 ulps of the terms, which is 2^-59 in extended. So the numbers agree to 2 · 2^-100 /
+/// 2^-59 of the residual, and to an ulp.
 void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
   constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
   if (filtered != exact) {
@@ -150,7 +150,7 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
 INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-/// A ball at rest beside a wall. The allowance of the restitution is known by hand.
+/// A ball hits a wall head-on. The allowance of the restitution is known by hand.
 TEST(Compare, AllowsWhatTheScaleSays) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -299,8 +299,8 @@ TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
 }
 
-/// The ball rebounds with a change of 2 m/s, so an outcome wrong by 2 · 10⁻³ has an error of exactly 10⁻³. The next
-/// extended number is not within it, although both round to the same relative error.
+/// The ball rebounds with a change of 2 m/s, so an outcome wrong by 2 · 10⁻³ has a relative error of exactly 10⁻³. The
+/// next extended number exceeds this limit, although both relative errors round to the same number.
 TEST(Accuracy, HasDigitsUpToTheLastBit) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -390,7 +390,7 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
   }
 }
 
-/// limit · u of binary32 times a finite scale overflows, so neither judge can decide.
+/// limit · u of binary32 times a finite scale overflows, so neither the filtered nor the exact judge decides.
 TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   Collision c;
   c.a.mass = 0x1p500;
@@ -426,7 +426,7 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   }
 }
 
-/// At the other end of the range the product loses its digits or is zero.
+/// If the allowance times the scale underflows, it loses digits or is zero.
 TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
@@ -443,8 +443,8 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
-/// A ball that slides along a wall and approaches it by less than rounding. Sticking stops the slip or leaves it, and
-/// both outcomes are accepted. An outcome between the two is not.
+/// A ball that slides along a wall and approaches it by less than rounding. The law `sticking` stops the slip or leaves
+/// it, and both outcomes are accepted. An outcome between the two is not.
 TEST(Accuracy, TakesEitherOfTwoAnswers) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -493,8 +493,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
       0);
 }
 
-/// A body that moves with a driven wall. The energy from the wall has no slope. The rounding of its velocity is far
-/// more than the change by the impulse.
+/// A body that moves with a moving wall, so that the energy has no slopes. The rounding of the body's velocity is far
+/// larger than its change by the impulse.
 TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;

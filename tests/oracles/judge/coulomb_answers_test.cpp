@@ -45,7 +45,7 @@ TEST(CoulombCase, MeasuresTheNearestAnswer) {
   }
 }
 
-/// If two answers are equally near, the first.
+/// If two answers are equally near, the first counts.
 TEST(CoulombCase, NamesTheFirstOfTheNearest) {
   const ExactCase exact_case(unit::ball_on_a_plane(0.5, 0.25));
   const auto answers = coulomb_answers(exact_case);

@@ -14,8 +14,8 @@
 
 #include "support/known_collisions.hpp"
 
-/// The judge's numbers for a few collisions. Users gate on the allowance, so an outcome that passes today must pass
-/// tomorrow. A deliberate change of a number also changes known_values.txt and the changelog. The other tests show
+/// The judge's numbers for a few collisions. Users rely on the allowance, so an outcome that passes today must pass
+/// tomorrow. A deliberate change of a number also changes known_values.txt and docs/CHANGELOG.md. The other tests show
 /// why the numbers are right.
 namespace carom::oracles {
 namespace {
@@ -80,8 +80,8 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// The residual of each equation and its allowance for three outcomes: one far from the truth, the opposite one, and
-/// one close to the truth.
+/// The residual of each equation and its allowance for three outcomes: moved far, moved far in the opposite direction,
+/// and moved a little.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const double times : {1.0, -1.0, 0x1p-12}) {
@@ -98,7 +98,7 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
   }
 }
 
-/// The sensitivity of each law's answers, which of them are open, and the accuracy of some outcomes.
+/// For each law: `is_grazing`, `has_two_answers`, `is_open`, sensitivities, and the accuracy of some outcomes.
 void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const Law law : laws_with_truth) {
@@ -123,7 +123,6 @@ void add_accuracies(const KnownCollision& known, double allowance, std::vector<K
   }
 }
 
-/// The collision matrix, and the outcome of each law.
 void add_truths(const KnownCollision& known, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   KnownLine matrix{known.name + ", collision matrix", {}};

@@ -11,8 +11,8 @@
 
 #include "support/exact.hpp"
 
-/// The exact effect of the laws on kinetic energy (mathematics 3.6). ΔE is the energy gained by the movable bodies
-/// minus the work of a driven wall.
+/// The exact effect of the laws on kinetic energy (docs/findings/note.md). ΔE is the energy gained by the movable
+/// bodies minus the work of a moving wall.
 namespace carom::oracles {
 namespace {
 
@@ -120,9 +120,9 @@ int creations(const char* family, int cases) {
   return count;
 }
 
-/// By this symmetry, half of all contacts create energy if V_T is as likely as −V_T. Independent velocities make this
-/// nearly true. Of 1000 contacts the expectation is 500, with a standard deviation of √(1000/4) = 15.8. The test
-/// allows five standard deviations.
+/// By the symmetry of the test above, half of all contacts create energy if V_T is as likely as −V_T. Independent
+/// velocities make this nearly true. Of 1000 contacts the expectation is 500, with a standard deviation of √(1000/4) =
+/// 15.8. The test allows five standard deviations.
 TEST(Energy, IsCreatedByReflectionInAboutHalfOfElasticContacts) { EXPECT_NEAR(creations("elastic", 1000), 500, 79); }
 
 /// Except for the factor 1 + ε > 0, ΔE is linear in ε. The term that favours creation, −2 v_n v_t A₀₁, does not
@@ -155,8 +155,8 @@ TEST(Energy, IsLostByStickingWithoutRestitution) {
   }
 }
 
-/// For given N·V⁻ the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)). This is never
-/// positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it positive.
+/// For given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)).
+/// This is never positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it positive.
 TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
@@ -176,7 +176,8 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   EXPECT_GT(can_create, 0);
 }
 
-/// Counts the violations of `energy` and `push` by sticking: general bodies violate both, spheres violate neither.
+/// Counts the contacts in which sticking creates energy or pulls. General bodies pull, and create energy if ε > 0.
+/// Spheres do neither.
 TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
     int creates = 0;
@@ -194,8 +195,8 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   }
 }
 
-/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich). κ ≤ 16 for convex uniform bodies, and for any uniform body
-/// that is star-shaped from the contact point. So no energy is created for ε ≤ 8/17.
+/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich). The condition number κ of K is at most 16 for convex uniform
+/// bodies, and for any uniform body that is star-shaped from the contact point. So no energy is created for ε ≤ 8/17.
 TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);

@@ -9,8 +9,8 @@
 namespace carom::oracles {
 namespace {
 
-/// A ball of mass 1, moments 1/2 and velocity (−3, −4, 0) after the impulse. The function omits the effect on the
-/// spin, and the velocity determines the slip.
+/// The outcome of an impulse on a ball of mass 1 and velocity (−3, −4, 0). The function leaves the spin zero, so the
+/// velocity determines the slip.
 Outcome<Rational> struck(const Vector3<Rational>& impulse) {
   const BasicCollision<Rational> c = lift(unit::ball_on_a_plane(0.5, 0.25));
   Outcome<Rational> after = unchanged(c);

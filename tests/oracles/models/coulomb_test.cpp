@@ -39,7 +39,7 @@ TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
 }
 
-/// The impulse of an answer satisfies the definition of the law, up to the width of its isolated slip resistance.
+/// The impulse of an answer satisfies the definition of the law, up to the accuracy of its slip resistance ν.
 void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   const BasicCollision<Rational> c = lift(collision);
   const Vector3<Rational>& f = answer.truth.impulse;
@@ -59,7 +59,7 @@ void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
 }
 
-/// Every collision has an answer, by the theorem above coulomb_answers.
+/// Every collision has an answer, by the theorem in coulomb.hpp.
 TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   int slides = 0;
   int several = 0;

@@ -16,7 +16,8 @@
 #include "support/exact.hpp"
 #include "support/forward_differentiation.hpp"
 
-/// The truth of the law `rough`: its certificate, and its values computed by hand.
+/// The truth (exact answer) of the law `rough`: `certify_rough`, and values computed by hand. models/rough.hpp defines
+/// the symbols.
 namespace carom::oracles {
 namespace {
 
@@ -53,7 +54,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
 }
 
-/// Elimination computes the parts without any formula of the truth. The share comes from the outcome itself.
+/// Elimination computes the parts without any formula of the truth. Inside the cone, the share κ is 1 + e_t.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -256,7 +257,7 @@ double exact_distance(const Collision& collision) {
   return std::abs(to_double(Radical(limit - Radical::root_of(cone.left[0]))));
 }
 
-/// The width of the band by forward differentiation of the whole law.
+/// ConeDistance::sensitivity by forward differentiation of the whole law.
 double band_by_forward_differentiation(const Collision& collision) {
   using T = unit::EnclosedDual;
   const auto inputs = unit::enclosed_inputs(collision);
@@ -270,9 +271,9 @@ double band_by_forward_differentiation(const Collision& collision) {
          unit::sensitivity_above({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities);
 }
 
-/// Compares implicit differentiation in both arithmetics with forward differentiation of the whole law. The width of
-/// the band agrees to a thousandth, the required accuracy of sensitivities. The distance agrees to the digits that
-/// enclosures keep for κ(K) < 2²⁰.
+/// Compares implicit differentiation in binary64 and in enclosures with forward differentiation of the whole law. The
+/// sensitivity agrees to a thousandth, its required accuracy. The distance agrees to the digits that enclosures keep
+/// for κ(K) < 2²⁰.
 TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {

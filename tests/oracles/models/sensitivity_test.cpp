@@ -57,7 +57,7 @@ struct Differentiated {
   std::vector<Radical> numbers;
 };
 
-/// Small dyadic numbers, one case with all 53 bits, and one with a driven wall.
+/// Four cases of families, one of them with a moving wall, and six collisions of small dyadic numbers.
 std::vector<Collision> binary64_collisions() {
   std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision,
                                 unit::case_of("sliding", 0).collision, unit::case_of("sticking", 0).collision};
@@ -188,7 +188,7 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   EXPECT_GT(colliding, 5);
 }
 
-/// By forward differentiation of the whole law, in enclosures.
+/// The sensitivity by forward differentiation of the whole law, in enclosures.
 Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, Law law, Branch branch) {
   const auto inputs = unit::enclosed_inputs(collision);
   const auto truth = colliding_truth(inputs.collision, law, branch);
@@ -249,8 +249,8 @@ double growth(const Collision& c) {
   return 1 + arms / lambda;
 }
 
-/// Double-double arithmetic has fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight for
-/// the sum. The radii alone give a weaker bound.
+/// Double-double arithmetic has fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight
+/// roundings for the sum. The radii alone give a weaker bound.
 TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   std::size_t compared = 0;
   std::size_t unknown_by_radii = 0;
@@ -278,7 +278,7 @@ TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   EXPECT_GT(unknown_by_radii, 2U);
 }
 
-/// Thin bodies, for which fewer and fewer digits are known.
+/// Thinner and thinner bodies, until the sensitivity is unknown.
 TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   Collision c;
   c.a.orientation = {3, 1, 2, 1};
@@ -292,8 +292,8 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   }
 }
 
-/// On the cone's surface D = P_II − P_I and the divisor of κ cancel. Double-double arithmetic does not keep a
-/// thousandth here, although κ(K) is only 2⁶⁴.
+/// On the cone's surface D = P_II − P_I and the divisor of `rough` cancel. Double-double arithmetic does not keep three
+/// digits here, although κ(K) is only 2⁶⁴.
 TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   Collision c;
   c.a.principal_inertia = {4.8104236488202286e-20, 1, 1.25};
@@ -311,7 +311,7 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   EXPECT_FALSE(enclosed_sensitivity(c, Law::rough, Branch::on_cone, true));
 }
 
-/// Masses times 2⁶⁰⁰ and velocities times 2³⁰⁰ correspond to other units.
+/// The collision `huge` is `plain` in other units: masses times 2⁶⁰⁰ and velocities times 2³⁰⁰.
 TEST(Sensitivity, HasNoUnits) {
   const auto named = [](const std::string& name) {
     for (const unit::KnownCollision& one : unit::known_collisions()) {
@@ -395,7 +395,8 @@ TEST(Sensitivity, IsAtLeastItsLowerBound) {
   EXPECT_GT(moderate, 1000);
 }
 
-/// If nothing happens, y = y⁻. The derivative of a vector by itself has the Frobenius norm √3, so √3 ‖y‖ + ‖y‖.
+/// If nothing happens, y = y⁻. The derivative of a vector by itself has the Frobenius norm √3, so the sensitivity is √3
+/// ‖y‖ + ‖y‖.
 TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Collision c = unit::case_of("separating", 0).collision;
   const ExactCase exact_case(c);
@@ -422,7 +423,7 @@ TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   }
 }
 
-/// The edge of the band agrees with forward differentiation.
+/// The edge of the grazing band (`is_grazing`) agrees with forward differentiation.
 TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   int seen = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {

@@ -50,8 +50,8 @@ TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
   EXPECT_THROW((void)truth_by_elimination(exact, Law::any), std::invalid_argument);
 }
 
-/// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction the impulse is
-/// (0, 12, 0) and the outcome (1, 2, 0). If it sticks, K = diag(3/2, 1/2, 3/2) and K F = (−1, 6, 0).
+/// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction the impulse is (0,
+/// 12, 0) and the outcome (1, 2, 0). If the ball sticks, K F = (−1, 6, 0) with K = diag(3/2, 1/2, 3/2).
 TEST(Truth, IsWhatATextbookSays) {
   Collision c;
   c.a.mass = 2;
@@ -111,7 +111,7 @@ TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   }
 }
 
-/// A contact of each kind: two movable bodies, or one movable body and a moving wall.
+/// Contacts of two movable bodies, and of one movable body and a wall.
 std::vector<Collision> contacts_to_certify() {
   std::vector<Collision> contacts;
   for (const char* family : {"elastic", "inelastic", "immovable_a", "immovable_b", "driven_wall", "zero_lever"}) {
@@ -212,7 +212,7 @@ TEST(Certify, NeedsTheTangentialEquationOfTheLaw) {
             "the truth does not satisfy the reflection plane");
 }
 
-/// The answer for another ε conserves every momentum and violates only eq. 17.
+/// The answer for another ε conserves every momentum and violates only restitution.
 TEST(Certify, NeedsRestitution) {
   BasicCollision<Rational> exact = lift(unit::case_of("elastic", 0).collision);
   exact.restitution = ratio(99, 100);

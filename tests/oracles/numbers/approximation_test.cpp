@@ -14,7 +14,6 @@ namespace {
 
 using unit::ratio;
 
-/// A number, approximate and exact.
 struct Approximated {
   Approximation approximate;
   Rational exact;
@@ -115,7 +114,7 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
 const Rational& nearly(const Rational& x) { return x; }
 Rational nearly(const Radical& x) { return approximately(x); }
 
-/// The refined result contains the truth, and is nearly as accurate as double-double throughout.
+/// The refined result contains the truth, and is nearly as accurate as double-double arithmetic.
 TEST(RefinedTruth, ContainsTheTruth) {
   int good = 0;
   int all = 0;
@@ -150,7 +149,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
   EXPECT_GT(good, all / 10 * 9);
 }
 
-/// low² ≤ x ≤ high² for every x within the radius. The two ends decide.
+/// low² ≤ x ≤ high² for every x within the radius. The test checks both ends.
 TEST(Approximation, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

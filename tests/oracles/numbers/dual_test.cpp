@@ -95,7 +95,7 @@ TEST(Dual, EqualsTheDifferenceQuotientOfWhatIsLinear) {
   }
 }
 
-/// In Eigen's products, as the defining equations use it.
+/// Dual numbers in Eigen's products, as in the equations.
 TEST(Dual, GoesThroughEigen) {
   using D3 = Dual<Rational, 3>;
   const Vector3<D3> x{D3::input(1, 0), D3::input(2, 1), D3::input(3, 2)};

@@ -18,7 +18,6 @@ using unit::ratio;
 using unit::two_to;
 using Limits = std::numeric_limits<double>;
 
-/// A number, enclosed and exact.
 struct Both {
   Enclosure enclosed;
   Rational exact;
@@ -41,8 +40,8 @@ testing::AssertionResult encloses(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-/// A sharper test of the radius: the difference to the number itself must not exclude zero. It applies only in the
-/// range in which the number's own enclosure is accurate to 2^-100.
+/// A sharper test of the radius: the difference to the number itself must not exclude zero. The test applies only if
+/// the number's own enclosure is accurate to 2^-100.
 testing::AssertionResult contains(const Both& both) {
   const double rounded = std::abs(to_double(both.exact));
   if (!(rounded > 0x1p-800 && rounded < 0x1p800)) {
@@ -131,7 +130,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   return combined(x, y, stream.integer(0, 3), count);
 }
 
-/// Inputs as wide as those of engines, far wider, and past the ends of binary64.
+/// Exponents as wide as those of engines, far wider, and past the ends of binary64.
 TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
   for (const int exponents : {4, 60, 250, 1000}) {
     Count count;
@@ -237,7 +236,7 @@ TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   EXPECT_EXIT(encloses_huge(), testing::ExitedWithCode(0), "");
 }
 
-/// low² ≤ x ≤ high² for every x within the radius. The two ends decide.
+/// low² ≤ x ≤ high² for every x within the radius. The test checks both ends.
 TEST(Enclosure, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -41,7 +41,7 @@ std::vector<std::uint64_t> bits_of(const Collision& collision) {
   return bits;
 }
 
-/// The gate's stream draws this case from words that give the same answers.
+/// The case that the gate draws from random words, if the words give the same answers to the family's questions.
 Case drawn_by_words(const Family& family, const std::vector<properties::Choice>& choices) {
   std::vector<std::uint64_t> words;
   for (const auto& [question, answer] : choices) {
@@ -56,7 +56,7 @@ Case drawn_by_words(const Family& family, const std::vector<properties::Choice>&
   return drawn;
 }
 
-/// The same choices, but none of them is plain.
+/// The case with the same choices, except for plain numbers (Stream::plainly).
 ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
   const auto is_plain = [](const properties::Choice& choice) {
     return choice.question.is_of_plainness && choice.answer == 1;
@@ -73,8 +73,8 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
 
 class EachFamily : public testing::TestWithParam<const Family*> {};
 
-/// Shrinks cases of many sizes. The family's definition draws each simpler case from its choices. Without plain
-/// numbers, the gate also draws it from words.
+/// Shrinks cases of many sizes. The family's definition draws each simpler case from its choices. If no number is
+/// plain, the gate also draws the case from words.
 TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
@@ -102,7 +102,7 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   EXPECT_GT(shrunk, 20);
 }
 
-/// From size `whole_size` on, a case is one of the gate's.
+/// From size `whole_size` on, the gate can draw the case too.
 TEST_P(EachFamily, IsTheGatesAtFullSize) {
   rc::Random random(2);
   for (int i = 0; i < 20; ++i) {
@@ -115,8 +115,7 @@ TEST_P(EachFamily, IsTheGatesAtFullSize) {
 INSTANTIATE_TEST_SUITE_P(Of, EachFamily, testing::ValuesIn(each_family()),
                          [](const auto& test) { return std::string(test.param->name); });
 
-/// Visits values of a generator at all sizes. For each value it visits the values that it shrinks to, the first
-/// `tried` at each step.
+/// Visits values of a generator at all sizes. From each value it visits the first simpler value, and repeats.
 template <class Visit>
 void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) {
   rc::Random random(3);
@@ -196,7 +195,7 @@ TEST(Generators, GiveSimpleCollisionsAtSmallSizes) {
   EXPECT_LT(complexities[0], complexities[2] / 8);
   EXPECT_LT(complexities[0], complexities[1]);
   EXPECT_LT(complexities[1], complexities[2]);
-  // At size 0: two masses, twice three moments, two orientations, a normal.
+  // At size 0 these are not zero: two masses, twice three moments, two orientations, a normal.
   EXPECT_EQ(numbers_of(gen::generic()(rc::Random(6), 0).value()), 11);
 }
 

@@ -56,7 +56,7 @@ TEST(CallableSubject, TakesContactsOfEachScalarAndCollisions) {
   }
 }
 
-/// Callables that return a collision matrix report it. Others report none.
+/// Callables that return a collision matrix report it. Other callables report no matrix.
 TEST(CallableSubject, MayShowItsCollisionMatrix) {
   const auto shown = [](const auto& contact) -> SolvedOutcome<float> {
     const auto see = impulse::collision_matrix(contact);

@@ -34,7 +34,6 @@ constexpr auto never_penetrates = [](const auto&... all) { return properties::no
 constexpr auto has_definite_matrix = [](const auto&... all) { return properties::positive_definiteness(all...); };
 constexpr auto keeps_momentum = [](const auto&... all) { return properties::momentum_conservation(all...); };
 
-/// The three properties by key.
 const std::map<std::string_view, JudgedProperty>& judged_properties() {
   static const std::map<std::string_view, JudgedProperty> all{
       {"non_penetrating_post_velocity", [](const auto&... of) { return of_answer(never_penetrates, of...); }},
@@ -51,7 +50,7 @@ struct Solver {
 
   explicit Solver(const Subject& of) : subject(of), session(of.open()) {}
 
-  /// The violation by its answer, in words. Empty if there is none, or if the subject cannot take the case.
+  /// The violation by the subject's answer, in words. Empty if there is none, or if the subject cannot take the case.
   [[nodiscard]] std::string violation(std::string_view property, const Collision& collision) {
     const Answer answer = session(std::span(&collision, 1)).at(0);
     if (std::holds_alternative<Skipped>(answer)) {
@@ -121,7 +120,7 @@ TEST(EverySolver, IsJudged) {
 
 class PlantedDefect : public testing::TestWithParam<mutants::BrokenProperty> {};
 
-/// RapidCheck finds the defect by its property, and by no other.
+/// RapidCheck finds a planted defect by the property that it breaks, and by no other property.
 TEST_P(PlantedDefect, LacksThatPropertyAlone) {
   Solver solver(GetParam().subject());
   for (const properties::Property& property : properties::three_properties()) {

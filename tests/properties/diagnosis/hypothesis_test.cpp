@@ -38,8 +38,8 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
   }
 }
 
-/// Each hypothesis is distinguishable from the right answer: in some case its answer visibly differs, and there it
-/// explains itself.
+/// The answer of each hypothesis (such as "as if ε were 0") visibly differs from the right answer in some case. There
+/// the hypothesis explains its own answer.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
   for (const Law law : laws_with_truth) {
@@ -63,7 +63,6 @@ TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   }
 }
 
-/// No hypothesis explains a right answer.
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
   for (const Law law : laws_with_truth) {
     for (const KnownCase& one : right_answers(law)) {

@@ -11,7 +11,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The samples of a run of these families, and the violated ones among them.
+/// The sampled cases of a run of these families, and the numbers of the violated ones.
 struct Sampled {
   GateReport report;
   std::vector<std::vector<std::uint64_t>> violated;

@@ -59,8 +59,8 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
 TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
   const Drawn drawn = drawn_of(*family_named("far_contacts"));
   EXPECT_GE(drawn.colliding, 396);  // a body without lever arm and nearly without spin may rest
-  // Each of 27 powers of two is drawn for one body in 27, so 400 cases contain the smallest and the largest, except
-  // for a chance of 2 (26/27)^400 < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
+  // A body gets one of 27 powers of two. The probability that 400 cases lack the smallest or the largest power is 2
+  // (26/27)^400 < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
   EXPECT_LT(drawn.least, 1e3);
   EXPECT_GT(drawn.greatest, 1e14);
   EXPECT_LT(drawn.greatest, 1e19);
@@ -75,7 +75,7 @@ TEST(BeyondDomain, HasMomentsThatNoBodyHas) {
   EXPECT_GT(drawn.greatest, 1e15);
 }
 
-/// No body of a family in the claimed domain has such moments, except for bodies made flat, and rounding.
+/// No body of `physical` has a moment above the sum of the two others, except by rounding.
 TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of("physical", i).collision;

@@ -74,10 +74,10 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
       continue;  // no friction makes it stick, or none is needed
     }
     (cone.left[0] <= cone.right[0] ? sticking : slipping) += 1;
-    // 1 ± 10^-k of μ with k ≥ 1, and the rounding error of μ for general bodies in double.
+    // The family draws μ at 1 ± 10^-k of the limit with k ≥ 1. For general bodies μ also has a rounding error.
     EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
   }
-  // Nearly half each: 200/4 is five standard deviations of √(200/4) = 7.1 less than half of the colliding cases.
+  // Nearly half each: 50 is five standard deviations of √(200/4) = 7.1 less than half of the counted cases.
   EXPECT_GT(sticking, 50);
   EXPECT_GT(slipping, 50);
 }
@@ -134,14 +134,14 @@ TEST(Families, GrazeInGrazing) {
     const Rational scale = n.dot(n) * v.dot(v);
     slight += squared * 1000000 <= scale ? 1 : 0;  // |N·V| ≤ 10^-3
   }
-  // k is at least 3 in 8/9 of the cases, of k = 1 … 18: 178 of 200, minus five standard deviations of
-  // √(200·8/81) = 4.4.
+  // The family draws k from 1 to 18. It is at least 3 in 8/9 of the cases: 178 of 200, minus five standard deviations
+  // of √(200·8/81) = 4.4.
   EXPECT_GE(slight, 155);
   EXPECT_GT(count("grazing", Approach::separating), 10);
   EXPECT_GT(count("grazing", Approach::colliding), 100);
 }
 
-/// λI ⪯ C ⪯ 16 λI. Each stored moment and coordinate has fewer than 64 roundings from its construction. These move an
+/// λI ⪯ K ⪯ 16 λI. Each stored moment and coordinate has fewer than 64 roundings from its construction. These move an
 /// eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
 TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
   Rational largest(0);

@@ -54,8 +54,8 @@ TEST(Families, MakeEachFieldInvalidInTurn) {
       fields.insert(defect.field + ' ' + defect.expected);
     }
   }
-  // Not finite: each of the 43 numbers. Out of range: the mass, three moments and the orientation of both bodies, and
-  // four fields of the collision itself.
+  // Each of the 43 numbers can be not finite. The mass, three moments and the orientation of both bodies, and four
+  // fields of the collision itself can be out of range.
   EXPECT_EQ(fields.size(), 43U + 10U + 4U);
 }
 
@@ -123,8 +123,8 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
     farthest = std::max(farthest, unit::case_of("far_from_origin", i).collision.point.norm());
     fastest = std::max(fastest, unit::case_of("common_velocity", i).collision.a.velocity.norm());
   }
-  // The top decade of k is drawn with probability at least 1/61. Missing it and the one below it in 300 cases has
-  // probability (59/61)^300 < 5e-5.
+  // The largest k of a factor 10^k is drawn with probability at least 1/61. Missing it and the next one in 300 cases
+  // has probability (59/61)^300 < 5e-5.
   EXPECT_GT(largest_ratio, 1e7);
   EXPECT_GT(longest_normal, 1e28);
   EXPECT_LT(shortest_normal, 1e-28);

@@ -14,8 +14,8 @@ using oracles::Rational;
 
 constexpr int cases_of_each = 50;  // for each impact
 
-/// The published answers, in ℚ, for sphere A, which is the upper one: K = diag(k_t, k_n, k_t), k_n = Σ 1/m and
-/// k_t = Σ 1/m + r²/J over the spheres. Friction acts along x against the slip u, and at most stops it.
+/// The published answers, in ℚ, for sphere A above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m +
+/// r²/J) over the spheres. Friction acts along x against the slip u, and at most stops it.
 struct Published {
   BasicCollision<Rational> c;
   bool has_two_spheres;

@@ -7,7 +7,7 @@
 
 namespace carom::properties {
 
-/// The draws under one name, as one number.
+/// A checksum of all numbers that are drawn under one name.
 struct Checksum {
   std::string name;  // the name of a family, "sweep NAME" or "features"
   std::uint64_t value;
@@ -15,7 +15,7 @@ struct Checksum {
 
 /// FNV-1a of the bits of every drawn number. For each family it covers the first `count` cases, and for each sweep
 /// count/20 cases at each decade. The last checksum covers general bodies in which each feature is made in turn,
-/// count/20 times, and the features that are then present.
+/// count/20 times, and the features that the result has.
 [[nodiscard]] std::vector<Checksum> checksums(std::uint64_t seed, std::uint64_t count);
 
 /// A line of first_thousand.txt: the name, and the value in 16 hexadecimal digits.

@@ -7,8 +7,8 @@
 # The script builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs the program.
 # The first thousand cases of each family must equal those of first_thousand.txt. The first CASES (default 20000) must
 # equal those of the first build. A build needs its compiler. `src/bootstrap.sh same-cases` installs the compilers for
-# other machines.
-# Exit status: 0 if all builds draw the same cases, 1 if one does not, 77 if they do but one could not be built.
+# other machines. Exit status: 0 if all builds draw the same cases, 1 if one does not, 77 if one could not be built and
+# all others do.
 set -euo pipefail
 
 source=$(cd "$1" && pwd)
@@ -18,10 +18,10 @@ cases=${3:-20000}
 table=$source/tests/properties/families/first_thousand.txt
 foreign=(i386 arm64)
 
-# The compile option of the families. If it is removed, the cases may differ, so this command must then fail.
+# The compile option of the families. Without it the cases may differ, so the script ends here if it is removed.
 contraction=$(grep -o -m 1 -e '-ffp-contract=off' "$source/properties/CMakeLists.txt")
 
-# The folders as the headers name them, and those headers of this machine that are the same on every machine.
+# Links the folders under the names that headers use, and the libraries whose headers are the same on every machine.
 include() {
   mkdir -p "$work/include/carom"
   ln -sfn "$source/src/collision" "$work/include/carom/collision"

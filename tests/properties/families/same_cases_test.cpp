@@ -10,7 +10,8 @@
 namespace carom::properties {
 namespace {
 
-/// first_thousand.txt by names. A change of this file changes the cases of every seed: note it in docs/CHANGELOG.md.
+/// The lines of first_thousand.txt by name. A change of this file changes the cases of every seed: note it in
+/// docs/CHANGELOG.md.
 std::map<std::string, std::string> expected_lines() {
   std::map<std::string, std::string> lines;
   std::ifstream table(CAROM_FIRST_THOUSAND);

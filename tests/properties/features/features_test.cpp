@@ -91,7 +91,7 @@ TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   }
 }
 
-/// The same over all cases of the gate. At the default seed, every feasible pair occurs.
+/// No infeasible pair occurs in the cases of the gate. At the default seed, every feasible pair occurs.
 TEST(Features, AreAllThereInPairs) {
   const GateOptions defaults;
   FeatureCoverage coverage;
@@ -116,7 +116,7 @@ TEST(Features, AreAllThereInPairs) {
   }
 }
 
-/// The list must contain no infeasible pair, and no pair with a renamed feature.
+/// The list `seldom_together` must contain no infeasible pair, and no pair with a renamed feature.
 TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
   const auto place_of = [](const Feature* feature) {
     return static_cast<std::size_t>(feature - all_features().data());

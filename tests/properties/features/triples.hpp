@@ -10,7 +10,7 @@
 namespace carom::properties {
 
 /// The triples of features that collisions have had. A triple counts as feasible if its three pairs are feasible,
-/// because no more is known about it. So the computed share is a lower bound of the share of feasible triples.
+/// although the triple may be infeasible. So the computed share is a lower bound of the share of feasible triples.
 class TripleCoverage {
  public:
   TripleCoverage();

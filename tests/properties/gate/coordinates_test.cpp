@@ -9,9 +9,9 @@
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
 
-/// Solvers as a user writes them from the protocol and the law alone, in coordinates of their own choice. Those that
-/// divide torques by the moments in the body frame are sound. A solver with an inverse inertia tensor in world axes
-/// is not sound, and fails only on slender bodies.
+/// Solvers as a user writes them from the protocol and the law alone, in coordinates of the user's choice. Solvers that
+/// divide torques by the moments in the body frame are sound. A solver with an inverse inertia tensor in world axes is
+/// not sound, and fails only on slender bodies.
 namespace carom::properties {
 namespace {
 
@@ -38,8 +38,8 @@ struct Response {
 };
 using FindResponse = std::function<Response(const Body&, const Vector& arm, const Vector& normal)>;
 
-/// The law, with the choice of coordinates left to the functions. `turn` maps vectors to the coordinates of the
-/// solver.
+/// The law `frictionless`. `turn` maps vectors in world axes to the coordinates of the solver, and `response` computes
+/// in them.
 struct Solver {
   std::function<Matrix(const Collision&)> turn;
   FindResponse response;
@@ -164,7 +164,8 @@ double moment_ratio(const Collision& c) {
   return largest;
 }
 
-/// J⁻¹ in world axes loses up to a tenth of the ratio of the moments, in ulps (docs/reference/accuracy.md).
+/// J⁻¹ in world axes has a backward error of up to a tenth of the ratio of the moments [ulps]
+/// (docs/reference/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});
   std::size_t seen = 0;

@@ -25,7 +25,7 @@ GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
 
 Subject right() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Returns a zero impulse if `is_wrong(collision, call)`. Calls are counted in each session.
+/// Adds 1 to A's velocity along x if `is_wrong(collision, call)`. Each session counts its calls from 0.
 template <class IsWrong>
 Subject wrong_where(IsWrong is_wrong) {
   Subject subject = right();
@@ -54,8 +54,8 @@ Subject always_wrong() {
   return wrong_where([](const Collision&, std::uint64_t) { return true; });
 }
 
-/// Wrong if both bodies are movable, A has more than half of B's mass, and ε > 0.875. This happens neither at once
-/// nor in the family that is drawn first.
+/// Wrong if both bodies are movable, A has more than half of B's mass, and ε > 0.875. Such cases come late, and not in
+/// the family that is drawn first.
 Subject wrong_at_times() {
   return wrong_where([](const Collision& c, std::uint64_t) {
     return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
@@ -113,7 +113,7 @@ TEST(FailFast, GoesOnWithTheOtherSubjects) {
   EXPECT_EQ(report.results[1].cases(), run_gate({right()}, options_of_all_families(20)).results[0].cases());
 }
 
-/// A violation that only a repeated question finds also ends the run, and no case counts twice.
+/// A violation of `memoryless`, which only a repeated question finds, also ends the run. No case counts twice.
 TEST(FailFast, EndsAtWhatASessionRemembers) {
   Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
   for (const Invariant& invariant : all_invariants()) {
@@ -173,7 +173,7 @@ TEST(Budget, TellsOfTheTimeSpent) {
   EXPECT_GT(last, 0U);
 }
 
-/// The number of repeated cases depends only on the cases.
+/// The number of cases that are asked twice depends only on the cases.
 TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
   const auto counts_on = [](unsigned jobs) {
     return run_gate({right()}, options_of_all_families(100, jobs)).results.at(0).count("memoryless").holds;

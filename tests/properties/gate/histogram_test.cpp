@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Digits as in a gate: most of one precision, some lost, some exact, a few outside any scale.
+/// Numbers of correct digits as in a gate: most from 14 to 17, some fewer, a few outside the scale.
 std::vector<double> some_digits(std::size_t count) {
   Stream stream = stream_from(17);
   std::vector<double> digits;

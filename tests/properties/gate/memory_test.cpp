@@ -11,7 +11,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Sessions with memory. Each is right on a single collision.
+/// Subjects whose sessions remember earlier calls. Each subject is right on a single collision.
 namespace carom::properties {
 namespace {
 
@@ -44,7 +44,7 @@ Subject remembering(Remembers what) {
                             (what == Remembers::the_last_outcome && state->last);
         state->refused = false;
         if (is_off) {
-          // A change of one ulp, which only this invariant finds.
+          // A change of one ulp, which only the invariant `memoryless` finds.
           long double& component = outcome->a.velocity[0];
           component = std::nextafter(static_cast<double>(component), 1e300);
         }
@@ -75,10 +75,9 @@ TEST(Memoryless, HoldsOfASessionThatKeepsNothing) {
   EXPECT_GT(result.count("memoryless").holds, 10U);
 }
 
-/// Changes the answer of every second call.
 using Change = std::function<void(ReportedOutcome&)>;
 
-/// frictionless-double, or a solver that reports its matrix, with answers that change from call to call.
+/// The solver, with `change` applied to the outcomes of every second call.
 Subject changing(const char* solver, const Change& change) {
   const Subject right = subjects::subject_named(solver).value();
   Subject subject = right;
@@ -99,7 +98,7 @@ Subject changing(const char* solver, const Change& change) {
   return subject;
 }
 
-/// Changes the sign of every zero, and counts them.
+/// Changes the sign of every zero, and counts the zeros.
 Change zeros_turned(int& turned) {
   return [&turned](ReportedOutcome& outcome) {
     for (Vector3<long double>* vector : vectors(outcome)) {

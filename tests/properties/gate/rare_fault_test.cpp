@@ -8,7 +8,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// A fault in one of a hundred answers. Only a relation between collisions finds it.
+/// A fault in one of a hundred answers. A single relation, which compares the answers to related collisions, finds it.
 namespace carom::properties {
 namespace {
 

@@ -80,7 +80,7 @@ TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
   }
 }
 
-/// A case has the same number as without a budget, so a longer run continues after the end of a shorter one.
+/// A time budget does not change the numbers of cases, so a longer run continues where a shorter one ends.
 TEST(Schedule, GoesOnWithoutEndOnABudget) {
   GateOptions options = options_to_schedule(1);
   options.budget = std::chrono::seconds(1);

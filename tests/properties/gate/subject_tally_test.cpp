@@ -39,7 +39,7 @@ TEST(SubjectTally, DoesNotGrowWithItsCases) {
   EXPECT_LE(tally.nanoseconds_per_solve.bins(), TimeScale::bins);
   EXPECT_EQ(tally.families[0].cases, 200000U);
   EXPECT_EQ(tally.families[0].worst.size(), 1U) << "one violation is kept of each invariant";
-  // Otherwise a tally holds only a few numbers for each invariant and family.
+  // Apart from these two histograms, a tally holds only a few numbers for each invariant and family.
   EXPECT_LT((DigitsScale::bins + TimeScale::bins) * sizeof(std::uint64_t), 128U << 10U);
 }
 

@@ -5,7 +5,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// The judge without its filters.
+/// The judge without its filters, which decide by error bounds.
 namespace carom::properties {
 namespace {
 
@@ -58,7 +58,7 @@ TEST(UnfilteredGate, DecidesAllByRationalsAndAsTheFilterDoes) {
   EXPECT_GT(violated, 0U);
 }
 
-/// The facts of a collision are the same if they are decided in ℚ.
+/// A judge with filters and one that decides in ℚ find the same facts about a collision.
 TEST(UnfilteredGate, KnowsTheSameOfACollision) {
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < 20; ++i) {

@@ -11,8 +11,8 @@
 #include "support/exact.hpp"
 #include "support/outcome_of_law.hpp"
 
-/// Laws of mechanics do not depend on the axes, and verdicts must not either. A verdict is the same for a collision
-/// and its outcome rotated together.
+/// Laws of mechanics do not depend on the axes, so verdicts must not. A verdict stays the same if the collision and its
+/// outcome are rotated together.
 namespace carom::properties {
 namespace {
 
@@ -20,9 +20,9 @@ using oracles::LiftedOutcome;
 using oracles::Rational;
 using Solved = SolvedOutcome<Rational>;
 
-/// A rotation by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries. So vectors of few
-/// bits are rotated without rounding, and lengthened by s. A change of units undoes this: lengths are s times as many
-/// metres, times 1/s as many seconds.
+/// A rotation by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries. So vectors of few bits
+/// are rotated without rounding, and lengthened by s. A change of units makes up for this: the number of metres of a
+/// length is multiplied by s, and the number of seconds of a time by 1/s.
 struct WholeTurn {
   Quaternion<double> q;
 
@@ -101,7 +101,7 @@ Collision few_bits(Stream& stream) {
   return c;
 }
 
-/// The claims about a single outcome and its matrix.
+/// The invariants of a single outcome and its matrix.
 Claim claim_of_outcome(Law law, Precision precision) {
   Subject subject;
   subject.law = law;
@@ -114,11 +114,11 @@ Claim claim_of_outcome(Law law, Precision precision) {
   return claim;
 }
 
-/// `coulomb` has no sensitivity of its own. If the contact sticks, it equals that of `sticking`.
+/// `coulomb` has no sensitivity of its own. If the contact sticks, `coulomb` equals `sticking`.
 Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
-/// K with an error of `share` of the allowance in one entry. Or λI with an error of up to 64 times that size in one
-/// direction, near the edge of the allowance of `definite`.
+/// Either K with an error of `share` of the allowance in one entry, or λI with λ = Σ 1/m. The error of λI is up to 64
+/// times as large, near the edge of the allowance of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =
@@ -137,7 +137,7 @@ Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allo
   return Matrix3<Rational>::Identity() * inverse_mass - along;
 }
 
-/// The truth with an error of `share` of the allowance in one of its vectors, and a matrix by `planted_matrix`.
+/// The exact outcome with an error of `share` of the allowance in one of its vectors, and a matrix by `planted_matrix`.
 Solved planted(Stream& stream, const oracles::ExactCase& exact_case, Law law, double allowance, double share) {
   Outcome<Rational> outcome = unit::outcome_of_law(exact_case, law);
   const OutcomeVector k = all_outcome_vectors[static_cast<std::size_t>(stream.integer(0, 3))];

@@ -10,9 +10,9 @@
 
 #include "examination.hpp"
 
-/// Relations between collisions that change only signs, exponents or names. Each rounding is mapped as well, so the
-/// outcomes correspond bit for bit, except for the sign of zeros. The solvers are compiled with -ffp-contract=off. A
-/// fused a·b + c would round only one of two products that a relation exchanges.
+/// Relations between collisions that change only signs, exponents or names. A solver rounds corresponding numbers
+/// alike, so the outcomes correspond bit for bit, except for the sign of zeros. The solvers are compiled with
+/// -ffp-contract=off. A fused a·b + c would round only one of two products that a relation exchanges.
 namespace carom::properties {
 namespace {
 
@@ -98,7 +98,7 @@ Relation moved_by(const Isometry& isometry) {
           }};
 }
 
-/// Other units: 2^mass kg, 2^length m, 2^time s.
+/// A change to the units 2^mass kg, 2^length m, 2^time s.
 Relation units_changed_by(int mass, int length, int time) {
   const auto power = [](int exponent) { return std::ldexp(1.0, exponent); };
   return {[=](Collision c) {
@@ -163,7 +163,7 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
 
-  /// QR uses the sign of an entry of the matrix as the sign of a reflection. A mirror changes it, but not that of 0.
+  /// QR takes the sign of a reflection from an entry of the matrix. A mirror changes this sign, unless the entry is 0.
   static void holds_but_by_qr(const Question& question) {
     if (GetParam().name.find("_qr_") == std::string::npos) {
       holds(question);
@@ -173,11 +173,11 @@ class BitForBit : public testing::TestWithParam<Examinee> {
   }
 };
 
-/// A and B occur in x_A − x_B, which changes its sign, and in x_A + x_B, which is commutative.
+/// Solvers use A and B in x_A − x_B, which changes its sign, and in x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
-/// Every product of an invariant expression changes its sign twice or not at all. Every other entry changes its own
-/// sign.
+/// In an expression that a mirror does not change, each product changes its sign twice or not at all. Every other
+/// number changes its own sign.
 TEST_P(BitForBit, MirrorInX) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_x))); }
 TEST_P(BitForBit, MirrorInY) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_y))); }
 TEST_P(BitForBit, MirrorInZ) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_z))); }
@@ -209,7 +209,7 @@ std::vector<Examinee> examinees_of_single_numbers() {
 
 class QuarterTurns : public testing::TestWithParam<Examinee> {};
 
-/// A quarter turn about any axis is not bit for bit. It exchanges two terms of sums of three, which are added in a
+/// A quarter turn about any axis does not keep the bits. It exchanges two terms of sums of three, which are added in a
 /// fixed order. Products R_ri R_ci / I_i are summed over the body axes as (0 + 1) + 2, and q·q as (w² + x²) + (y² +
 /// z²). The eliminations of LDLᵀ and Cholesky, and the determinant, begin with x. So `rotation` is judged within
 /// rounding. Double-double is excluded: it has twice the digits of its answer, so nearly every answer is the same.
@@ -224,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(Of, QuarterTurns, testing::ValuesIn(examinees_of_single
 
 std::vector<Examinee> frictionless_examinees() {
   std::vector<Examinee> examinees = built_in_examinees();
-  // The guaranteed solver takes N·V from a sum in double-double, whose order a turn changes.
+  // The guaranteed solver computes N·V by a sum in double-double, whose order a turn changes.
   std::erase_if(examinees, [](const Examinee& examinee) {
     return examinee.law != Law::frictionless || examinee.name.find("guaranteed") != std::string::npos;
   });

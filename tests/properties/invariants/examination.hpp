@@ -28,11 +28,10 @@ struct Examination {
   std::span<const Family> families = all_families();
 };
 
-/// Puts a question about cases of every family, and about one plain head-on collision, to an examinee. Returns the
-/// objection to the examinee. One objection is a case on which the verdict is a violation. Another is that no case of
-/// a family is in the question's domain. The last is that no answer to a colliding case changes the velocities, so
-/// that nothing is tested. The head-on collision counts for neither of the last two, so families that draw nothing
-/// are noticed.
+/// Asks an examinee about cases of every family, and about one plain head-on collision. Returns an objection in words
+/// if the verdict on a case is a violation. It also returns one if no family has a case in the question's domain, or if
+/// no answer to a family's colliding case changes the velocities. The head-on collision does not prevent these two
+/// objections.
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
 
@@ -49,7 +48,8 @@ struct Seen {
   std::set<const Invariant*> violated = {};   // these were violated in some case, and are not tested again
 };
 
-/// Draws the cases of `find_violation` once, and puts each to all claimants. The results are in the claimants' order.
+/// Draws the cases of `find_violation` once, and asks all claimants about each case. The results are in the claimants'
+/// order.
 [[nodiscard]] std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination& examination);
 
 /// The return value of `find_violation` for one invariant of a claimant, given the results of `examine`. The cases

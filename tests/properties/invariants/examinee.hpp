@@ -20,7 +20,6 @@ struct Examinee {
   bool shows_matrix = false;
 };
 
-/// Prints the examinee in GoogleTest's output.
 inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << examinee.name; }
 
 /// The sound built-in solvers, in float, double and long double (built_in_examinees.cpp).
@@ -29,14 +28,14 @@ inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << exami
 /// The solvers in rational arithmetic, with an allowance of zero (exact_examinees.cpp).
 [[nodiscard]] std::vector<Examinee> exact_examinees();
 
-/// The same claim by a subject that returns its input unchanged. It satisfies most laws, so it tests none of them.
+/// The same examinee, but its solver returns the input unchanged. This satisfies most laws, and tests none of them.
 [[nodiscard]] Examinee idle(Examinee examinee);
 
-/// The same claim by a subject that obeys no law. It answers every collision, valid or not, with random velocities,
+/// The same examinee, but its solver obeys no law. It answers every collision, valid or not, with random velocities,
 /// and reports twenty times K or −K. The same collision always gets the same answer.
 [[nodiscard]] Examinee erratic(Examinee examinee);
 
-/// The same claim by a subject whose answers are NaN or infinite.
+/// The same examinee, but its answers are NaN or infinite.
 [[nodiscard]] Examinee without_numbers(Examinee examinee);
 
 }  // namespace carom::properties

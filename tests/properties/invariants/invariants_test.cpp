@@ -9,8 +9,8 @@
 #include "examination.hpp"
 #include "support/selected.hpp"
 
-/// Every invariant holds for every solver that claims it, on every family. In floating point the limit is 32 ulps. In
-/// ℚ the allowance is zero, because there the same solver makes each invariant an exact statement.
+/// Every invariant holds for every solver that claims it, on every family. In floating point the limit is 32 ulps. In ℚ
+/// the allowance is zero, because the same solver satisfies each invariant exactly.
 namespace carom::properties {
 namespace {
 
@@ -99,7 +99,7 @@ TEST_P(HoldsExactly, For) { expect_no_violation(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
 
-/// One examinee of each law in each arithmetic that is judged differently.
+/// For each law, one examinee in floating point and one in ℚ.
 std::vector<Examinee> one_of_each() {
   std::vector<Examinee> examinees;
   for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
@@ -131,7 +131,7 @@ TEST_P(NeverHolds, ForASubjectThatObeysNoLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
-/// A subject that returns its input satisfies these, so they test nothing.
+/// A subject that returns its input satisfies these invariants, so it tests nothing.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
     const auto found =

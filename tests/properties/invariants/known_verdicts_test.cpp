@@ -12,14 +12,14 @@
 #include "support/known_values.hpp"
 
 /// The residual of every invariant and its allowance, for a wrong solver. tests/oracles/judge/known_values_test.cpp
-/// explains the reason.
+/// explains why these numbers are stored.
 namespace carom::properties {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// Adds velocities without an impulse, which depend on the origin, and reports a matrix that is not symmetric.
+/// Adds velocities that come from no impulse and depend on the origin, and reports a matrix that is not symmetric.
 ExactAnswer wrong_answer(const Collision& c) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -72,7 +72,7 @@ TEST(KnownValues, OfTheInvariants) {
   unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
 }
 
-/// The rounded truth, and the collision matrix.
+/// The exact outcome, rounded, and the collision matrix.
 ExactAnswer right_answer(const Collision& c, Law law) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -113,7 +113,6 @@ TEST(KnownValues, OfTheStagesThatDecide) {
   unit::expect_known_lines(CAROM_KNOWN_STAGES, lines);
 }
 
-/// Without filters, rationals decide alone.
 TEST(Stages, AreRationalAloneWithoutFilters) {
   const oracles::StageCounts before = oracles::decided_by_stage();
   for (const KnownCollision& known : unit::known_collisions()) {

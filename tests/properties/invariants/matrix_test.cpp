@@ -14,7 +14,7 @@
 
 #include "support/cases.hpp"
 
-/// Verdicts on the collision matrix that a subject reports: a right one, and planted ones.
+/// Verdicts on the collision matrix that a subject reports: right matrices, and planted ones.
 namespace carom::properties {
 namespace {
 
@@ -28,7 +28,7 @@ struct Solved {
 
   [[nodiscard]] const Matrix& matrix() const { return *outcome.collision_matrix; }
 
-  /// F on A, computed from the lighter movable body.
+  /// The impulse F on A, computed from the lighter movable body.
   [[nodiscard]] Vector impulse() const {
     const Collision& c = one.collision;
     const bool off_a = oracles::reads_impulse_off_a(c);
@@ -67,7 +67,6 @@ Verdict verdict_of(std::string_view invariant, const Solved& solved, const Matri
   return {};
 }
 
-/// The violated invariants.
 std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, bool filtered) {
   std::set<std::string_view> names;
   for (const auto& [invariant, verdict] : verdicts_on(solved, matrix, filtered)) {
@@ -81,7 +80,7 @@ std::set<std::string_view> violated(const Solved& solved, const Matrix& matrix, 
 
 using Names = std::set<std::string_view>;
 
-/// Plants the matrix in the answers to many contacts. Both judges must agree.
+/// Plants the matrix in the answers to many contacts. The judges with and without filters must agree.
 void expect_violated(const std::function<Matrix(const Solved&)>& planted, const Names& expected) {
   const Subject subject = *subjects::subject_named("reflection-double");
   for (const char* family : {"generic", "physical", "mass_ratio", "immovable_a"}) {
@@ -114,7 +113,7 @@ TEST(ShownMatrix, MayBeRounded) {
       {});
 }
 
-/// No rounding explains this change, even if V⁻ is small compared with the velocities that it is the difference of.
+/// No rounding explains a change by a thousandth, even if V⁻ is a small difference of large velocities.
 TEST(ShownMatrix, IsNotUsedWhereItIsOffByAThousandth) {
   expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-3L); }, {"matrix_used"});
 }
@@ -130,7 +129,7 @@ TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
       {"matrix_used"});
 }
 
-/// [F]× F = 0, so C F does not change.
+/// Adds [F]×, the cross matrix of the impulse F. [F]× F = 0, so C F does not change.
 TEST(ShownMatrix, IsToBeSymmetric) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -142,7 +141,7 @@ TEST(ShownMatrix, IsToBeSymmetric) {
       {"matrix_used"});
 }
 
-/// `definite` finds a change that the impulse does not see.
+/// `definite` finds a change of C that does not change C F.
 TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
   expect_violated(
       [](const Solved& one) -> Matrix {
@@ -180,8 +179,7 @@ TEST(ShownMatrix, MayHoldAnyNumber) {
   }
 }
 
-/// A built-in solver that claims to report its matrix does so. It is the matrix that the solve formed: the contact's,
-/// in the solver's own arithmetic.
+/// A built-in solver that claims to report its matrix reports it for every colliding case.
 TEST(ShownMatrix, IsThatOfTheSolve) {
   for (const Subject& subject : subjects::built_in_subjects()) {
     int shown = 0;

@@ -10,8 +10,8 @@
 
 #include "support/exact.hpp"
 
-/// λI ⪯ C ⪯ 16 λI for uniform bodies that are star-shaped from the contact point, exactly. properties/proofs proves
-/// it (star_shaped.v); here it is checked on numbers. The contact point is the origin.
+/// λI ⪯ C ⪯ 16 λI, with the collision matrix C and λ = Σ 1/m, for uniform bodies that are star-shaped from the contact
+/// point. star_shaped.v in properties/proofs proves it, and this file checks it in ℚ. The contact point is the origin.
 namespace carom::properties {
 namespace {
 
@@ -36,7 +36,7 @@ struct Shape {
 };
 
 /// A uniform tetrahedron with the origin as apex has its centre at (a + b + c)/4, and the second moments (aaᵀ + bbᵀ +
-/// ccᵀ + ssᵀ)/20 about the apex, s = a + b + c.
+/// ccᵀ + ssᵀ)/20 about the apex, where s = a + b + c.
 Shape shape_of(const Surface& surface) {
   Rational volume(0);
   ExactVector centre(0, 0, 0);
@@ -102,8 +102,8 @@ Rational spiky_radius(Stream& stream) {
 }
 
 /// A surface with 14 corners in perturbed directions: those of an octahedron, and one in the middle of each of its
-/// faces. Each corner has its own distance. The body consists of all 24 tetrahedra, or of some of them. In the second
-/// case the contact is on its surface.
+/// faces. Each corner has its own distance. The body consists of all 24 tetrahedra, or of some of them. If it consists
+/// of some, the contact is on its surface.
 template <class Radius>
 Surface random_surface(Stream& stream, const Radius& radius) {
   std::array<std::array<ExactVector, 2>, 3> directions;
@@ -145,7 +145,7 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// The moments do not depend on the apex, even if some volumes become negative.
+/// After the shift, some volumes may be negative.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {
@@ -181,7 +181,7 @@ TEST(StarShaped, AreWellConditioned) {
     const Shape shape = shape_of(surface);
     const ExactVector point(0, 0, 0);
     EXPECT_TRUE(dominates(shape, point)) << i;
-    // Against an immovable body, and against the previous body.
+    // Checks contacts with an immovable body and with the previous body.
     const Rational lambda = 1 / spiky_radius(stream);
     const ExactMatrix matrix = share_of_matrix(shape, 1 / lambda, point);
     EXPECT_TRUE(is_at_least(matrix, lambda) && is_at_most(matrix, 16 * lambda)) << i;
@@ -230,8 +230,8 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   }
 }
 
-/// A hammer with a massless handle, in contact at the end of the handle. The rest of the head is not visible from
-/// there.
+/// A hammer with a massless handle, in contact at the end of the handle. A part of the head is not visible from the
+/// contact.
 TEST(StarShaped, ExceedTheBoundWhereABodyIsTouchedInAPointThatDoesNotSeeAllOfIt) {
   Surface hammer;
   for (int octant = 0; octant < 8; ++octant) {

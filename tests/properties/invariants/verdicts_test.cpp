@@ -14,7 +14,7 @@
 namespace carom::properties {
 namespace {
 
-/// Whether Σ_i (left_i − right_i)² ≤ (allowance scale)², in ℚ.
+/// Whether Σ_i (left_i − right_i)² ≤ allowed², in ℚ.
 bool is_near(const Vector3<oracles::Rational>& left, const Vector3<oracles::Rational>& right, double allowed) {
   const Vector3<oracles::Rational> difference = left - right;
   return difference.dot(difference) <= oracles::Rational(allowed) * oracles::Rational(allowed);
@@ -26,7 +26,7 @@ struct Counts {
   int far = 0;
 };
 
-/// Compares y + (to − from), rounded as in relations, with an outcome that differs from the exact sum in one
+/// Compares y + (to − from), rounded as in relations.cpp, with an outcome. The outcome differs from this sum in one
 /// component by `least` to `most` times the allowance. Whenever surely_near shows that they are near, the exact sum
 /// confirms it.
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
@@ -64,8 +64,8 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
   return counts;
 }
 
-/// A violation outranks an undecided verdict, which outranks a pass. A verdict outside the domain leaves the decision
-/// to the other.
+/// A violation outranks an undecided verdict, which outranks a pass. If one verdict is outside the domain, the other
+/// one decides.
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
   violated.status = Status::violated;
@@ -115,7 +115,6 @@ TEST(Seriousness, OrdersViolations) {
   EXPECT_EQ(seriousness(verdict, c), 12 * 0x1p+53);
 }
 
-/// The result is the more severe of two violations.
 TEST(Both, IsTheMoreSevereOfTwoViolations) {
   Verdict small{Status::violated, "small", 2, 1, {}, {}};
   Verdict large{Status::violated, "large", 9, 3, {}, {}};
@@ -141,7 +140,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// If the allowance is this small, the rounding of the numbers themselves counts.
+/// An allowance of one rounding of extended is no more than the rounding of the compared numbers.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
@@ -164,7 +163,6 @@ TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
   }
 }
 
-/// NaN is not near any number.
 TEST(SurelyNear, DoesNotTakeANaNForNear) {
   const PerVector<double> scale{1, 1, 1, 1};
   ReportedOutcome nothing;

@@ -38,7 +38,7 @@ Collision cube() {
 
 TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
 
-/// Ignores the lint about the family's normals, which support no body.
+/// Ignores `centre_of_mass`, because the family draws normals that fit no surface of the bodies.
 TEST(Lint, IsSilentOfConvexUniformBodies) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     Collision c = unit::case_of("physical", i).collision;
@@ -54,7 +54,7 @@ TEST(Lint, IsSilentOfConvexUniformBodies) {
   }
 }
 
-/// For one movable body [r]ᵀ J⁻¹ [r] = ‖r‖²/I across r, so K reaches 1 + 3/(4 I) for a cube's corner.
+/// For one movable body of mass 1 and equal moments I, the largest eigenvalue of K is 1 + ‖r‖²/I.
 TEST(Lint, FindsAConditionAbove16) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -67,7 +67,7 @@ TEST(Lint, FindsAConditionAbove16) {
   EXPECT_EQ(found(c), Found{"warning condition a"});
 }
 
-/// B is a hundred times lighter. It adds so much to λ that K stays below 16 λ.
+/// B is a hundred times lighter, so λ = 1/m_A + 1/m_B is so large that K stays below 16 λ.
 TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -119,7 +119,7 @@ TEST(Lint, IsSilentOfACentreOfMassInThePlaneOfTheContact) {
   c.a.position = {0.25, 0, 0.125};
   c.b.position = {0, 0, 0};
   EXPECT_EQ(found(c), Found{});
-  c.normal = {3, 1, 0};  // 3 × 0.1 and 0.3 are different numbers: exactly, the centre lies beyond
+  c.normal = {3, 1, 0};  // in binary64, 3 × 0.1 differs from 0.3, so the centre lies beyond the plane
   c.normal.normalize();
   c.b.position = {0, -0.5, 0};
   c.a.position = {0.1, std::nextafter(-0.3, -1.0), 0};

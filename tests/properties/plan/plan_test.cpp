@@ -128,7 +128,7 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
   EXPECT_EQ(planted.certificate.worst->result.failure, "backward error");
   EXPECT_GT(*planted.certificate.worst_backward_error, 1e4);
   EXPECT_EQ(chosen(plan), "frictionless-double");
-  // It is right to nine digits.
+  // The planted candidate is right to nine digits.
   const Plan of_nine = make_plan(contacts, candidates, options_for(Law::reflection, 9));
   EXPECT_EQ(judged(of_nine, of_nine.whole, "planted").certificate.failures, 0U);
 }
@@ -195,7 +195,8 @@ TEST(Plan, SaysWhereNothingServes) {
   EXPECT_FALSE(of_less.serves());
 }
 
-/// Recorded spheres are rounded: r × N is not zero, so frictionless and reflection agree only within the accuracy.
+/// Recorded positions of spheres are rounded, so r × N is not zero. `frictionless` and `reflection` agree only within
+/// the demanded accuracy.
 TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   Collision ball = unit::ball_on_a_plane(0.4, 0);
   ball.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};

@@ -23,15 +23,16 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
   });
 }
 
-/// Whether the exact outcomes of two laws with a truth are the same. Precondition: the outcome of `lesser` is
-/// rational.
+/// Whether the exact outcomes of two laws (each with one exact outcome) are the same. Precondition: the outcome of
+/// `lesser` is rational.
 bool answer_alike(const ExactCase& c, Law law, Law lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
 
-/// Cases of every family, and small dyadic ones, many of which satisfy conditions under which laws agree.
+/// Cases of every family, and cases of small dyadic numbers. Many dyadic cases satisfy conditions under which laws
+/// agree.
 std::vector<Collision> cases() {
   std::vector<Collision> all;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -56,7 +57,8 @@ std::vector<Collision> cases() {
   return all;
 }
 
-/// Checks both directions: if a reason is given, the exact outcomes are equal; otherwise they differ.
+/// If `reduction` gives a reason why a cheaper law may replace a law, their exact outcomes are equal. Otherwise they
+/// differ.
 TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
   PerLaw<int> given{};
   PerLaw<int> not_given{};
@@ -89,7 +91,8 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
   EXPECT_GT(given, 10);
 }
 
-/// The law that replaces `coulomb` gives one of its answers, which are computed independently.
+/// A law that replaces `coulomb` gives one of the answers of `coulomb`, which oracles::coulomb_answers computes
+/// independently.
 TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
   PerLaw<int> given{};
   const std::vector<Collision> all = cases();

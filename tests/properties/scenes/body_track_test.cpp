@@ -17,7 +17,7 @@ namespace {
 
 using Real = long double;
 
-/// A body on a parabola that rotates forever from t = 3 s on.
+/// A rotating body on a parabola, from t = 3 s on.
 struct Turning {
   explicit Turning(const Vector3<double>& edges, const Vector3<double>& angular_velocity,
                    const Quaternion<double>& orientation = {1, 0, 0, 0}) {
@@ -45,7 +45,7 @@ struct Turning {
 const std::vector<std::pair<Vector3<double>, Vector3<double>>> bodies{
     {{1, 1, 1}, {3, 0, 4}},
     {{1, 2, 3}, {3, 0.001, 4}},
-    // About the intermediate axis: it flips over again and again.
+    // This body rotates about its intermediate axis, so it flips over again and again.
     {{1, 2, 3}, {0.001, 5, 0}},
     {{0.01, 0.02, 1}, {3, 2, 3}},
 };
@@ -61,11 +61,12 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
     for (const double share : {0.0, 1e-6, 0.01, 0.3, 0.29, 0.77, 1.0}) {
       const double elapsed = share * duration;
       const scene::BoundedRotation expected = path.at(elapsed);
-      // The sum of 3 s and the elapsed time is not a double.
+      // The sum is a long double, because 3 s plus the elapsed time is no double.
       const Pose pose = track.pose(0, Real(3) + elapsed);
       const Real apart = (pose.axes - wide_rotation(Quaternion<Real>(expected.state.orientation.cast<Real>()))).norm() /
                          std::sqrt(2.0L);
-      // The error bound of the path, and the error of the track: 20 steps per radian with 10⁻¹⁶ rad each.
+      // The limit is the error bound of the path plus the error of the track. The track takes 20 steps per radian, with
+      // an error of 10⁻¹⁶ rad each.
       EXPECT_LE(apart, expected.angle_error + 2000 * 1e-16L * (1 + 100)) << share;
       EXPECT_LE(apart, 1e-11L) << share;
       EXPECT_NEAR(static_cast<double>(pose.rate), expected.state.body_rate.norm(), 1e-11) << share;
@@ -73,7 +74,8 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
   }
 }
 
-/// ω in world axes, computed from the axes alone: Ȧ Aᵀ by differences of fourth order, with an error of (ω h)⁴/30.
+/// ω in world axes, from the matrix A of the axes: Ȧ Aᵀ by differences of fourth order, with a relative error of (ω
+/// h)⁴/30.
 WideVector rate_from(BodyTrack& track, Real time, Real h) {
   const auto axes = [&](Real t) { return track.pose(0, t).axes; };
   const Matrix3<Real> change =
@@ -102,7 +104,7 @@ TEST(BodyTrack, KeepsEnergyAndAngularMomentumFor100Radians) {
         energy = spin.dot(omega);
         momentum = spin;
       }
-      // An error of (10⁻³)⁴/30 of ω; 10⁴ times that for the slender body along its thin axis.
+      // ω has a relative error of (10⁻³)⁴/30. Along the thin axis of the slender body, the error is 10⁴ times as large.
       EXPECT_NEAR(static_cast<double>(spin.dot(omega) / energy), 1, 1e-10) << k;
       EXPECT_LE(static_cast<double>((spin - momentum).norm() / momentum.norm()), 1e-10) << k;
     }
@@ -128,7 +130,7 @@ TEST(BodyTrack, HasItsPlacesInAnyOrderOfTimes) {
   }
 }
 
-/// A body without rotation, and a ball, stay where they are put.
+/// A body without angular velocity keeps its axes. A ball keeps its axes at any angular velocity.
 TEST(BodyTrack, KeepsWhatDoesNotTurn) {
   const Quaternion<double> orientation(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   Turning turning({1, 1, 1}, {0, 0, 0}, orientation);

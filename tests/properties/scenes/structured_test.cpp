@@ -23,8 +23,8 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   EXPECT_LE(run.relative_rounding(), 1e-12L);
 }
 
-/// The rest of the impact closes at 10⁻¹⁶ m/s. So the time of contact is known only to some seconds, in which spheres
-/// leave their cells.
+/// After the impact, spheres still approach at 10⁻¹⁶ m/s. So their contact time is known only to some seconds, in which
+/// spheres leave their cells (scene::CellGrid).
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
     Scene scene = unit::empty_scene(Law::frictionless, {restitution, 0, 0, 0, 0}, 5);
@@ -35,8 +35,8 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
-/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of about 0.04 s. In exact time another pair is first,
-/// at 1 − 2⁻¹⁰ s. Before that, a fast sphere leaves several cells and hits a sphere at rest.
+/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of about 0.04 s. Another pair touches first, exactly at
+/// 1 − 2⁻¹⁰ s. Before both contacts, a fast sphere leaves several cells and hits a sphere at rest.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
@@ -48,7 +48,7 @@ TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   expect_valid(scene, 2);
 }
 
-/// The gap is 0 for an instant within two arcs, and never negative.
+/// The gap of the two spheres is 0 for one instant within their arcs, and never negative.
 TEST(StructuredScenes, SpheresGrazeExactly) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 5);
   unit::add_sphere(scene, 0.5, {-6, 0, 0}, {2, 0, 0});
@@ -80,7 +80,7 @@ TEST(StructuredScenes, BallsThatRollArePressedTogether) {
   }
 }
 
-/// There, an ulp of a position is 10⁻¹⁰ m, and the energy has the rounding of m g x.
+/// Far from the origin an ulp of a position is 10⁻¹⁰ m, and the energy has the rounding error of m g x.
 TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   Scene scene = unit::empty_scene(Law::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
   scene.gravity = {0, 0, -9.81};
@@ -91,7 +91,7 @@ TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   expect_valid(scene);
 }
 
-/// The only events are that spheres leave cells, forever.
+/// The sphere leaves one cell after the other, and nothing else happens.
 TEST(StructuredScenes, AStopIsHeardWhileNothingHappens) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 1e17);
   unit::add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});

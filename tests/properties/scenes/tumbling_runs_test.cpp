@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Scenes with polyhedra: random ones pass, and defects planted in one are found.
+// Random scenes with polyhedra pass the checkers. In another scene the checkers find planted defects.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,11 +43,11 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_GT(validity.planes, 0U);
   EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts +
                                  run.simulation.counts().renewals);
-  // The promised limit: 2⁻³⁰ of the smaller radius, which is at most 0.4 here.
+  // An overlap that the check may miss is at most 2⁻³⁰ of the smaller radius deep. This radius is at most 0.4 here.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);
-  // The rounding of a stored position: coordinates up to 2, with about eight roundings.
+  // A stored position has coordinates of up to 2, with about eight roundings.
   EXPECT_LE(validity.largest_jump, 8 * 0x1p-52);
-  // Each event rounds the states of two of eight bodies to about 20 u of themselves.
+  // Each event rounds the states of two of the eight bodies, with a relative error of about 20 u.
   EXPECT_LE(run.relative_rounding(), 1e-12L);
   const long double scale = run.ledger.scale();
   long double sum = run.ledger.initial().total();
@@ -72,7 +72,7 @@ TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     for (const double gravity : {0.0, 9.81}) {
       ++seed;
-      // Under reflection an impact may create energy, and gravity brings the bodies back.
+      // Under reflection impacts may create energy. Gravity brings the bodies back, so the energy grows without limit.
       if (GetParam() == Law::reflection && gravity > 0) {
         continue;
       }
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RandomRooms,
                          testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
-/// A brick and a tetrahedron that rotate meet after 1.07 s, and again after 1.35 s.
+/// A brick and a tetrahedron that rotate meet after 1.07 s. They meet again after 1.35 s, but the scene ends before.
 Scene meeting() {
   Scene scene = unit::empty_scene(Law::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
   unit::add_polyhedron(scene, unit::centred_box({0.5, 0.75, 1}), {-2, 0.125, 0}, {1.25, 0, 0}, {1, 2, -0.5});
@@ -140,14 +140,14 @@ TEST(PlantedInATumble, ABodyThatGoesThroughAPlaneIsFound) {
 }
 
 TEST(PlantedInATumble, APlaceThatIsMovedIsFound) {
-  // 10⁻¹³ m is some hundred ulps of the numbers that it is computed from. It is a jump, but no overlap.
+  // A move by 10⁻¹³ m, some hundred ulps of the position, is a jump but no overlap.
   const unit::WatchedRun jump(meeting(), 100, unit::first_impact([](Event& event) {
                                 event.b->after.path.position.y() += 1e-13;
                                 return true;
                               }));
   EXPECT_TRUE(has(jump.validity(), "itself", "its path jumps")) << text_of(jump.validity());
   EXPECT_EQ(jump.validity().count, 1U);
-  // Contacts are within 2⁻³⁰ radii.
+  // A gap at a contact is at most 2⁻³⁰ radii, so a move by 4·10⁻⁹ m is an overlap.
   const unit::WatchedRun overlap(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.b->after.path.position += 4e-9 * event.collision.normal.normalized();
                                    return true;
@@ -214,13 +214,13 @@ TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
                                  return true;
                                }));
     EXPECT_GT(run.relative_rounding(), 1e-12L) << kind;
-    // This is the only difference between the ledger's energies.
+    // Only the ledger finds this defect, because the impulses are right.
     EXPECT_EQ(run.judge.violated(), 0U);
   }
 }
 
 TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
-  // An impulse that exceeds the stored one by a billionth.
+  // The reported outcome has an impulse that exceeds the stored one by a billionth.
   const unit::WatchedRun greater(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.outcome.a.velocity +=
                                        1e-9 * (event.outcome.a.velocity - event.collision.a.velocity);
@@ -228,7 +228,7 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
                                  }));
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
-  // A push that is not reported: a body that should lie still keeps hopping.
+  // A body on the floor keeps hopping, because slow contacts push it. One event does not report its push.
   Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -257,7 +257,7 @@ TEST(PlantedInATumble, AnArcOutOfOrderIsFound) {
   }
 }
 
-/// A ball and a polyhedron under `coulomb`, with each cause recorded separately.
+/// In a scene of a ball and a polyhedron under `coulomb`, the ledger records each cause separately.
 TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   Scene scene = unit::empty_scene(Law::coulomb, {0.5, 0.25, 0, 0, 0}, 1.5);
   scene.gravity = {0, 0, -9.81};
@@ -284,8 +284,8 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
                                       run.ledger.plane_impulse() + run.ledger.momentum_rounding();
   EXPECT_LE(static_cast<double>((momentum - booked).norm()), 1e-13);
   EXPECT_LE(static_cast<double>(run.ledger.momentum_rounding().norm()), 1e-13);
-  // A ball's lever arm is its radius. The other body's lever arm ends in the middle of the gap, up to 2⁻³¹ radii
-  // away.
+  // A ball's lever arm has the length of its radius. The other body's lever arm ends in the middle of the gap, up to
+  // 2⁻³¹ radii from the ball.
   EXPECT_LE(static_cast<double>(run.ledger.angular_momentum_rounding()),
             0x1p-30 * static_cast<double>(run.ledger.angular_momentum_scale()) *
                 static_cast<double>(run.simulation.counts().impacts));

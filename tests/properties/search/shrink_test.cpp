@@ -41,8 +41,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// Doubling or rounding up the largest numbers overflows binary64. Such collisions are no candidates. The test runs
-/// in a separate process, because a number that is not finite could keep `complexity` from terminating.
+/// Doubling or rounding up the largest numbers overflows binary64. `simpler` must not return such collisions. The test
+/// runs in a separate process, because a number that is not finite could keep `complexity` from terminating.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -113,7 +113,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
   EXPECT_GT(shrunk_cases, 5);
 }
 
-/// Two vectors with one component each, and one body, as in a textbook.
+/// A case shrinks to two vectors with one component each, and one body, as in a textbook.
 TEST(Shrink, ReachesSmallDyadicNumbers) {
   int shrunk_cases = 0;
   for (std::uint64_t i = 0; i < 30; ++i) {

@@ -10,8 +10,8 @@
 
 #include "support/exact.hpp"
 
-/// The yardstick's promise: an outcome that is exact for inputs within the allowance passes, however hard the case
-/// is.
+/// The promise of the yardstick (docs/reference/yardstick.md): an outcome that is exact for inputs within the allowance
+/// passes, however hard the case is.
 namespace carom::properties {
 namespace {
 
@@ -50,7 +50,8 @@ BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, d
   return result;
 }
 
-/// The law's answer to a collision that is not stored in binary64. For `rough` only in its rational branch.
+/// The law's answer to a collision that is not stored in binary64. For `rough` only if the friction impulse is inside
+/// the cone, where the answer is rational.
 std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Law law) {
   const bool collides = oracles::normal_velocity_before(c) < 0;
   oracles::Branch branch = oracles::Branch::only;
@@ -100,7 +101,7 @@ void expect_to_pass(const Collision& collision, Law law, Precision precision, St
   if (reason_unjudged(judged.exact(), claim.yardstick)) {
     return;
   }
-  // The rest covers the second order, which is 1/32 of the first unless the first order is blind.
+  // The rest of the allowance covers the second order, which is 1/32 of the first order except in hard cases.
   constexpr double share = 0.9;
   const double allowance = claim.yardstick.allowance();
   const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), law);
@@ -132,8 +133,8 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   EXPECT_GT(seen.blind, 100U);
 }
 
-/// The enclosure is useful: its allowance for a ball far from the origin is only a few times the effect of permitted
-/// inputs.
+/// The enclosure of hard cases is tight: for a ball far from the origin, the allowance is at most 20 times the greatest
+/// effect of permitted inputs.
 TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);

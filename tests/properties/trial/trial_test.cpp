@@ -33,7 +33,7 @@ Case extreme_case(Stream& stream, int most) {
   return one;
 }
 
-/// Judges every claim of solvers and the matrices that they report, on such collisions. Exits with 0 at the end. The
+/// Judges every claim of solvers, and the matrices that they report, on extreme cases. Exits with 0 at the end. The
 /// verdicts do not matter.
 void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
@@ -51,8 +51,8 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
-/// Repeats the test at the largest limit, in binary32, for which an allowance can overflow. Exits with 0 if both
-/// judges agree on each outcome. It omits relations, because such numbers make long rationals.
+/// Repeats the test in binary32 at the largest limit, at which an allowance can overflow. Exits with 0 if the judges
+/// with filters and in ℚ agree. Omits relations, because such numbers make long rationals.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(4); ++i) {
@@ -78,8 +78,7 @@ void judge_at_the_largest_limit(int most) {
   std::exit(0);
 }
 
-/// A resting contact, and an answer that pulls by less than the rounding of the inputs: no violation. A stronger pull
-/// is one.
+/// At a resting contact, an answer may pull by less than the rounding of the inputs. A stronger pull violates `push`.
 TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   Case resting;
   Collision& c = resting.collision;
@@ -100,16 +99,16 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
     };
     return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
   };
-  // The velocities are 1. The push is a hundredth of the rounding of one of them, and then ten thousand times that.
-  // The limit is 32.
+  // The velocities are 1. One pull is a hundredth of their rounding, the other is ten thousand times their rounding.
+  // The limit is 32 times their rounding.
   const double rounding = unit_roundoff(Precision::binary64);
   EXPECT_EQ(push_of(rounding / 100), Status::holds);
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
 }
 
 /// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and the masses
-/// are so large that the scale of friction does not. It is undecidable whether the point slips, so friction need not
-/// be on the cone.
+/// are so large that the scale of friction does not. It is undecidable whether the contact point slips, so friction
+/// need not be on the cone.
 TEST(Trial, ASlipThatCannotBeToldFromSlippingIsNoViolation) {
   const auto verdict_with = [](double normal, double mass) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};
@@ -153,8 +152,8 @@ Verdict verdict_on(const Case& one, const char* invariant, double limit_ulps, bo
   return judge_one(subject, claim, one).judgement.verdicts.at(0).verdict;
 }
 
-/// One body has a mass of 10⁻²⁹⁰ kg. The scale of its own law is out of range, but those of the other body and of
-/// both together are not.
+/// A has a mass of 10⁻²⁹⁰ kg. The scale of A's angular momentum is out of range, but not the scales of B's and of the
+/// sum.
 TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   const Case one = unit::case_of("physical", 3);
   ASSERT_FALSE(one.collision.a.immovable || one.collision.b.immovable);
@@ -171,7 +170,7 @@ TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   }
 }
 
-/// At velocities of 10³⁰⁰ a sound outcome is accurate to the last bits. A limit that overflows proves nothing.
+/// At velocities of 10³⁰⁰ a sound outcome is accurate to the last bits. A limit that overflows is no pass.
 TEST(Trial, ALimitBeyondRangeIsNoPass) {
   Case one = unit::case_of("elastic", 1);
   for (Body* body : {&one.collision.a, &one.collision.b}) {

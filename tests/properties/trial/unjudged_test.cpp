@@ -28,7 +28,7 @@ TEST(Unjudged, IsNoBallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }
 
-/// At 10⁶ m from the origin, 32 u are 2 m in binary32, so the lever arm is unknown.
+/// At 10⁶ m from the origin, 32 u of a position are 2 m in binary32. The lever arm is unknown, and the case is judged.
 TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
   Collision c = ball_on_floor();
   for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
@@ -67,7 +67,7 @@ TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// Each body rotates by its own lever arm. The other body's lever arm may be 10⁹ times as long.
+/// The range of numbers depends on the lever arm of each body, even if the other lever arm is 10⁹ times as long.
 TEST(Unjudged, IsABodyThatTurnsLessThanBinary32Holds) {
   Collision c = ball_on_floor();
   c.a.velocity = {0, -1e-5, 0};
@@ -90,7 +90,7 @@ TEST(Unjudged, IsAMomentAtTheEndOfTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// A lever arm of 10¹⁵⁰ m vanishes at 10²⁰⁰ m, and its square overflows.
+/// At 10²⁰⁰ m from the origin, the allowance moves the lever arm by 10¹⁸⁵ m, whose square overflows.
 TEST(Unjudged, IsAnEnclosureThatIsNotFinite) {
   Collision c = ball_on_floor();
   c.a.position = {1e200, 1, 0};

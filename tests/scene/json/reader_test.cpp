@@ -291,7 +291,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
   }
 }
 
-/// Checks of the whole scene. The expected text is a beginning, because numbers in the rest depend on rounding.
+/// The expected text is the beginning of the message, because numbers in the rest depend on rounding.
 TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
   using Change = std::function<void(json & scene)>;
   const std::vector<std::pair<std::string, Change>> changes{

@@ -51,7 +51,6 @@ namespace carom::tests {
   })");
 }
 
-/// The small scene with an additional box and tetrahedron.
 [[nodiscard]] inline nlohmann::json small_scene_with_polyhedra() {
   nlohmann::json scene = small_scene();
   scene["polyhedra"] = parse_json(R"([

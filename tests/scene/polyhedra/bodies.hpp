@@ -11,7 +11,6 @@
 #include <carom/properties/draws/stream.hpp>
 #include <carom/scene/polyhedra/mass_properties.hpp>
 
-/// Bodies that these tests rotate, drop and place against each other.
 namespace carom::scene::unit {
 
 using Vector = Vector3<double>;

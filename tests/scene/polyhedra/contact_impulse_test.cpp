@@ -73,7 +73,7 @@ void expect_one_impulse(const Collision& collision, const Outcome<double>& outco
   }
 }
 
-/// Numbers of about 1, moments that differ by a factor of 2, and lever arms up to 2: about a hundred roundings.
+/// About a hundred roundings, for numbers of about 1, moments that differ by a factor of 2, and lever arms up to 2.
 constexpr double in_double = 128 * 0x1p-53;
 constexpr double in_float = 128 * 0x1p-24;
 
@@ -82,7 +82,6 @@ TEST(ContactImpulse, PartingSpeedIsThatOfThePoints) {
     const Collision collision = random_collision(seed);
     EXPECT_NEAR(parting_speed(collision), parting(collision, unchanged(collision)), in_double) << "seed " << seed;
   }
-  // Normals of any length.
   Collision collision = random_collision(1);
   const double speed = parting_speed(collision);
   for (const double length : {1e-300, 1e-150, 1e150, 1e300}) {
@@ -104,7 +103,7 @@ TEST(ContactImpulse, SendsApartAtTheSpeedWhatIsSlower) {
         ++raised;
         EXPECT_NEAR(parting(collision, apart), speed, in_double);
         expect_one_impulse(collision, apart, in_double);
-        // Along the normal alone.
+        // The impulse is along the normal.
         EXPECT_LE((apart.a.velocity - collision.a.velocity).cross(collision.normal).norm(),
                   in_double * collision.normal.norm());
       } else {
@@ -160,8 +159,9 @@ TEST_P(Laws, AreTheirDefinitions) {
         case Law::rough:
         case Law::coulomb:
         case Law::any: {
-          // Within the cone `rough` has F = (1 + ε) P_I + (1 + e_t) (P_II − P_I) with K P_II = −V. So V' = −e_t V +
-          // (ε − e_t) K P_I, and `frictionless` changes V by (1 + ε) K P_I. For `coulomb` the contact point sticks.
+          // Within the friction cone `rough` has the impulse F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). P_I stops the
+          // approach, and P_II stops the contact point: K P_II = −V with the collision matrix K. So V' = −e_t V + (ε −
+          // e_t) K P_I. `frictionless` changes V by (1 + ε) K P_I. For `coulomb` the contact point sticks.
           const double e_t = collision.tangential_restitution;
           const Vector stops = (frictionless - before) / (1 + collision.restitution);
           const Vector within =

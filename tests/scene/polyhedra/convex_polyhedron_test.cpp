@@ -64,7 +64,7 @@ TEST(ConvexPolyhedron, FindsLargeFaces) {
   Points points;
   for (int i = -6; i <= 6; ++i) {
     for (const double z : {0.0, 1.0}) {
-      points.emplace_back(i, i * i, z);  // a parabola, on exact numbers
+      points.emplace_back(i, i * i, z);  // exact points of a parabola
     }
   }
   const ConvexPolyhedron prism = unit::hull_of(points);

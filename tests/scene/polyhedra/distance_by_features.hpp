@@ -30,8 +30,8 @@ struct ExtendedPolyhedron {
   return result;
 }
 
-/// The distance from a point to a segment, or to the inside of a triangle. The latter is infinite if the point is
-/// nearest to the triangle's edge.
+/// The distance from a point to a segment, or to the inside of a triangle. The distance to the inside is infinite if
+/// the nearest point of the triangle is on an edge.
 [[nodiscard]] inline long double to_segment(const Extended& p, const Extended& a, const Extended& b) {
   const Extended edge = b - a;
   const long double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0L, 1.0L);
@@ -56,7 +56,7 @@ struct ExtendedPolyhedron {
   const long double uv = u.dot(v);
   const long double determinant = u.squaredNorm() * v.squaredNorm() - uv * uv;
   if (determinant <= 1e-17L * u.squaredNorm() * v.squaredNorm()) {
-    return std::numeric_limits<long double>::infinity();  // parallel: an end of one is among the nearest points
+    return std::numeric_limits<long double>::infinity();  // parallel: an end of a segment is among the nearest points
   }
   const long double s = (uv * v.dot(w) - v.squaredNorm() * u.dot(w)) / determinant;
   const long double t = (u.squaredNorm() * v.dot(w) - uv * u.dot(w)) / determinant;

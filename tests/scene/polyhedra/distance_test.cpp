@@ -84,7 +84,7 @@ TEST(ShapePair, CertifiesNoMoreThanTheDistance) {
   }
 }
 
-/// The result is reduced by the errors of the placements.
+/// `certified` is reduced by the errors of the placements.
 TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   properties::Stream stream = properties::stream_from(1);
   Posed p = posed(stream, 0.5);

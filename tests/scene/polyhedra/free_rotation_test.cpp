@@ -115,7 +115,8 @@ FreeMotion random_motion(properties::Stream& stream, double angle) {
   return motion;
 }
 
-/// A symmetric top rotates about its angular momentum with L/I₁, and about its own axis with (1 − I₃/I₁) ω₃.
+/// A symmetric top rotates about its angular momentum L at the rate ‖L‖/I₁, and about its own axis at the rate (1 −
+/// I₃/I₁) ω₃.
 TEST(RotationPath, FollowsTheSymmetricTop) {
   for (const double axial : {0.25, 0.9, 1.1, 1.999}) {
     const Vector moments(1, 1, axial);
@@ -137,7 +138,8 @@ TEST(RotationPath, FollowsTheSymmetricTop) {
 }
 
 /// A tennis racket that rotates about its intermediate axis flips over again and again. Initial errors grow by orders
-/// of magnitude. Gronwall's bound grows as well, and becomes useless. A bound by derivatives remains useful.
+/// of magnitude. Gronwall's bound grows as well, and becomes useless. The bound by derivatives (free_rotation.hpp)
+/// remains useful.
 TEST(RotationPath, FollowsTheTennisRacket) {
   for (const double disturbance : {1e-1, 1e-3, 1e-6}) {
     const FreeMotion motion{{1, 2, 2.5}, turning({disturbance, 5, 0}), 10};
@@ -146,7 +148,7 @@ TEST(RotationPath, FollowsTheTennisRacket) {
     EXPECT_LE(result.rate, result.rate_bound) << disturbance;
     EXPECT_LE(result.angle, 1e-10) << disturbance;
     EXPECT_LE(result.angle_bound, 1e-6) << disturbance;
-    // Not vacuous: it flips over at some time.
+    // The test is not vacuous, because the racket flips over at some time.
     const RotationPath path(motion.moments, motion.start, motion.duration);
     double least = 5;
     for (int i = 0; i <= 1000; ++i) {
@@ -168,7 +170,7 @@ TEST(RotationPath, KeepsItsBounds) {
     looseness.push_back(result.angle_bound / std::max(result.angle, 0x1p-53));
   }
   std::sort(looseness.begin(), looseness.end());
-  EXPECT_LE(looseness[looseness.size() / 2], 1000);  // 600: rounding errors rarely add up
+  EXPECT_LE(looseness[looseness.size() / 2], 1000);  // the median is 600, because rounding errors rarely add up
 }
 
 TEST(RotationPath, KeepsItsBoundsOfAnyBody) {
@@ -236,7 +238,7 @@ TEST(RotationPath, AnswersForAnyTimeWithinIt) {
   }
 }
 
-/// ‖ω‖ never exceeds its bound, always reaches 0.7 of it, and for some motion reaches nearly all of it.
+/// ‖ω‖ never exceeds its bound. It reaches 0.7 of the bound in each motion, and nearly the whole bound in some motion.
 TEST(RotationPath, KnowsTheGreatestRate) {
   double closest = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

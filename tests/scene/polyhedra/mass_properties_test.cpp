@@ -22,7 +22,7 @@ Matrix3<double> about_centre_of_box(const Vector& size, double mass) {
       .asDiagonal();
 }
 
-/// The contribution of a point mass, by the parallel axis theorem.
+/// The inertia of a point mass, for the parallel axis theorem.
 Matrix3<double> of_point(double mass, const Vector& r) {
   return mass * (r.squaredNorm() * Matrix3<double>::Identity() - r * r.transpose());
 }
@@ -55,7 +55,7 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   const double volume = 8 - 1.0 / 6;
   const Vector corner_centre = Vector::Constant(1.75);
   const Vector centre = (8 * Vector::Ones() - corner_centre / 6) / volume;
-  // About its own centre a corner of edge 1 has ∫x² = 1/160 and ∫xy = −1/480, both by V = 1/6.
+  // About its own centre a corner of edge 1 has ∫x² = 1/160 and ∫xy = −1/480, both for the volume V = 1/6.
   Matrix3<double> second = Matrix3<double>::Constant(-1.0 / 480);
   second.diagonal().setConstant(3.0 / 480);
   const Matrix3<double> corner =
@@ -66,7 +66,7 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   EXPECT_LE((body.properties.inertia - expected).norm(), 0x1p-50 * expected.norm());
 }
 
-/// Four boxes with halved edges form the box: the tensor of a whole is the sum over its parts.
+/// The inertia of a body is the sum over the tetrahedra that form it.
 TEST(MassProperties, AddUp) {
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 30; ++i) {
@@ -189,7 +189,7 @@ TEST(PrincipalAxes, AreGoodToA106Bits) {
         j(i, k) = j(k, i) = DoubleDouble(stream.signed_unit() * (seed % 3 == 0 && i != k ? 1e-12 : 1)) +
                             DoubleDouble(stream.signed_unit() * 0x1p-60);
       }
-      j(i, i) += DoubleDouble(3);  // definite
+      j(i, i) += DoubleDouble(3);  // makes it definite
     }
     const PrincipalAxes p = principal_axes(j);
     Matrix3<DoubleDouble> diagonal = Matrix3<DoubleDouble>::Constant(DoubleDouble(0));

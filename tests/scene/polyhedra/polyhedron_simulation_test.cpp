@@ -42,7 +42,6 @@ Quaternion<double> turn_about(const Vector& axis, double angle) {
   return {std::cos(angle / 2), v.x(), v.y(), v.z()};
 }
 
-/// A body over a floor at z = 0, under gravity.
 Scene over_a_floor(const Points& corners, const Vector& position, double restitution) {
   Scene scene = empty_scene(Law::frictionless, with_restitution(restitution), 3);
   scene.gravity = {0, 0, -g};
@@ -64,22 +63,23 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
   double speed = g * events[0].time;
   std::size_t bounce = 0;
-  // Until it rises no higher than 10⁻⁶ R: 0.25ⁿ · 2 m, n = 10.6.
+  // The cube bounces until it rises no higher than 10⁻⁶ R. The height 0.25ⁿ · 2 m reaches this at n = 10.6.
   for (; bounce < 10; ++bounce) {
     const Event& event = events[bounce];
     EXPECT_EQ(event.kind, EventKind::plane_impact);
     EXPECT_FALSE(event.was_slow) << bounce;
-    // The speed of a fall is g times its time. If its height changes by a tolerance, the speed is √(v² ± 2 g
-    // tolerance), a change of ± g tolerance/v. The rounding of g t, for t up to 2 s, adds to this.
+    // The speed of a fall is g times its time. If the height changes by a tolerance, the speed v changes by ± g
+    // tolerance/v. The rounding of g t, for t up to 2 s, adds to this.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
     speed = event.a.after.path.velocity.z();
-    // The impact is at the middle of the face. The remaining rotation is the rounding error of a lever arm of 2⁻⁵³.
+    // The impact is at the middle of the face. The remaining rotation is due to a rounding error of 2⁻⁵³ in the lever
+    // arm.
     EXPECT_LE(event.a.after.turning.angular_velocity.norm(), 0x1p-46) << bounce;
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // Now it hops, at most 10⁻⁶ of its radius above the tolerance that it starts from. Slow hops have exactly this
-  // height. Rounding rotates it by at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
+  // Then the cube hops, at most 10⁻⁶ of its radius above the tolerance that it starts from. Hops after a slow contact
+  // have exactly this height. Rounding gives the cube at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
   for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
@@ -96,7 +96,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GT(slow, 100);
 }
 
-/// By hand: λ = 1/m + (r × n)·(r × n)/I of a cube, whose moments are all m/6; j = −(1 + ε) v/λ.
+/// The impulse by hand: j = −(1 + ε) v/λ with λ = 1/m + ‖r × n‖²/I. All moments I of the cube are m/6.
 TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
   for (const Quaternion<double>& orientation :
        {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
@@ -127,8 +127,8 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
     const double speed = -g * event.time;
     const Vector torque = arm.cross(Vector(0, 0, 1));
     const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
-    // The contact point is midway between body and floor, so lever arms have an error of half a tolerance. It is
-    // multiplied by a speed of about 8 m/s and by 6 for the moment.
+    // The contact point is midway between body and floor, so lever arms have an error of half a tolerance. This error
+    // is multiplied by a speed of about 8 m/s and by 1/I = 6.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
     EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
     EXPECT_EQ(event.a.after.path.velocity.x(), 0);
@@ -161,14 +161,14 @@ TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
       const double middle = (low + high) / 2;
       (gap(middle) > 0 ? low : high) = middle;
     }
-    // A contact is early by up to the tolerance, at a speed of cos t − 1/16 − sin/16 > 3/4.
+    // A contact is early by up to the tolerance, divided by the speed cos t − 1/16 − sin t/16 > 3/4.
     EXPECT_LE(events[0].time, low + 1e-15);
     EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
     EXPECT_EQ(events[0].kind, EventKind::impact);
   }
 }
 
-/// Balls move in the same way in a scene with polyhedra and in a scene without: walls, balls, the same law.
+/// Balls hit balls and walls in the same way in a scene with polyhedra and in a scene without.
 TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
   for (const Law law : {Law::frictionless, Law::rough, Law::coulomb, Law::sticking, Law::reflection}) {
     SCOPED_TRACE(name_of(law));
@@ -187,8 +187,8 @@ TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
     ASSERT_EQ(expected.size(), 8U);
     ASSERT_EQ(found.size(), 8U);
     // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges differences by 1 + 2 l/R, at
-    // most 8 for paths of 1 m. In 8 impacts, each of three bodies has two or three in a row, so they stay below 2⁻³⁰
-    // 8⁴.
+    // most 8 for paths of 1 m. Each of three bodies has two or three of the 8 impacts in a row, so differences stay
+    // below 2⁻³⁰ 8⁴.
     const double tolerance = 0x1p-18;
     for (std::size_t k = 0; k < found.size(); ++k) {
       EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
@@ -211,7 +211,7 @@ TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
 }
 
 TEST(PolyhedronSimulation, ABallThatMeetsACubesFaceSharesItsSpeed) {
-  // Both orders of A and B. The cube and the ball each have a mass of 8.
+  // The cube and the ball each have a mass of 8.
   Scene scene = empty_scene(Law::frictionless, elastic, 4);
   add_sphere(scene, 0.5, {-3, 0, 0}, {2, 0, 0});
   scene.spheres[0].density = 8 / (4.0 / 3 * std::numbers::pi * 0.125);
@@ -309,8 +309,9 @@ TEST(PolyhedronSimulation, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta
     }
     EXPECT_GT(count, 30);
     const Totals last = totals_of(simulation.state());
-    // Each event rounds two bodies' states to about 16 u of their share, and both impulses act exactly at one point.
-    // With equal signs, 150 times 16 u of the whole is 3·10⁻¹³. The motion between events adds 10⁻¹⁵ per radian.
+    // Each event rounds two bodies' states to about 16 u of their share, and both impulses act exactly at one point. If
+    // all errors have the same sign, 150 times 16 u of the whole is 3·10⁻¹³. The motion between events adds 10⁻¹⁵ per
+    // radian.
     EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
     EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
     EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
@@ -334,7 +335,6 @@ TEST(PolyhedronSimulation, IsTheSameTwiceBitByBit) {
   }
 }
 
-/// The names of the colliding bodies, to compare scenes.
 std::pair<std::string, std::string> who(const Scene& scene, const Event& event) {
   const auto name = [&](std::size_t body) {
     return is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
@@ -344,10 +344,10 @@ std::pair<std::string, std::string> who(const Scene& scene, const Event& event) 
   return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// The tolerance for two runs that round differently. Contacts are found within 2⁻³⁰ radii (1/2) of each other. At
-/// 1/16 m/s or more, except for grazing contacts, this is 2⁻²⁷ s. Speeds of 4 m/s are as accurate. An impact enlarges
-/// a difference by the path to the next one over the lever arm, times the speed of a corner: 32 or more. So only
-/// early events are compared. Each body has two or three of them in a row.
+/// The tolerance for two runs that round differently. The gaps at a contact differ by up to 2⁻³⁰ radii of 1/2. At 1/16
+/// m/s or more, except for grazing contacts, the times then differ by 2⁻²⁷ s. Speeds of 4 m/s are as accurate. An
+/// impact enlarges a difference by 32 or more: the path to the next impact over the lever arm, times the speed of a
+/// corner. So the test compares only early events. Each body has two or three of them in a row.
 constexpr std::size_t early_events = 8;
 constexpr double early_tolerance = 0x1p-14;
 
@@ -417,8 +417,8 @@ TEST(PolyhedronSimulation, TurnsWithTheScene) {
   }
 }
 
-/// Lengths times a power of two, at the same times: every number of the run is scaled by a power of two, and rounds
-/// in the same way.
+/// If lengths are multiplied by a power of two, every number of the run is multiplied by a power of two, and rounds in
+/// the same way.
 TEST(PolyhedronSimulation, IsTheSameInEveryUnitOfLength) {
   Scene scene = box_of_bodies(Law::frictionless, with_restitution(0.75), 2, 1, 3, false);
   scene.gravity = {0, 0, -g};
@@ -493,8 +493,9 @@ TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
       << refusal_of(scene);
 }
 
-/// A small ball between two walls that approach each other. The n-th impact leaves it at 2 n V. Slowing the walls
-/// down takes √(M/m)/4 impacts or more, all within the contact tolerance.
+/// A small ball between two walls that approach each other. With walls of speed V, the n-th impact leaves the ball at 2
+/// n V. The walls (mass M) and the ball (mass m) need √(M/m)/4 impacts or more to slow the walls down, all within the
+/// contact tolerance.
 TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
   const double nearly = 0.25 * contact_tolerance * 0x1p-4;
@@ -509,7 +510,7 @@ TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   EXPECT_TRUE(refusal.starts_with(
       "more than 10000 impacts at the instant t = 0; the last is of sphere 0 (ball 0) and polyhedron "))
       << refusal;
-  // With walls of density 100 it ends by itself.
+  // With walls of density 100 the sequence of impacts ends by itself.
   for (Polyhedron& polyhedron : scene.polyhedra) {
     polyhedron.density = 100;
   }
@@ -540,8 +541,8 @@ TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies at equal heights have equal impact times. They are equally far from the origin, because the error of
-/// a position is proportional to the distance.
+/// Equal bodies at equal heights have equal impact times. These bodies are equally far from the origin, because the
+/// error of a position is proportional to this distance.
 TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
   for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
@@ -556,7 +557,7 @@ TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   EXPECT_GT(events[4].time, events[3].time);
 }
 
-/// A needle and a sheet, a thousand times as long as thin, tumble in a room. No corner leaves it, and energy is
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room. No corner leaves the room, and energy is
 /// conserved.
 TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
   for (const double size : {1e-3, 1.0, 1e3}) {
@@ -587,14 +588,14 @@ TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
       }
     }
     EXPECT_GT(count, 10);
-    // The needle's lever arms are accurate to an ulp of its length, and that about its axis to an ulp of its
-    // thickness. With moments 10⁶ apart, 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
+    // The needle's lever arms are accurate to an ulp of its length, and the arm about its axis to an ulp of its
+    // thickness. With moments of ratio 10⁶, 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
     EXPECT_NEAR(totals_of(simulation.state()).energy, energy, 1e-12 * energy);
   }
 }
 
-/// It rotates by 320 rad before it lands, and is stored again every 8 rad. Its bounding ball overlaps the floor all
-/// the time.
+/// The body rotates by 320 rad before it lands, and its state is stored again every 8 rad. Its bounding ball overlaps
+/// the floor all the time.
 TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   Scene scene = empty_scene(Law::frictionless, elastic, 60);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -606,7 +607,7 @@ TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   EXPECT_LE(events[0].time, 32);
   EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
   EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
-  // 320 rad of rotation are accurate to 10⁻¹⁵, and stored forty times.
+  // Each of the 320 rad is accurate to 10⁻¹⁵, and the state is stored forty times.
   const double angle = 10 * events[0].time;
   const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
   EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
@@ -615,7 +616,7 @@ TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
 }
 
-/// Runs to the end. The only events are that bodies are stored again.
+/// Runs to the end. All events are renewals.
 void run_through_renewals(PolyhedronSimulation& simulation) {
   while (const Event* event = simulation.advance()) {
     ASSERT_EQ(event->kind, EventKind::renewal);
@@ -635,8 +636,8 @@ double height_of(const Scene& scene, const Event& event) {
   return least;
 }
 
-/// About the intermediate axis, an error grows by a factor of e per radian. After 55 radians the orientation would be
-/// unknown.
+/// In a rotation about the intermediate axis, an error grows by a factor of e per radian. Without renewals, the
+/// orientation would be unknown after 55 radians.
 TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 2);
@@ -650,7 +651,8 @@ TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// A body at rest hops as long as the run lasts. Each hop comes down to the same distance, not to half of it.
+/// A body that would lie at rest hops as long as the run lasts. Each hop ends at the same distance from the floor, not
+/// at half the distance before.
 TEST(PolyhedronSimulation, HopsOnAndOn) {
   Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -g};
@@ -728,7 +730,8 @@ TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
   EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
 }
 
-/// A scene of spheres uses one loop, and a scene with polyhedra the other. Both report their bodies as they are.
+/// A scene of spheres uses SphereSimulation, and a scene with polyhedra PolyhedronSimulation. Both report the state of
+/// their bodies.
 TEST(SceneSimulation, IsTheLoopThatTheSceneNeeds) {
   Scene scene = empty_scene(Law::frictionless, elastic, 3);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});

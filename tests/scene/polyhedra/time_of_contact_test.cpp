@@ -63,19 +63,17 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
 }
 
-/// A rotating cube hits a ball beside it with an edge. Cosine and sine give the time.
+/// A rotating cube hits a ball beside it. A cosine gives the time.
 TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
   const ShapePair pair(ball_shape(0.25), convex_shape(cube));
   FreeFlight turning = resting({1, 0, 0, 0}, {0, 0, 0});
   turning.rotation = RotationPath(cube.properties.principal_inertia, {{1, 0, 0, 0}, {0, 0, 2}}, 10);
-  // The edge at √2 from the axis meets the ball at 1.25 + 1/4 only when it reaches the x axis. Before that, the face
-  // is within 1.5.
   const FreeFlight ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
   const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, contact_tolerance);
   ASSERT_EQ(found.status, ContactStatus::touches);
-  // The nearest point of the cube is on the face rotated by φ, at distance 1.5 cos φ − 1, until the foot 1.5 sin φ
-  // leaves it at 1. With the ball's radius of 1/4, cos φ = 5/6.
+  // The face rotated by φ is at the distance 1.5 cos φ − 1 from the ball's centre, as long as the foot 1.5 sin φ lies
+  // on the face, below 1. With the ball's radius of 1/4, contact is at cos φ = 5/6.
   EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * contact_tolerance);
 }
 
@@ -121,7 +119,6 @@ std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
     return "neither touches nor misses";
   }
   for (int i = 0; i <= 60; ++i) {
-    // Also times close to the end.
     const double time = i % 2 == 0 ? end * i / 60 : end * (1 - std::ldexp(1.0, -i));
     const double distance = true_distance(m, time);
     if (!(distance >= 0.4 * contact_tolerance)) {
@@ -158,7 +155,7 @@ TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
   }
   EXPECT_GT(touching, 30);
   EXPECT_LT(touching, 90);
-  EXPECT_LE(advances, 2500);  // about 20 each: fast bodies, and steps of second order
+  EXPECT_LE(advances, 2500);  // about 20 each, for fast bodies and steps of second order
 }
 
 TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
@@ -169,8 +166,7 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// PolyhedronSimulation bodies hit a floor. The test compares with the height of their lowest corner at all earlier
-/// times.
+/// Tumbling bodies hit a floor. The test compares with the height of their lowest corner at all earlier times.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -203,7 +199,7 @@ TEST(TimeOfContact, TellsGrazingFromMissing) {
   }
 }
 
-/// Two edges cross as they pass each other. Their distance decides.
+/// Two edges cross as they pass each other. Their distance decides whether they touch.
 TEST(TimeOfContact, TellsCrossingEdgesApart) {
   const ShapePair pair(convex_shape(unit::body_of(unit::box_points({2, 2, 2}))),
                        convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
@@ -325,8 +321,9 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   }
 }
 
-/// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither the faces' normals
-/// nor a normal orthogonal to both edges shows this. If the search misses it, tumbling bodies touch forever.
+/// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither the faces' normals nor
+/// a normal orthogonal to both edges shows this. If the search misses that the gap opens, tumbling bodies touch
+/// forever.
 TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
   int struck = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {

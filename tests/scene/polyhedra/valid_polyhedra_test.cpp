@@ -109,7 +109,8 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   }
 }
 
-/// 4096 of its radii. At the same distance, the position of a larger body is sufficiently accurate.
+/// A body must be within 4096 of its radii from the origin. At the same distance, the position of a larger body is
+/// sufficiently accurate.
 TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   Scene scene = three();
   scene.planes.clear();
@@ -160,7 +161,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
   }
 }
 
-/// In a scene with polyhedra, spheres must also be certain to be apart. Otherwise the loop cannot start.
+/// In a scene with polyhedra, spheres must also be certain to be apart. Otherwise the simulation cannot start.
 TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
   Scene scene = three();
   add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});

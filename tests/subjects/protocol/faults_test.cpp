@@ -31,12 +31,12 @@ std::string misbehaving(const std::string& fault, const std::string& name = "fau
 }
 
 /// The gate's report on these subjects. All of them can solve the family. The gate asks twenty cases at once, and the
-/// fault occurs in the middle of these.
+/// fault occurs at the third of these.
 struct Gate {
   RunResult run;
   json report;
 
-  /// The timeout is over half a second, which a subject that hangs costs each time.
+  /// A subject that hangs costs the timeout each time.
   explicit Gate(std::vector<std::string> subjects, const char* timeout = "0.7") {
     const TemporaryDirectory directory;
     std::vector<std::string> arguments{"gate"};
@@ -297,7 +297,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
 
 bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
 
-/// The processes whose command line contains this word, except for this program.
+/// The processes of the misbehaving program whose command line contains this word.
 std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -313,7 +313,7 @@ std::vector<pid_t> processes_with(const std::string& word) {
   return found;
 }
 
-/// Each fault runs in its own gate, all at the same time, because most of them wait.
+/// Each fault runs in its own gate. The gates run at the same time, because most of them wait.
 TEST(Faults, LeaveNoProcessBehind) {
   std::map<std::string, std::future<std::size_t>> left;
   for (const char* fault : {"none", "hang", "grandchild", "daemon", "hang-after-stop", "half-a-line", "close-output"}) {
@@ -334,8 +334,8 @@ pid_t process_in(const std::string& file) {
   return text.empty() ? 0 : std::stoi(text);
 }
 
-/// A shell may have background jobs when it becomes the gate. Their children pass to the gate when their parent ends.
-/// The gate must not end any of these. It must end processes that a subject leaves behind.
+/// A shell that becomes the gate may have background jobs. If a job ends, the gate becomes the parent of its children.
+/// The gate must end neither these children nor the jobs. It must end processes that a subject leaves behind.
 TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const TemporaryDirectory directory;
   const std::string job = (directory.path() / "job").string();
@@ -410,7 +410,7 @@ TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   EXPECT_NE(failing.errors.find("ended with status 7"), std::string::npos) << failing.errors;
 }
 
-/// JSON Lines.
+/// Two collisions as JSON Lines.
 std::string two_collisions() {
   std::string lines;
   for (const int mass : {1, 2}) {

@@ -99,8 +99,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
 }
 
-/// Decimals next to the midpoint of two binary64 numbers, closer to it than extended resolves. If they are read as
-/// extended first, they round to the midpoint, and then to the wrong side.
+/// Decimals next to the midpoint of two binary64 numbers, closer to it than extended precision resolves. If a reader
+/// first rounds them to extended, they become the midpoint, which then rounds to the wrong side.
 TEST(Reply, RoundsADecimalOnce) {
   for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
            {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},
@@ -137,7 +137,7 @@ TEST(Reply, MayLeaveTheRangeOfBinary64) {
   }
 }
 
-/// A binary64 number reads as 0.1 in binary64, and has more digits in a wider format.
+/// The binary64 number nearest to 0.1 prints as 0.1 in binary64. In a wider format it needs more digits.
 TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};

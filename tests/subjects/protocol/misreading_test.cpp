@@ -7,7 +7,8 @@
 
 #include "support/program.hpp"
 
-/// Programs that misread one of the permitted spellings are found, and the witness replays.
+/// The gate finds programs that misread one of the permitted spellings, and the witness (the recorded violation)
+/// replays.
 namespace carom::tests {
 namespace {
 

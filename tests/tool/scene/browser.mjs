@@ -69,7 +69,7 @@ export class Browser {
     return result.value;
   }
 
-  /** Opens a page anew and waits until it reports that it is ready and is shown in that state. */
+  /** Opens a page anew, and waits until it reports that it is ready and its next frame is shown. */
   async open(address) {
     await this.ask("Page.navigate", { url: "about:blank" });
     await this.ask("Page.navigate", { url: address });
@@ -88,7 +88,7 @@ export class Browser {
     return this.value("new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(() => go())))");
   }
 
-  /** Fails at its own time limit. ctest decides how long a test may take. */
+  /** Waits for the condition, for at least a minute. ctest limits the time of the whole test. */
   async until(condition) {
     for (let tries = 0; tries < 1200; ++tries) {
       if (await this.value(condition).catch(() => false)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // node fixture.mjs FILE: writes a replay to look at. Six balls and a cube in a room bounce, slide, roll and come to
-// rest. A ball on the ground has an angular velocity that rotates and changes. It is simple physics in small steps,
-// sufficient to check the drawing and to compare pictures. No judgement uses it.
+// rest. A ball on the ground has an angular velocity that rotates and changes. The physics is simple, in small steps.
+// It suffices to check the drawing and to compare pictures. No verdict depends on it.
 import { writeFileSync } from "node:fs";
 
 const gravity = 9.81;

@@ -9,13 +9,13 @@ import { product, turn } from "../../../src/tool/replay/quaternion.mjs";
 
 const identity = [1, 0, 0, 0];
 
-/** The angle between two orientations. It uses the difference, because the angle of a cosine near 1 has half the digits. */
+/** The angle between two orientations, from their difference: an angle from a cosine near 1 has half the digits. */
 function angle_between(p, q) {
   const sign = p.reduce((sum, x, i) => sum + x * q[i], 0) < 0 ? -1 : 1;
   return 4 * Math.asin(Math.min(1, Math.hypot(...p.map((x, i) => x - sign * q[i])) / 2));
 }
 
-/** Integrates the definition in this many steps, each about the angular velocity at its middle. */
+/** Integrates the rotation in this many steps. Each step turns about the angular velocity at its middle. */
 function finely_turned(w, b, duration, steps) {
   let q = identity;
   const h = duration / steps;
@@ -36,7 +36,7 @@ const changing = [
 test("one turn about any axis is the identity", () => {
   for (const w of [[2, 0, 0], [0, -3, 0], [1, 2, 2], [100, -30, 5]]) {
     const period = 2 * Math.PI / Math.hypot(...w);
-    // At most a hundred roundings of a number of size one.
+    // The error is at most a hundred roundings of a number of size one.
     assert.ok(angle_between(turned(identity, w, [0, 0, 0], period), identity) < 100 * 2 ** -52);
   }
 });
@@ -60,7 +60,7 @@ test("about one axis, a rate that changes is integrated in one step", () => {
 test("an angular velocity that turns is as in fine steps", () => {
   for (const [w, b, duration] of changing) {
     const [coarse, fine] = [2e5, 4e5].map((steps) => finely_turned(w, b, duration, steps));
-    // The reference is of second order. Halving its steps shows its own error.
+    // The reference `fine` is of second order. A comparison with steps twice as long shows its own error.
     const own = angle_between(coarse, fine);
     const off = angle_between(turned(identity, w, b, duration), fine);
     assert.ok(off < 1e-5 + own, `${w} + ${b} s: ${off}`);

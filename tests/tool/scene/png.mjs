@@ -82,7 +82,7 @@ export function encode({ width, height, pixels }) {
   const stride = width * 3;
   const raw = Buffer.alloc((stride + 1) * height);
   for (let y = 0; y < height; ++y) {
-    // Each pixel less the one before it: half the size of the bare ones.
+    // Filter 1: each pixel minus the pixel before it. This halves the size of the file.
     raw[y * (stride + 1)] = 1;
     for (let x = 0; x < stride; ++x) {
       raw[y * (stride + 1) + 1 + x] = pixels[y * stride + x] - (x >= 3 ? pixels[y * stride + x - 3] : 0);
@@ -92,7 +92,7 @@ export function encode({ width, height, pixels }) {
     chunk("IEND", Buffer.alloc(0))]);
 }
 
-/** Each square of so many pixels as one, its mean. */
+/** The picture in which each square of `factor` × `factor` pixels becomes one pixel, its mean. */
 export function shrunk({ width, height, pixels }, factor) {
   const [w, h] = [Math.floor(width / factor), Math.floor(height / factor)];
   const result = Buffer.alloc(w * h * 3);

@@ -64,7 +64,7 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
   EXPECT_EQ(record["impulses"]["judged"], record["impulses"]["all"]);
 
-  // Each event has a column for each name. Orientations have length 1, or are empty if there is no second body.
+  // Each line has as many columns as the header. Orientations have length 1. Those of a missing second body are empty.
   const std::vector<std::string> lines = split(content_of(out / "events.csv"), '\n');
   ASSERT_EQ(lines.size(), 2 + record["events"]["all"].get<std::size_t>());
   const std::vector<std::string> names = split(lines[0], ',');
@@ -128,13 +128,14 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   }
 }
 
-/// The note's law creates energy if N is no eigenvector of the bodies' matrix K. `frictionless` conserves it.
+/// `reflection`, the law of docs/findings/note.md, creates energy if N is no eigenvector of the collision matrix K.
+/// `frictionless` conserves energy.
 TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   const RunResult result =
       run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   const json records = json::parse(result.output);
-  // About 75 impacts, each with a rounding error of 2⁻⁵³.
+  // There are about 75 impacts, each with a rounding error of 2⁻⁵³.
   EXPECT_LE(std::abs(work_of_impacts(records[0])), 1e-14);
   EXPECT_GT(work_of_impacts(records[1]), 0.25);
   for (const json& record : records) {
@@ -150,7 +151,7 @@ TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   }
 }
 
-/// For spheres reflection equals frictionless, and gains no energy.
+/// For spheres `reflection` equals `frictionless`, so it gains no energy.
 TEST(SceneOfSpheres, NeverGainsEnergyUnderReflection) {
   for (const char* scene : {"bouncing_spheres", "spinning_floor", "break", "cradle"}) {
     const RunResult result = run_carom({"scene", shipped(scene), "--laws", "reflection", "--format", "json"});
@@ -188,7 +189,7 @@ TEST(PlanOfPolyhedra, NamesTheirClasses) {
   EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
   EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
-  // For them N is no eigenvector of K.
+  // The plan does not call polyhedra spheres, for which N is an eigenvector of the collision matrix K.
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 

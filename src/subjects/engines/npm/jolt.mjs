@@ -88,7 +88,7 @@ function solve(collision) {
   const b = make_body(collision.b, posed.b, collision);
   world.Step(step, 1);
   const outcome = { a: velocity_of(a), b: velocity_of(b) };
-  for (const body of [b, a]) {  // the engine reuses the ID freed last: A gets the lower ID again, and comes first
+  for (const body of [b, a]) {  // the engine reuses the ID freed last, so A gets the lower ID again, and comes first
     bodies.RemoveBody(body.GetID());
     bodies.DestroyBody(body.GetID());
   }

@@ -10,7 +10,7 @@ const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
 const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped, MuJoCo's default
 
-// Every case replaces the numbers. An immovable body has no joint. The normal points from `geom1` to `geom2`.
+// Each collision replaces the numbers. An immovable body has no joint. The normal points from `geom1` to `geom2`.
 function xml({ a, b }) {
   const body = (name, immovable) => `
     <body>
@@ -30,9 +30,9 @@ function configure(option) {
   Object.assign(option, {
     timestep: step,  // so short that the gyroscopic torque vanishes
     disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are valid here
-    enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // softness by N·K N instead of 1/m_A + 1/m_B
+    enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // the softness follows N·K N instead of 1/m_A + 1/m_B
     cone: mujoco.mjtCone.mjCONE_ELLIPTIC.value,
-    impratio: 100,  // ratio of the softness along N to that across N; from 1e4 on, the solver stops too early
+    impratio: 100,  // ratio of the softness along N to the tangential softness; from 1e4 on, the solver stops too early
   });
 }
 

@@ -23,7 +23,7 @@ const scale = new PhysX.PxTolerancesScale();
 const version = PhysX.PHYSICS_VERSION;
 const foundation = PhysX.CreateFoundation(version, new PhysX.PxDefaultAllocator(), new PhysX.PxDefaultErrorCallback());
 const physics = PhysX.CreatePhysics(version, foundation, scale);
-const material = physics.createMaterial(0, 0, 0);  // of both bodies, so their mean coefficients are its own
+const material = physics.createMaterial(0, 0, 0);  // both bodies have it, so the mean of their coefficients is its own
 // These objects are in the engine's memory, which has no garbage collection. They are reused.
 const pose = new PhysX.PxTransform(PhysX.PxIDENTITYEnum.PxIdentity);
 const vector = new PhysX.PxVec3(0, 0, 0);
@@ -36,8 +36,9 @@ function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
   return pose;
 }
 
-// A contact does not move the lower dominance group, so an immovable body keeps its velocity exactly. The velocity of a
-// kinematic body would be the difference of two rounded poses. Immovable bodies collide only with movable ones.
+// Immovable bodies are in the lower dominance group. A contact does not move this group, so an immovable body keeps its
+// velocity exactly. The velocity of a kinematic body would be the difference of two rounded poses. Immovable bodies
+// collide only with movable ones.
 const movable = { dominance: 1, collides: new PhysX.PxFilterData(1, 3, 0, 0) };
 const immovable = { dominance: 0, collides: new PhysX.PxFilterData(2, 1, 0, 0) };
 

@@ -30,7 +30,8 @@ export function spheres({ a, b, point, normal }, overlap) {
   const lever_arms = centres_of_mass.map((x) => Math.hypot(...x));
   const longer = Math.max(...lever_arms) || 1;
   const sphere = (index, side) => {
-    // A sphere larger than the lever arm rounds the contact point of a small body. A smaller sphere rounds the normal.
+    // A sphere larger than the lever arm would round the contact point of a small body. A smaller one would round the
+    // normal.
     const radius = Math.max(lever_arms[index], longer / 16);
     const centre = n.map((x) => side * (radius - (overlap * longer) / 2) * x);
     const centre_of_mass = centres_of_mass[index];

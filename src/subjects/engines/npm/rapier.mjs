@@ -25,7 +25,7 @@ function make_body(world, body, sphere, { friction, restitution }) {
   const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();
   description.setTranslation(...sphere.centre).setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
   const made = world.createRigidBody(description);
-  const mass = body.immovable ? 1 : body.mass;  // a kinematic body acts as infinitely heavy all the same
+  const mass = body.immovable ? 1 : body.mass;  // the engine treats a kinematic body as infinitely heavy anyway
   const moments = body.immovable ? [1, 1, 1] : body.principal_inertia;
   const [w, x, y, z] = body.immovable ? [1, 0, 0, 0] : unit(body.orientation);
   const collider = RAPIER.ColliderDesc.ball(sphere.radius)

@@ -12,13 +12,15 @@
 
 namespace carom::formulas {
 
-/// The settings of cannon-es that affect one contact of two bodies, without gravity.
+/// The settings of cannon-es that affect one contact of two bodies, without gravity. SPOOK is the engine's contact
+/// model. Its parameters a, b and ε are the same for contact and friction. Its ε is called s here, because ε is the
+/// restitution.
 struct CannonSettings {
-  double a;                 // SPOOK's, of contact and friction: the share of the overlap to remove per second [1/s]
-  double b;                 // SPOOK's: the share of the velocity to remove
-  double softness;          // SPOOK's ε [1/kg]
+  double a;                 // SPOOK's a: the share of the overlap to remove per second [1/s]
+  double b;                 // SPOOK's b: the share of the velocity to remove
+  double softness;          // SPOOK's ε, here s [1/kg]
   double largest_push;      // ContactEquation.maxForce, which limits an impulse [N s]
-  double friction_gravity;  // ‖World.frictionGravity‖; times μ and a mass it limits an impulse, so it is a speed [m/s]
+  double friction_gravity;  // ‖World.frictionGravity‖ [m/s]: μ times this speed times a mass limits an impulse
   int iterations;           // GSSolver.iterations
   double tolerance;         // GSSolver.tolerance [N s]
   double damping;           // linearDamping and angularDamping, the share of the velocity lost per second
@@ -34,8 +36,9 @@ struct CannonSettings {
   return {4 / (step * relaxation), 12 / relaxation, softness, 1e6, 0, 10, 1e-7, 0.01, step, overlap};
 }
 
-/// SPOOK as for an infinite relaxation. The limit on friction is μ times the impulse that would stop and reverse the
-/// two masses if they did not spin: (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
+/// The limit of SPOOK for an infinite relaxation: a = 0, b = 1 and s = 0. With this `friction_gravity`, the limit on
+/// friction is μ times the impulse that would stop and reverse the two masses if they did not spin:
+/// (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
 [[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
   const Problem problem = problem_of(collision);
   const double approach = std::max(0.0, -problem.normal.dot(problem.velocity));
@@ -48,7 +51,7 @@ struct CannonSettings {
 ///  F = λ_1 T_1 + λ_2 T_2 + λ_N N
 ///  λ_d becomes λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), clamped to its limits
 ///  B_d = −b d·V⁻ for T_1 and T_2, −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap for N, with v of the centres of mass
-///  |λ_i| ≤ μ g / (1/m_A + 1/m_B) for any normal impulse, and 0 ≤ λ_N ≤ maxForce
+///  |λ_i| ≤ μ friction_gravity / (1/m_A + 1/m_B) for any normal impulse, and 0 ≤ λ_N ≤ maxForce
 ///  T_1 = N × e_x if |N_x| < 0.9, else N × e_y; T_2 = N × T_1: both have the same length, at most 1.
 ///
 /// Source: cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
@@ -96,9 +99,9 @@ struct CannonSettings {
   return impulse;
 }
 
-/// The outcome of cannon-es. Each body's lever arm ends at its shape's surface, half the overlap beyond P. The
-/// velocities of movable bodies are damped after the contact (World.internalStep). Precondition: the collision is
-/// valid and at least one body can move.
+/// The outcome of cannon-es. Each body's lever arm ends at the surface of its shape, which lies half the overlap beyond
+/// the contact point P, inside the other shape. The velocities of movable bodies are damped after the contact
+/// (World.internalStep). Precondition: the collision is valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> cannon(const Collision& collision, const CannonSettings& settings) {
   Collision posed = collision;
   const Vector3<double> beyond = settings.overlap / 2 * problem_of(collision).normal;

@@ -22,7 +22,7 @@ using OutcomeOf = std::function<Outcome<double>(const Collision&)>;
 
 namespace detail {
 
-/// The overlap of the spheres that pose a contact (src/subjects/engines/npm/posing.mjs), as this share of the longer
+/// The overlap of the spheres that represent a contact (src/subjects/engines/npm/posing.mjs): this share of the longer
 /// lever arm [m].
 [[nodiscard]] inline double overlap_of(const Collision& collision, double share) {
   const double longer =

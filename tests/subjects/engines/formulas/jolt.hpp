@@ -67,10 +67,10 @@ struct JoltSettings {
   return pushing * normal + friction;
 }
 
-/// The outcome of Jolt. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping ·
-/// step and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal). Afterwards they are clamped
-/// again (PhysicsSystem::JobIntegrateVelocity). Both also act if the bodies separate. Precondition: the collision is
-/// valid and at least one body can move.
+/// The outcome of Jolt. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping · step
+/// and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal). Afterwards they are clamped again
+/// (PhysicsSystem::JobIntegrateVelocity). The damping and the limits also act if the bodies separate. Precondition: the
+/// collision is valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> jolt(const Collision& collision, const JoltSettings& settings) {
   const auto limit_speeds = [&](auto& body) {
     shorten(body.velocity, settings.max_linear_velocity);

@@ -14,8 +14,8 @@ namespace detail {
 
 inline constexpr double mujoco_step = 0.002;  // as shipped [s]
 
-/// The zero of the increasing function, or 0 if it is not negative there. Precondition: it has a zero, or is not
-/// negative at 0.
+/// The zero of the increasing function, or 0 if the function is not negative at 0. Precondition: the function has a
+/// zero, or is not negative at 0.
 template <class Function>
 [[nodiscard]] double root_of_increasing(const Function& function) {
   if (function(0.0) >= 0) {
@@ -35,8 +35,9 @@ template <class Function>
   return above;
 }
 
-/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. The multiplier ν ≥ 0
-/// of the limit gives the friction for each F_N. The cost is convex along F_N, which gives F_N.
+/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For each F_N, the
+/// multiplier ν ≥ 0 of this limit gives the friction. The least cost is convex in F_N, so F_N is the zero of its
+/// derivative.
 class LeastInCone {
  public:
   LeastInCone(const Matrix3<double>& q, const Vector3<double>& c, double friction)
@@ -177,12 +178,12 @@ struct MujocoProblem {
 /// requested velocity. So F = 0 if c_N ≥ μ ‖c_T‖. Otherwise, for some ν ≥ 0 that is 0 inside the cone,
 ///
 ///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P the projection across N.
+///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P = I − N Nᵀ.
+/// If R = 0, ΔV = 0 and the term μ² N Nᵀ is left out, this is the law `coulomb`. With the term, if the contact point
+/// slips, V_T⁺ = −ν F_T as in `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
 ///
-/// Without μ² N Nᵀ, R and ΔV it is the law `coulomb`. With it, if the contact point slips, V_T⁺ = −ν F_T as in
-/// `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
-///
-/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With d = 0.9999, c_N = (1+ε) N·V⁻ / d, c_T = V_T⁻,
-/// R_N = (1−d)/d N·K N and R_T = R_N / 100. Without friction the cone is a half line, and F equals that of
+/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With the impedance d = 0.9999, c_N = (1+ε) N·V⁻ / d,
+/// c_T = V_T⁻, R_N = (1−d)/d N·K N and R_T = R_N / 100. Without friction the cone is a half line, and F equals that of
 /// `frictionless`.
 ///
 /// As shipped: h = 0.002 s, and there is no ε. c = h b V⁻ + ΔV, minus h k d r along N, with d = 0.9, b = 2/τ,
@@ -190,7 +191,7 @@ struct MujocoProblem {
 /// pyramid with the edges E = N ± μ T0, N ± μ T1 (`mujoco_frame`). F = Σ f_E E, f_E ≥ 0, with R = 2 μ² (1+μ²) R_N for
 /// each f_E.
 ///
-/// Friction below 1e-5 acts as 1e-5. The exception is μ = 0 configured, which is posed without friction.
+/// Friction below 1e-5 acts as 1e-5. The exception is μ = 0 configured: the contact is posed without friction.
 ///
 /// Source: src/engine/engine_core_constraint.c, `mj_diagApprox` and `mj_makeImpedance` (R, b, k),
 /// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual this is).

@@ -56,13 +56,13 @@ struct OdeSettings {
 /// The impulse on A of ODE 0.16's dWorldStep on one contact joint, without gyroscopic torque and at depth 0. Source:
 /// joints/contact.cpp, lcp.cpp: dSolveLCP.
 ///
-/// The directions are N, s₁ and s₂ = N × s₁. s₁ = V_T⁻/‖V_T⁻‖ if it is requested. Otherwise s₁ is the first direction
-/// of the plane. Let A = K + CFM/step in these directions, and w the limit on friction. F is the only solution of
+/// The directions are N, s₁ and s₂ = N × s₁. s₁ = V_T⁻/‖V_T⁻‖ if `along_slip`, otherwise p of plane_space.hpp. Let
+/// A = K + CFM/step in these directions, and w the limit on friction. F is the only solution of
 ///
 ///  F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ unless F is at its bound;  V⁺ = V⁻ + A F.
 ///
-/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, because it is
-/// set before the rows of friction are solved and does not change afterwards.
+/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, because ODE sets w
+/// before it solves the rows of friction, and does not change w afterwards.
 [[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);

@@ -20,8 +20,8 @@ namespace carom::formulas {
 /// Source: src/oimo/dynamics/constraint/solver/pgs/PgsContactConstraintSolver.hx, `preSolveVelocity` and
 /// `solveVelocity`. R is in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
 ///
-/// The formula omits two effects. Afterwards the velocities are limited to 20 m and π per step, which `configured`
-/// lifts. Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
+/// The formula omits two effects. After the contact, the velocities are limited to 20 m and π rad per step;
+/// `configured` lifts these limits. Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
 [[nodiscard]] inline Outcome<double> oimo(const Collision& collision, bool configured) {
   const Problem problem = problem_of(collision);
   const Vector3<double>& n = problem.normal;

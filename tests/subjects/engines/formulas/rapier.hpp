@@ -64,8 +64,8 @@ class RapierBody {
  private:
   Body body_;
   Vector3<double> lever_arm_;
-  Eigen::Quaterniond axes_ = Eigen::Quaterniond::Identity();      // principal axes to world, at first
-  Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();  // since then
+  Eigen::Quaterniond axes_ = Eigen::Quaterniond::Identity();      // principal axes to world, before the first substep
+  Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();  // since the first substep
 };
 
 /// One contact with its changes in the substeps of Rapier.
@@ -158,22 +158,23 @@ class RapierContact {
   double recovery_;     // erp_inv_dt [1/s]
   double softness_;     // cfm_factor
   double pushing_ = 0;  // the normal impulse of this substep [N s]
-  Vector3<double> friction_ = Vector3<double>::Zero();  // and its friction [N s]
+  Vector3<double> friction_ = Vector3<double>::Zero();  // the friction of this substep [N s]
   bool has_pushed_ = false;
 };
 
 /// The outcome of Rapier. V is the current relative velocity. p and f are the normal impulse and the friction of one
-/// substep. Their changes act at once.
+/// substep. Each change of p or f acts on V at once.
 ///
 /// In each substep:
 ///
 ///  ω changes by the gyroscopic torque; p N + f acts again, as in the previous substep (at first 0)
-///  p = s max(0, p − (N·V + b) / N·K N), soft, and driven by the overlap
+///  p = s max(0, p − (N·V + b) / N·K N); if the shapes overlap, s = softness_ and b = distance_ · recovery_ (at least
+///  −3 lengthUnit/s), else s = 1 and b = g
 ///
 ///  the speeds are clamped to their limits, and the bodies move
 ///  p = max(0, p − (N·V + g) / N·K N), g = the gap over the substep, 0 if they overlap
 ///
-///  f = f − (P K P)⁻¹ P V, P the projection across N; if ‖f‖ > μ p, f becomes f μ p / ‖f‖
+///  f = f − (P K P)⁻¹ P V, P = I − N Nᵀ; if ‖f‖ > μ p, f becomes f μ p / ‖f‖
 ///
 /// After the last substep:
 ///
