@@ -6,7 +6,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/certify.hpp>
 
-/// The definition of the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; mathematics in
+/// The definition of the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; its formulas are in
 /// docs/guide/laws.md). The law combines two other laws without restitution, and it obeys the friction cone.
 namespace carom::oracles {
 

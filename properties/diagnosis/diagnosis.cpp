@@ -7,6 +7,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/where.hpp>
@@ -210,7 +211,27 @@ std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
                      "the computation of C: signs, the transpose of [r], the moments of inertia"};
 }
 
-Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples) {
+/// The step of mechanics at which the outcomes fail, with the usual cause of the conditions that they share. If there
+/// are too few outcomes for a hint, their number.
+Fault fault_of_outcomes(const std::vector<ViolatedCase>& outcomes, Law law, const Where& where, bool is_cut_short) {
+  if (outcomes.size() < least_violated) {
+    const std::string few =
+        outcomes.size() == 1 ? "1 violated case was" : fmt::format("{} violated cases were", outcomes.size());
+    return {fmt::format("Only {} examined, and a hint on the cause needs {}. Judge more cases{}.", few, least_violated,
+                        is_cut_short ? " without --fail-fast" : ""),
+            ""};
+  }
+  Fault fault = fault_of(outcomes, law);
+  for (const Condition& condition : where.conditions) {
+    if (!condition.usual_cause.empty()) {
+      fault.look_at = condition.usual_cause + "; " + fault.look_at;
+    }
+  }
+  return fault;
+}
+
+Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>& examples, const Where& where,
+                    bool is_cut_short) {
   if (const std::optional<Fault> of_matrix = fault_of_matrix(result)) {
     return *of_matrix;
   }
@@ -247,7 +268,7 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
                      counted(lost, result.witnesses.size())),
          "caches and their keys, warm starts, state that is not reset between contacts"});
   }
-  const Explanation best = best_explanation(off);
+  const Explanation best = off.size() < least_violated ? Explanation() : best_explanation(off);
   if (best.hypothesis != nullptr) {
     faults.push_back({fmt::format("It answers as if {} ({} examined wrong outcomes).", best.hypothesis->as_if,
                                   counted(best.explained, std::min<std::size_t>(off.size(), 40))),
@@ -257,16 +278,14 @@ Fault what_is_wrong(const SubjectResult& result, const std::vector<ViolatedCase>
         {"It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer depends "
          "on the spelling of the request.",
          "caches, warm starts, state that is not reset; the parser of numbers and of optional fields"});
-  } else if (5 * outcomes.size() > examples.size()) {
-    faults.push_back(fault_of(outcomes, result.subject.law));
-  }
-  if (faults.empty() && !outcomes.empty()) {
-    faults.push_back(fault_of(outcomes, result.subject.law));
+  } else if (faults.empty() ? !outcomes.empty()
+                            : outcomes.size() >= least_violated && 5 * outcomes.size() > examples.size()) {
+    faults.push_back(fault_of_outcomes(outcomes, result.subject.law, where, is_cut_short));
   }
   Fault joined;
   for (const Fault& fault : faults) {
     joined.what += (joined.what.empty() ? "" : " ") + fault.what;
-    joined.look_at += (joined.look_at.empty() ? "" : "; ") + fault.look_at;
+    joined.look_at += (joined.look_at.empty() || fault.look_at.empty() ? "" : "; ") + fault.look_at;
   }
   return joined;
 }
@@ -281,10 +300,11 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
   }
   diagnosis.telling = telling_invariant(result, diagnosis.violated);
   diagnosis.telling_in = cases_that_violate(result, diagnosis.telling);
-  const Fault fault = what_is_wrong(result, examples_of(result));
+  const Where where = where_violated(report, {violated, judged_of(result)});
+  const Fault fault = what_is_wrong(result, examples_of(result), where, report.options.fail_fast);
   diagnosis.what = fault.what;
   diagnosis.look_at = fault.look_at;
-  diagnosis.where = in_words(where_violated(report, {violated, judged_of(result)}));
+  diagnosis.where = in_words(where);
   return diagnosis;
 }
 

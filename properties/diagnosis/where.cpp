@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/quantities.hpp>
 
@@ -58,6 +59,7 @@ struct Literal {
   std::string words;
   Plainness plainness;
   CaseSet cases;
+  const char* usual_cause = "";
 };
 
 /// Fraction of violated cases that a condition may miss (mostly overflow and underflow). The second value applies if
@@ -66,6 +68,15 @@ constexpr std::array most_left_out{0.05, 0.2};
 
 /// Fraction of the other cases that a condition has to exclude to be worth its words.
 constexpr double least_taken_away = 0.3;
+
+/// The usual cause of violations if the quantity is large; empty if none is known.
+const char* usual_cause_if_large(const ComparedQuantity& quantity) {
+  if (quantity.name != ratio_of_moments) {
+    return "";
+  }
+  return "the inverse inertia: J⁻¹ as a matrix in world axes loses digits of the smaller 1/I; divide "
+         "the torque by each moment in the body's axes";
+}
 
 /// The sample, and every possible condition on it.
 class Sample {
@@ -104,7 +115,7 @@ class Sample {
       }
     }
     for (auto& [approach, cases] : of_approach) {
-      approaches_.push_back({words_of(approach), Plainness::feature, std::move(cases)});
+      approaches_.push_back({words_of(approach), Plainness::feature, std::move(cases), ""});
     }
     add_features(of_feature);
     add_sizes();
@@ -130,8 +141,8 @@ class Sample {
     return "contacts of two immovable bodies";
   }
 
-  void add(std::string words, Plainness plainness, CaseSet cases) {
-    literals_.push_back({std::move(words), plainness, std::move(cases)});
+  void add(std::string words, Plainness plainness, CaseSet cases, const char* usual_cause = "") {
+    literals_.push_back({std::move(words), plainness, std::move(cases), usual_cause});
   }
 
   void add_with_absence(const std::string& words, const std::string& absence, Plainness plainness,
@@ -146,14 +157,14 @@ class Sample {
       if (feature.kind == FeatureKind::magnitude) {
         continue;
       }
-      const char* const of_body = feature.body == 0 ? "" : feature.body == 'a' ? "A: " : "B: ";
-      const std::string words = of_body + feature.statement;
-      add_with_absence(words, "not (" + words + ')', Plainness::feature, of_feature[i]);
+      const std::string body = feature.body == 0 ? "" : feature.body == 'a' ? "for A " : "for B ";
+      add_with_absence(body + feature.statement, "it does not hold " + body + "that " + feature.statement,
+                       Plainness::feature, of_feature[i]);
       if (feature.body == 'a') {
         const Feature* other = feature_named("b." + feature.name.substr(2));
         const CaseSet either = of_feature[i] | of_feature[static_cast<std::size_t>(other - all_features().data())];
-        add_with_absence("A or B: " + feature.statement, "neither A nor B: " + feature.statement, Plainness::either,
-                         either);
+        add_with_absence("for A or B " + feature.statement, "it holds for neither A nor B that " + feature.statement,
+                         Plainness::either, either);
       }
     }
   }
@@ -187,7 +198,8 @@ class Sample {
           }
         });
         add(fmt::format("{} is at most {:.2g}", quantities[q].name, std::pow(10, highest)), Plainness::size, below);
-        add(fmt::format("{} is at least {:.2g}", quantities[q].name, std::pow(10, lowest)), Plainness::size, above);
+        add(fmt::format("{} is at least {:.2g}", quantities[q].name, std::pow(10, lowest)), Plainness::size, above,
+            usual_cause_if_large(quantities[q]));
       }
     }
   }
@@ -213,6 +225,9 @@ class Sample {
   std::vector<Literal> literals_;
   std::vector<Literal> approaches_;
 };
+
+/// The greatest probability that some condition is found by chance: at most five more searches follow the first one.
+constexpr double greatest_chance = 1e-3;
 
 /// Whether the part is at least nine tenths of the whole.
 bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
@@ -266,7 +281,13 @@ Where where_in(const Sample& sample, double left_out) {
     if (static_cast<double>(best_here.size() - found) > (1 - least_taken_away) * rest) {
       break;
     }
-    where.conditions.push_back({best->words});
+    // One of all conditions holds by chance in so many violated cases.
+    const double share = static_cast<double>(best_here.size()) / static_cast<double>(where.cases_there);
+    if (static_cast<double>(sample.literals().size()) * chance_bound(found, where.violated_there, share) >
+        greatest_chance) {
+      break;
+    }
+    where.conditions.push_back({best->words, best->usual_cause});
     where.violated_there = found;
     where.cases_there = best_here.size();
     here = best_here;
@@ -288,7 +309,7 @@ Where where_violated(const GateReport& report, const Violations& violations) {
 }
 
 std::string in_words(const Where& where) {
-  if (where.violated == 0) {
+  if (where.violated < least_violated) {
     return {};
   }
   const auto percent = [](std::uint64_t part, std::uint64_t whole) {
@@ -310,7 +331,7 @@ std::string in_words(const Where& where) {
   for (std::size_t i = 0; i < where.conditions.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == where.conditions.size() ? ", and " : ", ") + where.conditions[i].words;
   }
-  return text + fmt::format(", {} of the {} fail: {} cases{}.", share, of, where.violated_there, rest);
+  return text + fmt::format(", then {} of the {} fail: {} cases{}.", share, of, where.violated_there, rest);
 }
 
 }  // namespace carom::properties::diagnosis

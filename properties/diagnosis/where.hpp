@@ -11,7 +11,8 @@ namespace carom::properties::diagnosis {
 
 /// One condition on a case, in words.
 struct Condition {
-  std::string words;  // "A or B: the orientation is exactly 1, 0, 0, 0"
+  std::string words;        // "for A or B the orientation is exactly 1, 0, 0, 0"
+  std::string usual_cause;  // of violations that meet it, as a place in a solver to check; empty if none is known
 };
 
 /// The conditions that the violated cases meet and the other cases do not.
@@ -35,7 +36,7 @@ struct Violations {
 /// features, their absence, sizes, the approach of the contact, and the family.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// The result in one sentence.
+/// The result in one sentence. Empty if there are fewer than `least_violated` violated cases (evidence.hpp).
 [[nodiscard]] std::string in_words(const Where& where);
 
 }  // namespace carom::properties::diagnosis

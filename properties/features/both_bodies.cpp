@@ -238,7 +238,7 @@ std::vector<Feature> of_both_bodies() {
           {.kinds_of = {"centres"}}),
       pair_relation(
           "central", "both lever arms lie along the normal",
-          "spheres: an impulse along N does not change their spins (mathematics, §3.5)",
+          "spheres: an impulse along N does not change their spins (docs/findings/note.md)",
           [](const Collision& c) {
             return are_parallel(lever_arm(c, c.a), c.normal) && are_parallel(lever_arm(c, c.b), c.normal);
           },

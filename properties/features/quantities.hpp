@@ -15,6 +15,9 @@ struct ComparedQuantity {
   double (*of)(const Collision&);  // not positive or not finite if the collision does not have it
 };
 
+/// The name of one of all_compared_quantities().
+inline constexpr const char* ratio_of_moments = "a body's greatest moment over its least";
+
 /// The quantities that solvers compare with limits: masses, moments and their products, lengths, speeds, ratios. Most
 /// quantities of a body occur twice, as the lesser and the greater of the two bodies.
 [[nodiscard]] std::span<const ComparedQuantity> all_compared_quantities();

@@ -38,11 +38,11 @@ class Linter {
 
   void lengths() {
     if (!contact_.is_normal_derived) {
-      length(Lint::normal_length, "normal", exact_.normal.dot(exact_.normal));
+      length(Lint::normal_length, "normal", "normal", exact_.normal.dot(exact_.normal));
     }
     for (const auto& [body, name] : bodies()) {
       if (!body->immovable) {
-        length(Lint::quaternion_length, name + ".orientation", body->orientation.dot(body->orientation));
+        length(Lint::quaternion_length, name + ".orientation", "quaternion", body->orientation.dot(body->orientation));
       }
     }
   }
@@ -145,7 +145,7 @@ class Linter {
     return {NamedBody{&exact_.a, "a"}, NamedBody{&exact_.b, "b"}};
   }
 
-  void length(Lint lint, const std::string& field, const Rational& squared) {
+  void length(Lint lint, const std::string& field, const char* what, const Rational& squared) {
     const auto is_within = [&](double bound) {
       const Rational low = Rational(1) - Rational(bound);
       const Rational high = Rational(1) + Rational(bound);
@@ -154,9 +154,9 @@ class Linter {
     if (!is_within(length_noted)) {
       const oracles::RootBelow length = oracles::root_below(squared);
       add(lint, is_within(length_warned) ? Severity::note : Severity::warning, field,
-          fmt::format("the normal has length {:.9g}; Carom uses only its direction, but a solver that assumes length 1 "
+          fmt::format("the {} has length {:.9g}; Carom uses only its direction, but a solver that assumes length 1 "
                       "gives a wrong result",
-                      oracles::to_double(length.root)));
+                      what, oracles::to_double(length.root)));
     }
   }
 

@@ -68,8 +68,8 @@ std::vector<Point> path_of(Law law) {
 }
 
 report::Plot picture_of(Law law, std::string_view title) {
-  report::Plot picture("impulse-space-" + std::string(name_of(law)), 620, 560, 15);
-  const report::Panel panel{{-6, 3, false, 60, 600}, {-0.5, 7, false, 55, 505}};
+  report::Plot picture("impulse-space-" + std::string(name_of(law)), 660, 560, 17);
+  const report::Panel panel{{-6, 3, false, 65, 470}, {-0.5, 7, false, 75, 505}};
   picture.begin(panel, title, "tangential component of F [N s]", "normal component of F [N s]");
   picture.add("set xtics 1\nset ytics 1");
   const auto line = [&](std::vector<Point> points, std::string_view style) {
@@ -89,15 +89,21 @@ report::Plot picture_of(Law law, std::string_view title) {
   Collision smoother = c;
   smoother.friction = 0.5;
   const Point on_cone = impulse_by(law, smoother);
-  mark({-2.75, 0.85}, "the cone, μ = 1", report::grey, 0, 0);
-  mark({0.35, 3.2}, "N·V⁺ = −ε N·V⁻", report::green, 0, 0);
-  mark({-5.9, 4.4}, "N·V⁺ = 0", report::sky_blue, 0, 0);
+  std::vector<report::Label> names;
+  const auto name_end = [&](std::string_view text, const Point& end, std::string_view colour) {
+    names.push_back({std::string(text), panel.place_of(end[0], end[1]), std::string(colour)});
+  };
+  name_end("cone, μ = 1", {3, 3}, report::grey);
+  name_end("N·V⁺ = −ε N·V⁻", {3, 1.5}, report::green);
+  name_end("N·V⁺ = 0", {3, 0.5}, report::sky_blue);
   mark(stops_approach, "P_I", report::black, 10, -8);
   mark(stops_point, "P_II", report::black, 10, 4);
   mark(answer, "F", report::vermillion, 10, 16);
   if (has_friction) {
     mark(on_cone, "F at μ = 1/2", report::purple, 10, 16);
+    name_end("cone, μ = 1/2", {3, 6}, report::purple);
   }
+  picture.name_ends(names, panel);
   line({{-6, 6}, {0, 0}, {3, 3}}, fmt::format("lw 2 lc rgb '{}'", report::grey));
   line({{-6, 6}, {3, 1.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", report::green));
   line({{-6, 5}, {3, 0.5}}, fmt::format("lw 1.5 dt 2 lc rgb '{}'", report::sky_blue));

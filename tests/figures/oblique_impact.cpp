@@ -120,10 +120,10 @@ report::Plot picture_of(const std::vector<Angles>& measured) {
   const auto text = [&](std::string_view words, double x, double y, std::string_view colour) {
     picture.write(words, panel.place_of(x, y), colour);
   };
-  text("rough, e_t = 0.34", 4, 62, report::vermillion);
-  text("rough, e_t = 0, which is coulomb here", 4, 56, report::blue);
-  text("rough, e_t = −1: no friction", 4, 50, report::grey);
-  text("measured, ± 1°: D. Gorham, A. Kharaz 2000", 4, 68, report::black);
+  text("rough, e_t = −1: no friction", 13, 49, report::grey);
+  text("rough, e_t = 0, which is coulomb here", 36, -1, report::blue);
+  text("rough, e_t = 0.34", 28, -10, report::vermillion);
+  text("measured, ± 1° (Gorham, Kharaz 2000)", 52, 29, report::black);
   const auto curve = [&](double restitution, std::string_view colour) {
     picture.curve(curve_of([=](double incidence) { return rough_rebound(incidence, restitution); }),
                   fmt::format("using 1:2 with lines lw 3 lc rgb '{}'", colour));

@@ -51,10 +51,10 @@ report::Plot picture_of(const Rows& rows) {
     most = std::max(most, row[3]);
   }
   const report::Panel panel{{80, 160'000, true, 90, 870}, {0, 1.1 * most / 1000, false, 70, 460}};
-  picture.begin(panel, "A gas of elastic spheres at volume fraction 0.2", "spheres",
-                "thousand events a second of a core");
+  picture.begin(panel, "A gas of elastic spheres at volume fraction 0.2", "number of spheres",
+                "events a second of a core [thousands]");
   picture.add(report::power_tics(panel.x, 'x') + "\nset ytics 100");
-  picture.write("median of the rounds, their least and most", panel.place_of(1000, 1.03 * most / 1000), report::blue);
+  picture.write("median of the rounds, their least and most", panel.place_of(4000, 0.76 * most / 1000), report::blue);
   Rows medians;
   Rows ranges;
   for (const std::vector<double>& row : rows) {

@@ -11,7 +11,7 @@ import sys
 PARTS = {"src/collision": ("#dfe8f5", 450), "src/impulse": ("#d5ead7", 235), "src/scene": ("#fbe6c4", 80),
          "oracles": ("#f2d9e6", 450), "properties": ("#e2daf4", 680), "src/report": ("#cfe9ea", 900),
          "src/subjects": ("#eae6cf", 1110), "src/tool": ("#e2e2e2", 680)}
-WIDTH, BOX, HEIGHT, ROW = 1260, 140, 30, 60
+WIDTH, BOX, HEIGHT, ROW = 1260, 140, 44, 76
 INCLUDE = re.compile(r'^#include (?:<carom/([\w/]+)\.hpp>|"([\w/]+)\.hpp")', re.M)
 
 
@@ -80,9 +80,12 @@ def drawn(below):
             to_x, to_y = place[one]
             lines.append(f'<path d="M{x:.0f} {y + HEIGHT}C{x:.0f} {y + HEIGHT + 26} {to_x:.0f} {to_y - 26} {to_x:.0f} {to_y}"/>')
         boxes.append(f'<rect x="{x - BOX / 2:.0f}" y="{y}" width="{BOX}" height="{HEIGHT}" rx="5" fill="{PARTS[part_of(folder)][0]}"/>')
-        boxes.append(f'<text x="{x:.0f}" y="{y + 19}">{folder.removeprefix("src/")}</text>')
+        words = folder.removeprefix("src/").rsplit("/", 1)
+        for i, word in enumerate(words):
+            boxes.append(f'<text x="{x:.0f}" y="{y + 28 + 18 * i - 9 * (len(words) - 1)}">{word}</text>')
     return "\n".join([f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" '
-                      'font-size="12" text-anchor="middle">',
+                      'font-size="16" text-anchor="middle">',
+                      "<style>@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }</style>",
                       "<title>The folders of the sources: each includes headers of those that its lines lead down to</title>",
                       f'<rect width="{WIDTH}" height="{height}" fill="#ffffff"/>',
                       '<g fill="none" stroke="#7a8793" stroke-width="1.2">', *lines, "</g>",

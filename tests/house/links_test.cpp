@@ -42,7 +42,7 @@ std::string without_blocks(const std::string& text) {
 
 /// The relative targets of links and pictures, such as "../x.md#part".
 std::vector<std::string> links_of(const std::string& text) {
-  static const std::regex link(R"re(\]\(([^()\s]+)\))re");
+  static const std::regex link(R"re((?:\]\(|src(?:set)?=")([^()\s"]+)[)"])re");
   const std::string prose = std::regex_replace(without_blocks(text), std::regex("`[^`\n]*`"), "");
   std::vector<std::string> targets;
   for (std::sregex_iterator found(prose.begin(), prose.end(), link), none; found != none; ++found) {
@@ -109,10 +109,10 @@ std::vector<fs::path> pages() {
 }
 
 TEST(LinkChecker, ReadsLinksAndPicturesButNoCode) {
-  EXPECT_EQ(
-      links_of("[a](b.md), ![c](../d.svg) and [e](f.md#g), [h](#i)\n"
-               "[web](https://example.org/x) `[no](code.md)`\n\n    [no](block.md)\n```\n[no](fence.md)\n```\n[j](k)"),
-      (std::vector<std::string>{"b.md", "../d.svg", "f.md#g", "#i", "k"}));
+  EXPECT_EQ(links_of("[a](b.md), ![c](../d.svg) and [e](f.md#g), [h](#i)\n"
+                     "[web](https://example.org/x) `[no](code.md)`\n\n    "
+                     "[no](block.md)\n```\n[no](fence.md)\n```\n[j](k)<img src=\"l.png\">"),
+            (std::vector<std::string>{"b.md", "../d.svg", "f.md#g", "#i", "k", "l.png"}));
 }
 
 TEST(LinkChecker, SpellsAnchorsAsHeadingsDo) {

@@ -84,8 +84,9 @@ TEST(Annotations, AreAnErrorForEachViolationAndANoticeWithTheVerdict) {
     return command.title == "reflection-in-basis-double violates restitution";
   });
   ASSERT_NE(restitution, commands.end());
-  EXPECT_NE(restitution->message.find("of 100 cases, most often in near_head_on. The normal velocity is reversed"),
-            std::string::npos)
+  EXPECT_NE(
+      restitution->message.find("of 100 judged cases, most often in near_head_on. The normal velocity is reversed"),
+      std::string::npos)
       << restitution->message;
   EXPECT_EQ(commands.back().name, "notice");
   EXPECT_EQ(commands.back().title, "carom: " + std::to_string(commands.size() - 2) + " violated");

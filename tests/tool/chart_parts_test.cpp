@@ -121,6 +121,18 @@ TEST(ChartParts, LabelsDoNotCoverEachOther) {
   }
 }
 
+TEST(ChartParts, NamesInAColumnAreApart) {
+  std::vector<double> heights{100, 99, 60, 12, 3};
+  spread(heights, 10, 5);
+  EXPECT_EQ(heights, (std::vector<double>{100, 90, 60, 15, 5}));
+}
+
+TEST(ChartParts, AReadableShadeIsNoDarkerThanItMustBe) {
+  EXPECT_EQ(readable(blue), blue);
+  EXPECT_EQ(readable(black), black);
+  EXPECT_EQ(readable("#ffffff"), "#757575");
+}
+
 TEST(ChartParts, TextIsQuotedForGnuplot) { EXPECT_EQ(gnuplot_text("a\"b\\c"), "\"a\\\"b\\\\c\""); }
 
 }  // namespace

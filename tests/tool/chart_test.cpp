@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -61,6 +64,49 @@ class Chart : public testing::Test {
   static inline TemporaryDirectory* shared_directory = nullptr;
   static inline RunResult* shared_run = nullptr;
 };
+
+/// The contrast of a colour with white, as WCAG 2.2 defines it.
+double contrast_with_white(const char* colour) {
+  std::array<double, 3> rgb{};
+  if (std::sscanf(colour, "rgb(%lf,%lf,%lf)", &rgb[0], &rgb[1], &rgb[2]) != 3) {
+    return colour == std::string("black") ? 21 : 0;
+  }
+  for (double& channel : rgb) {
+    channel = channel <= 10 ? channel / 255 / 12.92 : std::pow((channel / 255 + 0.055) / 1.055, 2.4);
+  }
+  return 1.05 / (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] + 0.05);
+}
+
+/// A README is about 830 pixels wide.
+TEST_F(Chart, TextIsReadableAtTheWidthOfAReadme) {
+  for (const auto& entry : std::filesystem::directory_iterator(out())) {
+    if (entry.path().extension() != ".svg") {
+      continue;
+    }
+    const std::string content = content_of(entry.path());
+    EXPECT_NE(content.find("prefers-color-scheme: dark"), std::string::npos) << entry.path();
+    EXPECT_TRUE(content.find("[ns]") != std::string::npos || content.find("[ulps") != std::string::npos)
+        << entry.path() << " has a unit";
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(content.c_str())) << entry.path();
+    double width = 0;
+    ASSERT_EQ(std::sscanf(document.document_element().attribute("viewBox").value(), "0 0 %lf", &width), 1);
+    for (const pugi::xpath_node& found : document.select_nodes("//*[local-name()='text']")) {
+      const pugi::xml_node style = found.parent();
+      const std::string where = entry.path().string() + ": " + found.node().text().get();
+      EXPECT_GE(style.attribute("font-size").as_double() * 830 / width, 10) << where;
+      EXPECT_GE(contrast_with_white(style.attribute("fill").value()), 4.5) << where;
+    }
+  }
+}
+
+TEST_F(Chart, NamesLinesAtTheirEnds) {
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file((out() / "stability-reflection-tangential_velocity.svg").c_str()));
+  for (const char* name : {"reflection-in-basis-double", "1 that stay below the limit"}) {
+    EXPECT_TRUE(document.select_node((std::string("//*[local-name()='text'][.='") + name + "']").c_str())) << name;
+  }
+}
 
 TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
   ASSERT_EQ(run().exit_status, 0) << run().errors;

@@ -174,6 +174,10 @@ TEST(GateCommand, EndsAtTheFirstViolationWhereAskedAndItsWitnessReplays) {
   const std::string witness = (out.path() / subject.at("violations").at(0).at("witness").get<std::string>()).string();
   EXPECT_EQ(run_carom({"replay", witness}).exit_status, 1);
   EXPECT_NE(result.output.find("to its first violation"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("what is wrong: Only 1 violated case was examined"), std::string::npos) << result.output;
+  for (const char* hint : {"where:", "look at:"}) {
+    EXPECT_EQ(result.output.find(hint), std::string::npos) << "one case gives no hint: " << result.output;
+  }
 }
 
 TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {

@@ -80,6 +80,12 @@ void expect_sane_drawings(const Page& page) {
     const pugi::xml_node drawing = found.node();
     EXPECT_STRNE(drawing.child("title").text().get(), "");
     EXPECT_STRNE(drawing.child("desc").text().get(), "");
+    for (const char* arrow : {"before", "computed", "exact", "normal"}) {
+      const auto count = [&](const std::string& path) { return drawing.select_nodes(path.c_str()).size(); };
+      EXPECT_EQ(count(std::string("text[@class='") + arrow + "']"),
+                count(std::string("path[@class='") + arrow + " head']"))
+          << "each arrow has its name: " << arrow;
+    }
     for (const char* size : {"width", "height"}) {
       EXPECT_GE(drawing.attribute(size).as_double(), 100);
       EXPECT_LE(drawing.attribute(size).as_double(), 700);

@@ -62,6 +62,42 @@ TEST(Replay, JudgesExactlyWhereAskedAndSaysSo) {
   EXPECT_EQ(exact.at("verdicts"), filtered.at("verdicts"));
 }
 
+/// The laws whose exact outcomes a replay shows, as text and as JSON.
+std::string laws_shown(const std::string& file, std::vector<std::string> more) {
+  more.insert(more.begin(), {"replay", file});
+  const std::string text = run_carom(more).output;
+  std::string shown;
+  for (const std::string law : {"frictionless", "reflection", "sticking", "rough", "coulomb"}) {
+    const std::string heading = '\n' + law + (law == "coulomb" ? ", answer 1 of 1" : ", exactly");
+    shown += text.find(heading) == std::string::npos ? "" : law + ' ';
+  }
+  more.insert(more.end(), {"--format", "json"});
+  const json record = json::parse(run_carom(more).output);
+  std::string in_json;
+  for (const char* law : {"frictionless", "reflection", "sticking", "rough"}) {
+    in_json += record.contains("truth") && record.at("truth").contains(law) ? law + std::string(" ") : "";
+  }
+  in_json += record.contains("answers") ? "coulomb " : "";
+  EXPECT_EQ(shown, in_json) << text;
+  return shown;
+}
+
+TEST(Replay, ShowsTheLawThatTheSubjectClaimsAndAllLawsWhereAskedOrNoneIsClaimed) {
+  const TemporaryDirectory directory;
+  const auto witness_of = [&](const json& subject) {
+    return directory.write("witness.json", json{{"collision", cube_on_floor()}, {"subject", subject}}.dump());
+  };
+  const std::string all = "frictionless reflection sticking rough coulomb ";
+  EXPECT_EQ(laws_shown(witness_of({{"name", "frictionless-double"}}), {}), "frictionless ");
+  EXPECT_EQ(laws_shown(witness_of({{"name", "frictionless-double"}}), {"--all-laws"}), all);
+  EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}, {"model", "rough"}}), {}), "rough ") << "not started";
+  EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}, {"model", "any"}}), {}), all);
+  EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}}), {}), all);
+  const std::string plain = directory.write("plain.json", cube_on_floor().dump());
+  EXPECT_EQ(laws_shown(plain, {}), all);
+  EXPECT_EQ(laws_shown(plain, {"--subject", "coulomb-double"}), "coulomb ");
+}
+
 TEST(Replay, ReadsArraysAndJsonLines) {
   const TemporaryDirectory directory;
   const json wrapped{{"collision", cube_on_floor()}};
@@ -122,6 +158,8 @@ TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
       {R"({"collision": )" + good + R"(, "invariant": 3})", {"/invariant", "expected a string"}},
       {R"({"collision": )" + good + R"(, "invariant": "push", "subject": 3})", {"/subject", "expected an object"}},
       {R"({"collision": )" + good + R"(, "invariant": "push", "subject": {"name": "nobody"}})", {"nobody"}},
+      {R"({"collision": )" + good + R"(, "subject": {"name": "x", "model": "smooth"}})",
+       {"/subject/model", "'smooth'", "expected one of frictionless"}},
   };
   const TemporaryDirectory directory;
   for (const Malformed& malformed : table) {

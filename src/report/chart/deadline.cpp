@@ -39,15 +39,15 @@ std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> meth
 
 Plot deadline(std::span<const MethodMeasurement> methods) {
   const std::string law(name_of(methods.front().law));
-  Plot picture("deadline-" + law, 1320, 680, 17);
+  Plot picture("deadline-" + law, 1150, 620, 15);
   double longest = 0;
   double shortest = 1e9;
   for (const MethodMeasurement& method : methods) {
     longest = std::max(longest, method.nanoseconds_over_all_families().median);
     shortest = std::min(shortest, method.nanoseconds_over_all_families().median);
   }
-  const Panel panel{{shortest / 1.5, longest * 1.5, true, 80, 880}, {0, 1.04, false, 75, 620}};
-  picture.begin(panel, fmt::format("{}: what a deadline allows", law), "nanoseconds for each contact, at most",
+  const Panel panel{{shortest / 1.5, longest * 1.5, true, 75, 690}, {0, 1.04, false, 70, 570}};
+  picture.begin(panel, fmt::format("{}: what a deadline allows", law), "time for each contact, at most [ns]",
                 "share of the cases of all families");
   picture.add(time_tics(panel.x) + "\nset ytics 0.2");
   constexpr std::array<std::string_view, deadline_digits.size()> colours{sky_blue, orange,     purple,
@@ -69,21 +69,14 @@ Plot deadline(std::span<const MethodMeasurement> methods) {
     labels.push_back({fmt::format("{} digits", deadline_digits[i]), panel.place_of(panel.x.high, steps.back().share),
                       std::string(colours[i])});
   }
-  // The labels are below each other. A line joins each label to the end of its curve.
-  std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.names.y > b.names.y; });
-  double above = panel.y.last_pixel + 50;
-  for (Label& label : labels) {
-    label.at = {panel.x.last_pixel + 90, std::min(label.names.y, above - 26)};
-    above = label.at.y;
-  }
-  picture.write(labels, 17);
   // The list of the methods that make the steps.
-  double y = std::min(above - 60, panel.y.first_pixel + 24 * static_cast<double>(methods_behind.size()) + 24);
-  picture.write("the steps are by", {panel.x.last_pixel + 30, y}, "#555555");
+  Pixel at = picture.name_ends(labels, panel);
+  at.y = std::min(at.y - 50, panel.y.first_pixel + 21 * static_cast<double>(methods_behind.size() + 1));
+  picture.write("the steps are by", at, "#555555");
   for (const auto& [nanoseconds, method] : methods_behind) {
-    y -= 24;
-    picture.write(in_three_digits(nanoseconds) + " ns", {panel.x.last_pixel + 100, y}, "#555555", "right", 0.9);
-    picture.write(method, {panel.x.last_pixel + 110, y}, "#555555", "left", 0.9);
+    at.y -= 21;
+    picture.write(in_three_digits(nanoseconds) + " ns", {at.x + 65, at.y}, "#555555", "right");
+    picture.write(method, {at.x + 75, at.y}, "#555555");
   }
   picture.end();
   return picture;

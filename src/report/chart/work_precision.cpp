@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -83,48 +84,46 @@ void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, dou
   picture.write(labels, letter);
 }
 
-std::string families_text(std::size_t failing, std::size_t all) {
-  return failing == 0 ? std::string() : fmt::format("fails in {} of {} families", failing, all);
-}
+constexpr double row = 21;             // of the list of methods
+constexpr std::size_t rows_below = 3;  // the names of the columns, and the key
 
-/// Writes the list of methods at the right: number, name, time, digits, and the number of families in which it fails.
-void write_key(Plot& picture, std::span<const MethodMeasurement> methods, Pixel top_left) {
-  const double row = std::min(26.0, (top_left.y - 60) / static_cast<double>(methods.size() + 5));
-  const double size = std::min(1.0, row / 24);
-  double y = top_left.y;
-  const auto line = [&](std::string_view number, std::string_view name, std::string_view time, std::string_view digits,
-                        std::string_view rest, std::string_view colour) {
-    picture.write(number, {top_left.x + 24, y}, colour, "right", size);
-    picture.write(name, {top_left.x + 34, y}, colour, "left", size);
-    picture.write(time, {top_left.x + 360, y}, colour, "right", size);
-    picture.write(digits, {top_left.x + 450, y}, colour, "right", size);
-    picture.write(rest, {top_left.x + 462, y}, colour, "left", size);
-    y -= row;
+std::size_t rows_of(std::span<const MethodMeasurement> methods) { return (methods.size() + 1) / 2; }
+
+/// Writes the list of methods in two columns below the diagram: number, name, time, digits, and the number of families
+/// in which it fails.
+void write_list(Plot& picture, std::span<const MethodMeasurement> methods) {
+  const double top = row * static_cast<double>(rows_of(methods) + rows_below) - 5;
+  const auto line = [&](double left, double y, const std::array<std::string, 5>& cells, std::string_view colour) {
+    picture.write(cells[0], {left + 22, y}, colour, "right");
+    picture.write(cells[1], {left + 30, y}, colour);
+    picture.write(cells[2], {left + 365, y}, colour, "right");
+    picture.write(cells[3], {left + 415, y}, colour, "right");
+    picture.write(cells[4], {left + 485, y}, colour, "right");
   };
-  line("", "method", "ns", "digits", "", "#555555");
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const MethodMeasurement& method = methods[i];
-    const Exactness all = method.over_all_families();
-    std::size_t failing = 0;
-    for (const FamilyMeasurement& family : method.families) {
-      failing += family.exactness.failures > 0 ? 1 : 0;
+    const auto failing = std::count_if(method.families.begin(), method.families.end(),
+                                       [](const FamilyMeasurement& family) { return family.exactness.failures > 0; });
+    const double left = i < rows_of(methods) ? 10 : 510;
+    const std::size_t place = i % rows_of(methods);
+    if (place == 0) {
+      line(left, top, {"", "method", "ns", "digits", "fails in"}, "#555555");
     }
-    line(std::to_string(i + 1), method.name, in_three_digits(method.nanoseconds_over_all_families().median),
-         fmt::format("{:.1f}", std::min(all.digits.median, most_digits)),
-         families_text(failing, method.families.size()), failing > 0 ? vermillion : colour_of(method.precision));
+    line(left, top - row * static_cast<double>(place + 1),
+         {std::to_string(i + 1), method.name, in_three_digits(method.nanoseconds_over_all_families().median),
+          fmt::format("{:.1f}", std::min(method.over_all_families().digits.median, most_digits)),
+          failing > 0 ? fmt::format("{} of {}", failing, method.families.size()) : ""},
+         failing > 0 ? vermillion : colour_of(method.precision));
   }
-  y -= row / 2;
-  double x = top_left.x + 34;
+  double x = 40;
   for (const auto& [text, colour] : std::span(key_of_colours).first<3>()) {
-    picture.write(text, {x, y}, colour, "left", size);
-    x += 110;
+    picture.write(text, {x, row + 10}, colour);
+    x += 100;
   }
-  y -= row;
-  picture.write(fmt::format("× fails: beyond the limit of {:g} ulps in some case", oracles::default_limit_ulps),
-                {top_left.x + 34, y}, vermillion, "left", size);
-  y -= row;
-  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {top_left.x + 34, y}, "#555555",
-                "left", size);
+  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {x + 70, row + 10}, "#555555");
+  picture.write(
+      fmt::format("× fails: beyond the limit of {:g} ulps in some case of a family", oracles::default_limit_ulps),
+      {40, 10}, vermillion);
 }
 
 }  // namespace
@@ -141,19 +140,19 @@ std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods
 
 Plot work_precision(std::span<const MethodMeasurement> methods) {
   const std::string law(name_of(methods.front().law));
-  Plot picture("work-precision-" + law, 1500, 900, 17);
-  const Panel panel{time_axis(methods, 80, 830), {least_digits, most_digits + 0.5, false, 80, 840}};
-  picture.begin(panel, fmt::format("{}: time against accuracy, all families", law), "nanoseconds for each contact",
+  const double bottom = row * static_cast<double>(rows_of(methods) + rows_below) + 80;
+  Plot picture("work-precision-" + law, 1000, bottom + 620, 14);
+  const Panel panel{time_axis(methods, 70, 980), {least_digits, most_digits + 0.5, false, bottom, bottom + 580}};
+  picture.begin(panel, fmt::format("{}: time against accuracy, all families", law), "time for each contact [ns]",
                 "correct digits of the change of velocities");
-  picture.add(time_tics(panel.x));
-  picture.add("set ytics 3");
+  picture.add(time_tics(panel.x) + "\nset ytics 3");
   std::vector<Mark> marks;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     marks.push_back({i, methods[i].nanoseconds_over_all_families(), methods[i].over_all_families().digits,
                      methods[i].precision, methods[i].fails()});
   }
-  draw(picture, panel, marks, 0.8, 15, [](const Mark&, bool) { return true; });
-  write_key(picture, methods, {850, 830});
+  draw(picture, panel, marks, 0.8, 14, [](const Mark&, bool) { return true; });
+  write_list(picture, methods);
   picture.end();
   return picture;
 }
@@ -173,7 +172,7 @@ Plot work_precision_of_families(std::span<const MethodMeasurement> methods) {
     const double bottom = height - 100 - cell_height * static_cast<double>(row + 1);
     const Panel panel{time_axis(methods, left + 75, left + cell_width - 20),
                       {least_digits, most_digits + 0.5, false, bottom + 100, bottom + cell_height - 40}};
-    picture.begin(panel, methods.front().families[f].family, f + columns >= count ? "ns for each contact" : "",
+    picture.begin(panel, methods.front().families[f].family, f + columns >= count ? "time for each contact [ns]" : "",
                   f % columns == 0 ? "correct digits" : "");
     picture.add(time_tics(panel.x));
     picture.add("set ytics 6");

@@ -88,7 +88,9 @@ struct HtmlWriter {
         if (column.is_upright) {
           add(add(head, "th", {{"scope", "col"}, {"class", "upright"}}), "span", {}, column.name);
         } else {
-          add(head, "th", {{"scope", "col"}}, column.name);
+          pugi::xml_node heading = add_with_look(head, "th", column.is_number ? "number" : "");
+          heading.append_attribute("scope") = "col";
+          add_text(heading, column.name);
         }
       }
     }

@@ -8,7 +8,7 @@ const std::string_view report_style = R"css(
   color-scheme: light dark;
   --paper: #fff; --ink: #1c1e21; --faint: #5a6067; --rule: #c9ced4; --raised: #f3f5f7; --link: #0b57a4;
   --good: #17692f; --bad: #a3161c; --bad-paper: #fdeaea; --good-paper: #e8f5ec; --odd-paper: #fff4d6;
-  --before: #5a6067; --computed: #d0451b; --exact: #0b57a4; --body: #8a929b; --body-fill: #8a929b22;
+  --before: #5a6067; --computed: #c03d14; --exact: #0b57a4; --body: #8a929b; --body-fill: #8a929b22;
   --shade-0: #f4f8f5; --shade-1: #e3f0e6; --shade-2: #cfe6d5; --shade-3: #fde9c4; --shade-4: #fbd08f;
   --shade-5: #f7b06a; --shade-6: #f09060; --shade-7: #ea7a66;
 }
@@ -40,7 +40,6 @@ footer { color: var(--faint); border-top: 1px solid var(--rule); margin-top: 3re
 .spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 nav ul, .legend { display: flex; flex-wrap: wrap; gap: 0.25rem 1rem; list-style: none; padding: 0; margin: 0.5rem 0; }
 .legend { font-size: 0.875rem; gap: 0.25rem 1rem; }
-.legend svg { vertical-align: middle; }
 .swatch { display: inline-block; width: 1.5em; height: 1em; border: 1px solid var(--rule); vertical-align: -0.1em; }
 .result { font-size: 1.15rem; padding: 0.6rem 0.8rem; border-left: 0.4rem solid; max-width: none; }
 .exit-0 { background: var(--good-paper); border-color: var(--good); }
@@ -69,10 +68,10 @@ thead th { vertical-align: bottom; }
   position: sticky; left: 0; background: var(--paper); z-index: 1; min-width: 9rem; max-width: 18rem;
   border-right: 1px solid var(--rule); overflow-wrap: break-word; }
 .subjects thead th { max-width: 8rem; }
-.coverage thead th:nth-child(n+2), .subjects thead th:nth-child(3),
-.subjects thead th:nth-child(n+5):nth-child(-n+10) { text-align: right; }
+.subjects thead th:nth-child(2) { text-align: left; }
 th small { display: block; font-weight: 400; color: var(--faint); }
 .number, .matrix td { text-align: right; white-space: nowrap; }
+thead .number { white-space: normal; }
 .word { white-space: nowrap; }
 .zero { color: var(--faint); }
 .group th { background: var(--raised); font-weight: 400; color: var(--faint); }
@@ -115,10 +114,9 @@ article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
   .subjects th[scope=row], .matrix th[scope=row] { min-width: 7rem; max-width: 8rem; }
 }
 .drawings { display: flex; flex-wrap: wrap; gap: 0.5rem 1.5rem; }
-.drawings .legend { flex: 1 0 100%; }
-figure { margin: 0; flex: 0 1 17rem; max-width: 17rem; }
+figure { margin: 0; max-width: 26rem; }
 figure svg { display: block; max-width: 100%; height: auto; background: var(--raised); border-radius: 0.3rem; }
-figcaption { font-size: 0.8125rem; color: var(--faint); }
+figcaption { max-width: 17rem; font-size: 0.8125rem; color: var(--faint); }
 svg path, svg ellipse { fill: none; stroke: var(--ink); stroke-width: 1.5; }
 svg text { fill: var(--ink); font: 12px system-ui, sans-serif; }
 svg .body { stroke: var(--body); fill: var(--body-fill); }
@@ -135,6 +133,8 @@ svg .computed { stroke: var(--computed); stroke-width: 4.5; stroke-opacity: 0.75
 svg .computed.head { fill: var(--computed); stroke: var(--computed); stroke-width: 2; }
 svg .exact { stroke: var(--exact); stroke-width: 2; }
 svg .exact.head { fill: var(--exact); stroke: none; }
+svg text.before, svg text.computed, svg text.exact, svg text.normal { stroke: none; }
+svg text.before { fill: var(--before); } svg text.computed { fill: var(--computed); } svg text.exact { fill: var(--exact); }
 @page { size: A4 landscape; margin: 12mm; }
 @media print {
   :root { color-scheme: light; }

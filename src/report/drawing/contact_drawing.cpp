@@ -43,31 +43,33 @@ Velocities seen(const Plane& plane, const ContactPicture& picture, const Pick& p
   return velocities;
 }
 
-/// Pixels for a unit of velocity [1 m/s], so that all arrows fit. The computed velocities count only if all others are
-/// 0.
-long double velocity_scale(const std::vector<Velocities>& all) {
+/// The longest velocity [m/s], which all arrows are drawn relative to. The computed velocities count only if all others
+/// are 0.
+long double longest_of(const std::vector<Velocities>& all) {
   long double true_ones = 0;
   long double computed = 0;
   for (const Velocities& one : all) {
     true_ones = std::max({true_ones, length(one.before), one.exact ? length(*one.exact) : 0});
     computed = std::max(computed, one.computed ? length(*one.computed) : 0);
   }
-  const long double longest = true_ones > 0 ? true_ones : computed;
-  return longest > 0 ? arrow_in_pixels / longest : 0;
+  return true_ones > 0 ? true_ones : computed;
 }
 
-/// Returns whether an arrow was shortened.
-bool draw_velocities(Drawing& drawing, const Place& at, const Velocities& velocities, long double scale) {
-  constexpr long double longest = 2 * arrow_in_pixels;
+/// `whose` begins the name of each arrow. Returns whether an arrow was shortened.
+bool draw_velocities(Drawing& drawing, const Place& at, const Velocities& velocities, long double longest,
+                     const std::string& whose) {
+  const long double scale = longest > 0 ? arrow_in_pixels / longest : 0;
+  constexpr long double longest_arrow = 2 * arrow_in_pixels;
   bool is_shortened = false;
-  drawing.arrow(at, scaled(velocities.before, scale), "before");
+  drawing.arrow(at, scaled(velocities.before, scale), "before", whose + "before");
   if (velocities.computed) {
     const Place computed = scaled(*velocities.computed, scale);
-    is_shortened = length(computed) > longest;
-    drawing.arrow(at, is_shortened ? scaled(computed, longest / length(computed)) : computed, "computed");
+    is_shortened = length(computed) > longest_arrow;
+    drawing.arrow(at, is_shortened ? scaled(computed, longest_arrow / length(computed)) : computed, "computed",
+                  whose + "computed");
   }
   if (velocities.exact) {
-    drawing.arrow(at, scaled(*velocities.exact, scale), "exact");
+    drawing.arrow(at, scaled(*velocities.exact, scale), "exact", whose + "exact");
   }
   return is_shortened;
 }
@@ -109,6 +111,12 @@ bool scale_outline(Outline& outline, long double scale) {
 
 std::string sentence(bool applies, const char* text) { return applies ? std::string(" ") + text : ""; }
 
+std::string scale_sentence(long double longest) {
+  return longest > 0
+             ? fmt::format(" An arrow as long as N is {:.2g} m/s.", longest * normal_in_pixels / arrow_in_pixels)
+             : "";
+}
+
 /// Returns the caption.
 std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, const Plane& plane,
                         const std::string& name, const std::string& title) {
@@ -144,26 +152,25 @@ std::string draw_bodies(pugi::xml_node parent, const ContactPicture& picture, co
       drawing.line(one.centre, {0, 0}, "arm");
     }
   }
-  drawing.arrow({0, 0}, {0, normal_in_pixels}, "normal");
-  const long double speed = velocity_scale({bodies[0].velocities, bodies[1].velocities});
+  drawing.arrow({0, 0}, {0, normal_in_pixels}, "normal", "N");
+  const long double longest = longest_of({bodies[0].velocities, bodies[1].velocities});
   bool is_shortened = false;
   for (const DrawnBody& one : bodies) {
     const Place from = one.has_centre ? one.centre : Place{wall_in_pixels / 2, 0};
-    is_shortened = draw_velocities(drawing, from, one.velocities, speed) || is_shortened;
+    is_shortened = draw_velocities(drawing, from, one.velocities, longest, one.name + " ") || is_shortened;
     if (one.has_centre) {
       drawing.dot(one.centre, "centre");
     }
   }
   drawing.dot({0, 0}, "point");
   drawing.label({0, 0}, "P");
-  drawing.label({0, normal_in_pixels}, "N");
   for (const DrawnBody& one : bodies) {
     drawing.label(one.has_centre ? one.centre : Place{-wall_in_pixels + 10, one.side * 10.0L},
                   one.name + (one.body->immovable ? " (wall)" : ""));
   }
   drawing.finish();
-  return fmt::format("Bodies and the velocities of their centres, in the plane of N and {}.{}{}", plane.spanned_by,
-                     sentence(!is_to_scale, "An outline is not to scale."),
+  return fmt::format("Bodies and the velocities of their centres, in the plane of N and {}.{}{}{}", plane.spanned_by,
+                     scale_sentence(longest), sentence(!is_to_scale, "An outline is not to scale."),
                      sentence(is_shortened, "The drawing shortens a computed velocity."));
 }
 
@@ -173,15 +180,15 @@ std::string draw_relative_velocity(pugi::xml_node parent, const ContactPicture& 
       parent, name, title + ": the contact point",
       "The velocity of A relative to B at the contact point before and after the impulse. The normal points upwards.");
   const Velocities velocities = seen(plane, picture, [](const Motion& motion) { return motion.relative_velocity; });
+  const long double longest = longest_of({velocities});
   drawing.line({-wall_in_pixels, 0}, {wall_in_pixels, 0}, "surface");
-  drawing.arrow({0, 0}, {0, normal_in_pixels}, "normal");
-  const bool is_shortened = draw_velocities(drawing, {0, 0}, velocities, velocity_scale({velocities}));
+  drawing.arrow({0, 0}, {0, normal_in_pixels}, "normal", "N");
+  const bool is_shortened = draw_velocities(drawing, {0, 0}, velocities, longest, "");
   drawing.dot({0, 0}, "point");
-  drawing.label({0, normal_in_pixels}, "N");
   drawing.label({0, 0}, "0");
   drawing.finish();
   const auto is_zero = [](const std::optional<Place>& place) { return place && length(*place) == 0; };
-  return "Relative velocity of the contact point, V = V_A − V_B, drawn from 0." +
+  return "Relative velocity of the contact point, V = V_A − V_B, drawn from 0." + scale_sentence(longest) +
          sentence(is_shortened, "The drawing shortens the computed velocity.") +
          sentence(is_zero(velocities.computed), "The computed velocity is zero.") +
          sentence(is_zero(velocities.exact), "The exact velocity is zero.");
@@ -199,20 +206,6 @@ void add_contact_figure(pugi::xml_node parent, const ContactPicture& picture, co
   const pugi::xml_node relative = add(figures, "figure");
   const std::string of_contact = draw_relative_velocity(relative, picture, plane, name + "-contact", title);
   add(relative, "figcaption", {}, of_contact + (picture.computed ? "" : " There is no finite computed outcome."));
-  add_contact_legend(figures);
-}
-
-void add_contact_legend(pugi::xml_node parent) {
-  const pugi::xml_node legend = add(parent, "ul", {{"class", "legend"}});
-  for (const auto& [look, text] : {std::pair{"before", "before"}, std::pair{"computed", "after, computed"},
-                                   std::pair{"exact", "after, exact"}, std::pair{"normal", "normal N"}}) {
-    const pugi::xml_node item = add(legend, "li");
-    const pugi::xml_node sample =
-        add(item, "svg", {{"aria-hidden", "true"}, {"viewBox", "0 0 36 10"}, {"width", "36"}, {"height", "10"}});
-    add(sample, "path", {{"class", look}, {"d", "M1,5L27,5"}});
-    add(sample, "path", {{"class", std::string(look) + " head"}, {"d", "M35,5L26,1.5L26,8.5Z"}});
-    add_text(item, std::string(" ") + text);
-  }
 }
 
 }  // namespace carom::report

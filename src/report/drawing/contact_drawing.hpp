@@ -23,13 +23,10 @@ struct ContactPicture {
   std::optional<Motion> exact;     // none if the law determines no outcome
 };
 
-/// Appends a figure with two drawings and their legend: the bodies with their velocities, and the relative velocity of
+/// Appends a figure with two drawings: the bodies with their velocities, and the relative velocity of
 /// the contact point. `name` is unique in its page. `title` names the contact. Precondition: the collision is valid.
 /// Its numbers may be of any size.
 void add_contact_figure(pugi::xml_node parent, const ContactPicture& picture, const std::string& name,
                         const std::string& title);
-
-/// Appends the legend of the strokes.
-void add_contact_legend(pugi::xml_node parent);
 
 }  // namespace carom::report

@@ -68,7 +68,7 @@ void Drawing::dot(const Place& centre, const char* look) {
   }
 }
 
-void Drawing::arrow(const Place& from, const Place& along, const char* look) {
+void Drawing::arrow(const Place& from, const Place& along, const char* look, std::string_view name) {
   constexpr long double shortest = 2;
   constexpr long double head_length = 9;
   constexpr long double head_half_width = 3.5;
@@ -88,6 +88,7 @@ void Drawing::arrow(const Place& from, const Place& along, const char* look) {
   add(svg_, "path",
       {{"class", std::string(look) + " head"}, {"d", 'M' + point(tip) + 'L' + point(left) + 'L' + point(right) + 'Z'}});
   occupy(tip);
+  label(tip, name, look);
 }
 
 void Drawing::wall(int side, long double half_width) {
@@ -101,7 +102,12 @@ void Drawing::wall(int side, long double half_width) {
   occupy_line({-half_width, side * depth}, {half_width, side * depth});
 }
 
-void Drawing::label(const Place& anchor, std::string_view text) {
+void Drawing::label(const Place& anchor, std::string_view text, const char* look) {
+  labels_.push_back({anchor, std::string(text), look});
+}
+
+void Drawing::write(const Label& label) {
+  const auto& [anchor, text, look] = label;
   constexpr long double height = 13;
   constexpr long double letter_width = 7.5L;
   const auto letters =
@@ -123,14 +129,17 @@ void Drawing::label(const Place& anchor, std::string_view text) {
     }
   }
   constexpr long double baseline = 3;
-  add(svg_, "text", {{"x", in_pixels(best.left)}, {"y", in_pixels(-best.bottom - baseline)}}, text);
-  labels_.push_back(best);
+  add(svg_, "text", {{"class", look}, {"x", in_pixels(best.left)}, {"y", in_pixels(-best.bottom - baseline)}}, text);
+  written_.push_back(best);
   for (const Place& corner : {Place{best.left, best.bottom}, Place{best.right, best.top}}) {
     occupy(corner);
   }
 }
 
 void Drawing::finish() {
+  for (const Label& label : labels_) {
+    write(label);
+  }
   constexpr long double margin = 8;
   constexpr long double smallest = 200;
   const auto widened = [](long double& low, long double& high) {
@@ -173,7 +182,7 @@ long double Drawing::covered(const Box& box) const {
         place.x > box.left - air && place.x < box.right + air && place.y > box.bottom - air && place.y < box.top + air;
     sum += inside ? 1 : 0;
   }
-  for (const Box& other : labels_) {
+  for (const Box& other : written_) {
     const bool apart =
         other.right < box.left || other.left > box.right || other.top < box.bottom || other.bottom > box.top;
     sum += apart ? 0 : of_label;

@@ -27,17 +27,16 @@ class Drawing {
                const char* look);
   void dot(const Place& centre, const char* look);
 
-  /// Draws nothing if the arrow is shorter than a dot.
-  void arrow(const Place& from, const Place& along, const char* look);
+  /// Draws an arrow with its name at its end. Draws nothing if the arrow is shorter than a dot.
+  void arrow(const Place& from, const Place& along, const char* look, std::string_view name);
 
   /// A horizontal surface through the origin, hatched above it if `side` is 1, and below it if `side` is −1.
   void wall(int side, long double half_width);
 
-  /// Writes a text next to the anchor, where it covers the least of the drawing. Call it after everything else is
-  /// drawn.
-  void label(const Place& anchor, std::string_view text);
+  /// Writes a text next to the anchor, where it covers the least of the finished drawing.
+  void label(const Place& anchor, std::string_view text, const char* look = "label");
 
-  /// Sets the size. Call it last.
+  /// Writes the labels and sets the size. Call it last.
   void finish();
 
  private:
@@ -48,13 +47,21 @@ class Drawing {
     long double top;
   };
 
+  struct Label {
+    Place anchor;
+    std::string text;
+    const char* look;
+  };
+
+  void write(const Label& label);
   void occupy(const Place& place);
   void occupy_line(const Place& from, const Place& to);
   [[nodiscard]] long double covered(const Box& box) const;
 
   pugi::xml_node svg_;
   std::vector<Place> occupied_;
-  std::vector<Box> labels_;
+  std::vector<Label> labels_;
+  std::vector<Box> written_;  // the boxes of labels
   Box extent_{0, 0, 0, 0};
 };
 

@@ -34,7 +34,40 @@ double overlap(const Box& a, const Box& b) {
 constexpr double letter_width = 0.62;
 constexpr double letter_height = 1.0;
 
+/// The part of the greatest luminance that a number from 0 to 255 stands for (sRGB).
+double luminance(double channel) {
+  const double part = channel / 255;
+  return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace
+
+std::string readable(std::string_view colour) {
+  constexpr double contrast = 4.5;
+  std::array<double, 3> rgb{};
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    rgb[i] = std::stoi(std::string(colour.substr(1 + 2 * i, 2)), nullptr, 16);
+  }
+  while (1.05 / (0.2126 * luminance(rgb[0]) + 0.7152 * luminance(rgb[1]) + 0.0722 * luminance(rgb[2]) + 0.05) <
+         contrast) {
+    for (double& channel : rgb) {
+      channel = std::floor(channel * 0.98);
+    }
+  }
+  return fmt::format("#{:02x}{:02x}{:02x}", static_cast<int>(rgb[0]), static_cast<int>(rgb[1]),
+                     static_cast<int>(rgb[2]));
+}
+
+void spread(std::vector<double>& heights, double gap, double least) {
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    heights[i] = std::min(heights[i], heights[i - 1] - gap);
+  }
+  double below = least - gap;
+  for (std::size_t i = heights.size(); i-- > 0;) {
+    heights[i] = std::max(heights[i], below + gap);
+    below = heights[i];
+  }
+}
 
 double Axis::pixel_of(double value) const {
   const double clamped = std::clamp(value, std::min(low, high), std::max(low, high));
@@ -110,7 +143,7 @@ void Plot::add(std::string_view command) {
 
 void Plot::write(std::string_view text, Pixel at, std::string_view colour, std::string_view align, double size) {
   text_ += fmt::format("set label {} at screen {:.6f},{:.6f} {} front tc rgb '{}' font ',{:.1f}'\n", gnuplot_text(text),
-                       at.x / width_, at.y / height_, align, colour, size * font_size_);
+                       at.x / width_, at.y / height_, align, readable(colour), size * font_size_);
 }
 
 void Plot::write(const std::vector<Label>& labels, double letter) {
@@ -122,17 +155,28 @@ void Plot::write(const std::vector<Label>& labels, double letter) {
                            label.colour);
     }
     text_ += fmt::format("set label {} at screen {:.6f},{:.6f} center front boxed tc rgb '{}' font ',{:.1f}'\n",
-                         gnuplot_text(label.text), label.at.x / width_, label.at.y / height_, label.colour, letter);
+                         gnuplot_text(label.text), label.at.x / width_, label.at.y / height_, readable(label.colour),
+                         letter);
   }
 }
 
-void Plot::swatch(Pixel at, std::string_view colour, int dash, int point) {
-  constexpr double half = 18;
-  text_ += fmt::format(
-      "set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 2 dt {} lc rgb '{}'\n"
-      "set label \"\" at screen {:.6f},{:.6f} point pt {} ps 0.7 lc rgb '{}'\n",
-      (at.x - half) / width_, at.y / height_, (at.x + half) / width_, at.y / height_, dash, colour, at.x / width_,
-      at.y / height_, point, colour);
+Pixel Plot::name_ends(std::vector<Label> names, const Panel& panel) {
+  const auto higher = [](const Label& a, const Label& b) { return a.names.y > b.names.y; };
+  std::stable_sort(names.begin(), names.end(), higher);
+  std::vector<double> heights;
+  for (const Label& name : names) {
+    heights.push_back(name.names.y);
+  }
+  spread(heights, name_distance * font_size_, panel.y.first_pixel);
+  Pixel at{panel.x.last_pixel + 2 * font_size_, panel.y.last_pixel};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    at.y = heights[i];
+    text_ += fmt::format("set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 0.7 lc rgb '{}'\n",
+                         names[i].names.x / width_, names[i].names.y / height_, (at.x - 4) / width_, at.y / height_,
+                         names[i].colour);
+    write(names[i].text, at, names[i].colour);
+  }
+  return at;
 }
 
 void Plot::curve(const std::vector<std::vector<double>>& points, std::string_view with) {
@@ -160,12 +204,15 @@ void Plot::end() {
 std::string Plot::script() const { return text_ + "unset multiplot\n"; }
 
 std::string time_tics(const Axis& axis) {
+  constexpr double room = 60;  // for a number [pixels]
   std::string tics;
+  double last = -room;
   for (const double decade : {1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
     for (const double step : {1.0, 2.0, 5.0}) {
       const double value = decade * step;
-      if (value >= axis.low && value <= axis.high) {
+      if (value >= axis.low && value <= axis.high && axis.pixel_of(value) - last >= room) {
         tics += fmt::format("{}\"{:g}\" {:g}", tics.empty() ? "" : ", ", value, value);
+        last = axis.pixel_of(value);
       }
     }
   }

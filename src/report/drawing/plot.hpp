@@ -62,13 +62,15 @@ class Plot {
   void begin(const Panel& panel, std::string_view title, std::string_view x_name, std::string_view y_name);
   /// Adds a command to the open diagram, before its curves.
   void add(std::string_view command);
-  /// Writes a text with its left end, middle or right end at a place. Call it in any diagram, before its curves.
+  /// Writes a text with its left end, middle or right end at a place, in a readable shade of the colour. Call it in any
+  /// diagram, before its curves.
   void write(std::string_view text, Pixel at, std::string_view colour = "#000000", std::string_view align = "left",
              double size = 1);
   /// Writes placed labels on white. A line joins a label to its place if the two are apart.
   void write(const std::vector<Label>& labels, double letter);
-  /// Draws a piece of a curve with its mark, as the key of a method. Call it in any diagram, before its curves.
-  void swatch(Pixel at, std::string_view colour, int dash, int point);
+  /// Writes the names of lines in a column to the right of a diagram, each beside the end of its line. A thin line
+  /// joins a name to its end. Returns the left end of the lowest name. Call it before the curves.
+  Pixel name_ends(std::vector<Label> names, const Panel& panel);
   /// Adds a curve or marks through points, in the gnuplot style `with`. Each point has two numbers (x and y) or four
   /// (the two ends of an arrow). Without points, it adds nothing.
   void curve(const std::vector<std::vector<double>>& points, std::string_view with);
@@ -99,7 +101,18 @@ inline constexpr std::string_view purple = "#cc79a7";
 inline constexpr std::string_view black = "#000000";
 inline constexpr std::string_view grey = "#999999";
 
-/// A gnuplot command for tics on an axis of times, at 1, 2 and 5 times the powers of ten, as plain numbers.
+/// The distance of two names in a column, in font sizes.
+inline constexpr double name_distance = 1.35;
+
+/// The colour, as dark as a text in it must be on white: a contrast of 4.5 (WCAG 2.2, 1.4.3).
+[[nodiscard]] std::string readable(std::string_view colour);
+
+/// Moves heights down until they are at least `gap` apart, and those that fall below `least` up again. They are sorted,
+/// the greatest first.
+void spread(std::vector<double>& heights, double gap, double least);
+
+/// A gnuplot command for tics on an axis of times, at 1, 2 and 5 times the powers of ten if there is room, as plain
+/// numbers.
 [[nodiscard]] std::string time_tics(const Axis& axis);
 
 /// A gnuplot command for tics at powers of ten, about eight of them, on the axis 'x' or 'y'.

@@ -9,8 +9,6 @@
 namespace carom::report {
 namespace {
 
-std::string of_cases(const properties::Count& count) { return violated_of_judged(count) + " cases"; }
-
 std::string worst_text(const SubjectSummary& summary) {
   const std::string error =
       summary.worst_backward_error ? fmt::format("{:.3g}", *summary.worst_backward_error) : no_number;
@@ -22,24 +20,6 @@ std::string worst_text(const SubjectSummary& summary) {
 const char* const differences_mean =
     "The runs have different settings. Their counts and worst values are not comparable. The settings alone may be the "
     "reason for new and fixed violations.";
-
-std::string counts_in_words(const ComparedViolation& violation) {
-  switch (violation.change) {
-    case Change::newly_violated:
-      return fmt::format("{}, held in all {} before", of_cases(violation.now), judged(violation.before));
-    case Change::violated_unknown:
-      return of_cases(violation.now) + ", not judged before";
-    case Change::known:
-      return violation.before.violated == violation.now.violated && judged(violation.before) == judged(violation.now)
-                 ? of_cases(violation.now)
-                 : fmt::format("{} → {}", of_cases(violation.before), of_cases(violation.now));
-    case Change::fixed:
-      return fmt::format("{} before, holds in all {} now", of_cases(violation.before), judged(violation.now));
-    case Change::no_longer_judged:
-      break;
-  }
-  return of_cases(violation.before) + " before, not judged now";
-}
 
 std::string counts_in_short(const ComparedViolation& violation) {
   if (violation.now.violated == 0) {

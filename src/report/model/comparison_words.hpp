@@ -9,11 +9,9 @@
 /// The words that all forms of a comparison share.
 namespace carom::report {
 
-/// The counts of a violation, as fits its change: "12 of 1000 cases, held in all 1000 before".
-[[nodiscard]] std::string counts_in_words(const ComparedViolation& violation);
-
-/// The counts of a violation in short, for places that name its change. A known violation whose counts changed has "12
-/// of 1000 → 15 of 1000". A violation that is gone has "12 of 1000 before". Any other one has "12 of 1000".
+/// The counts of a violation, for places that name its change and what is counted. A known violation whose counts
+/// changed has "12 of 1000 → 15 of 1000". A violation that is gone has "12 of 1000 before". Any other one has "12 of
+/// 1000".
 [[nodiscard]] std::string counts_in_short(const ComparedViolation& violation);
 
 /// "Carom 0.1.0, 2026-11-23T18:00:00Z, seed 1, 1000 cases of each of 35 families".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,6 +32,11 @@ std::string in_tenths(const std::optional<double>& number) {
 std::string in_words(const Digits& digits) {
   return digits.p50 ? fmt::format("{} / {} / {}", in_tenths(digits.p50), in_tenths(digits.p99), in_tenths(digits.worst))
                     : no_number;
+}
+
+std::uint64_t judged(const properties::FamilyResult& family) {
+  return family.cases - family.skipped -
+         std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
 }
 
 std::string limit_in_words(const oracles::Yardstick& yardstick) {
@@ -83,6 +89,10 @@ std::string worst_in_words(const JudgedSubject& subject) {
 
 std::string violated_of_judged(const properties::Count& count) {
   return fmt::format("{} of {}", count.violated, judged(count));
+}
+
+std::string violated_of_judged_cases(const properties::Count& count) {
+  return violated_of_judged(count) + " judged cases";
 }
 
 std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }

@@ -17,6 +17,9 @@ namespace carom::report {
 /// The number of cases in which the invariant held or was violated.
 [[nodiscard]] inline std::uint64_t judged(const properties::Count& count) { return count.holds + count.violated; }
 
+/// The number of the family's cases that were posed and judged.
+[[nodiscard]] std::uint64_t judged(const properties::FamilyResult& family);
+
 /// "32 ulps" or "8 digits".
 [[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);
 
@@ -38,8 +41,11 @@ namespace carom::report {
 /// The worst backward error [ulps] with three significant digits, or no_number for a law that determines no outcome.
 [[nodiscard]] std::string worst_in_words(const JudgedSubject& subject);
 
-/// "12 of 1000".
+/// "12 of 1000", for places that say what is counted.
 [[nodiscard]] std::string violated_of_judged(const properties::Count& count);
+
+/// "12 of 1000 judged cases".
+[[nodiscard]] std::string violated_of_judged_cases(const properties::Count& count);
 
 /// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);

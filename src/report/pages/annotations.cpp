@@ -41,7 +41,7 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
                       const std::string& out_directory) {
   const std::string& name = subject.result.subject.name;
   std::string message = fmt::format(
-      "{} cases, most often in {}. {}\n{}", violated_of_judged(subject.result.count(witness.invariant)), witness.family,
+      "{}, most often in {}. {}\n{}", violated_of_judged_cases(subject.result.count(witness.invariant)), witness.family,
       properties::invariant_named(witness.invariant)->statement, properties::in_words(witness.verdict));
   if (!out_directory.empty()) {
     message += '\n' + replay_line(run, subject, witness, out_directory);
@@ -50,6 +50,14 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
   return command(known ? "notice" : "error",
                  fmt::format("{} violates {}{}", name, witness.invariant, known ? " (known from the baseline)" : ""),
                  message);
+}
+
+/// Leaves out what the diagnosis does not say.
+std::string in_lines(const properties::diagnosis::Diagnosis& diagnosis) {
+  std::string lines = diagnosis.what;
+  lines += diagnosis.where.empty() ? "" : '\n' + diagnosis.where;
+  lines += diagnosis.look_at.empty() ? "" : "\nLook at: " + diagnosis.look_at;
+  return lines;
 }
 
 }  // namespace
@@ -62,9 +70,7 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
     }
     const std::string& name = subject.result.subject.name;
     if (subject.diagnosis) {
-      text += command("notice", "diagnosis of " + name,
-                      fmt::format("{}\n{}\nLook at: {}", subject.diagnosis->what, subject.diagnosis->where,
-                                  subject.diagnosis->look_at));
+      text += command("notice", "diagnosis of " + name, in_lines(*subject.diagnosis));
     }
     for (const Witness* witness : witnesses_by_telling(subject)) {
       text += violation(run, subject, *witness, out_directory);

@@ -40,7 +40,7 @@ void add_rows(Table& table, const ComparedSubject& subject, Change change) {
 
 void add_violations(Document& document, const Comparison& comparison, const char* caption,
                     std::span<const Change> changes) {
-  Table table{caption, {{"subject"}, {""}, {"invariant"}, {"in"}}, {}};
+  Table table{caption, {{"subject"}, {""}, {"invariant"}, {"in (violated of judged cases)"}}, {}};
   for (const Change change : changes) {
     for (const ComparedSubject& subject : comparison.subjects) {
       add_rows(table, subject, change);

@@ -15,7 +15,8 @@ using properties::SubjectResult;
 using properties::Witness;
 using properties::diagnosis::Diagnosis;
 
-/// The families with violations, with their share of cases and worst backward error, the largest share first.
+/// The families with violations, with their share of judged cases and worst backward error, the largest share first.
+/// Invalid collisions have no backward error.
 std::string families_in_words(const Run& run, const SubjectResult& result) {
   struct Share {
     std::size_t family;
@@ -25,7 +26,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const properties::FamilyResult& family = result.families[f];
     if (family.violated > 0) {
-      shares.push_back({f, (100 * family.violated + family.cases - 1) / family.cases});
+      shares.push_back({f, (100 * family.violated + judged(family) - 1) / judged(family)});
     }
   }
   std::stable_sort(shares.begin(), shares.end(), [](const Share& x, const Share& y) { return x.percent > y.percent; });
@@ -33,9 +34,10 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   std::string text;
   for (std::size_t i = 0; i < std::min(shares.size(), most_named); ++i) {
     const auto& [f, percent] = shares[i];
-    text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", run.families[f].name, percent);
-    if (determines_outcome(result.subject.law)) {
-      text += fmt::format(" ({:.2g})", result.families[f].worst_backward_error);
+    text += fmt::format("{}{} % of {}{}", i == 0 ? "" : ", ", percent, i == 0 ? "the judged cases of " : "",
+                        run.families[f].name);
+    if (const double error = result.families[f].worst_backward_error; error > 0) {
+      text += fmt::format(" (backward error up to {:.2g} ulps)", error);
     }
   }
   return shares.size() > most_named ? fmt::format("{}, and {} more families", text, shares.size() - most_named) : text;
@@ -45,12 +47,12 @@ Facts facts_of(const Diagnosis& diagnosis) {
   return {{{"what is wrong", diagnosis.what}, {"where", diagnosis.where}, {"look at", diagnosis.look_at}}};
 }
 
-/// The family of the witness, with the number of its cases that violate the invariant.
+/// The family of the witness, with the number of its judged cases that violate the invariant.
 std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const auto count = result.families[f].counts.find(witness.invariant);
     if (run.families[f].name == witness.family && count != result.families[f].counts.end()) {
-      return fmt::format("{} ({} of {} cases)", witness.family, count->second.violated, result.families[f].cases);
+      return fmt::format("{} ({})", witness.family, violated_of_judged_cases(count->second));
     }
   }
   return witness.family;
@@ -98,7 +100,7 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
   const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
   for (const Witness* witness : witnesses) {
-    table.rows.push_back({{witness->invariant, violated_of_judged(result.count(witness->invariant)) + " cases",
+    table.rows.push_back({{witness->invariant, violated_of_judged_cases(result.count(witness->invariant)),
                            in_its_family(run, result, *witness)}});
   }
   content.emplace_back(std::move(table));

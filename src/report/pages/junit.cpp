@@ -60,7 +60,7 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   }
   for (const properties::Witness& witness : result.witnesses) {
     if (witness.invariant == invariant) {
-      const std::string message = fmt::format("{} cases violate it{}", violated_of_judged(count), said_of(standing));
+      const std::string message = fmt::format("{} violate it{}", violated_of_judged_cases(count), said_of(standing));
       if (standing == Standing::failure) {
         add(test, "failure", {{"message", message}, {"type", "violated"}}, failure_text(witness));
       } else {

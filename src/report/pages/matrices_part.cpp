@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -114,12 +113,6 @@ Cell family_cell(const SubjectResult& result, const FamilyResult& family, double
   return Cell(in_few_letters(error), shade_of(error, limit) + (error <= limit ? "" : " above"));
 }
 
-/// The number of cases that were posed and judged.
-std::uint64_t judged_of(const FamilyResult& family) {
-  return family.cases - family.skipped -
-         std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
-}
-
 }  // namespace
 
 Document invariants_part(const Run& run) {
@@ -180,12 +173,12 @@ Document deviations_part(const Run& run) {
 }
 
 std::string boundary_in_words(const FamilyResult& family) {
-  if (judged_of(family) == 0) {
+  if (judged(family) == 0) {
     return no_number;
   }
   return family.boundary
-             ? fmt::format("from {:.2g}: {} of {}", family.boundary->quantity, family.violated, judged_of(family))
-             : fmt::format("nowhere, of {}", judged_of(family));
+             ? fmt::format("from {:.2g}: {} of {}", family.boundary->quantity, family.violated, judged(family))
+             : fmt::format("nowhere, of {}", judged(family));
 }
 
 Document beyond_domain_part(const Run& run, Subjects which) {

@@ -212,16 +212,16 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   Picture picture{[&witness, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
     add_drawing(node, witness, *judged_case, law, anchor, title);
   }};
-  Document content{
-      Paragraph{fmt::format("{} The subject violates this in {} cases. This witness comes from the family {}.",
-                            invariant.statement, violated_of_judged(result.count(witness.invariant)), witness.family)},
-      Picture{[formula = invariant.formula](pugi::xml_node node) {
-        add_formula(add(node, "div", {{"class", "formula"}, {"tabindex", "0"}}), formula);
-      }},
-      Box{"columns", {Box{"witness-numbers", std::move(numbers)}, Box{"pictures", {std::move(picture)}}}},
-      Paragraph{"To replay this witness:"},
-      Code{replay},
-      drawn_case(witness, replay)};
+  Document content{Paragraph{fmt::format("{} The subject violates this in {}. This witness comes from the family {}.",
+                                         invariant.statement, violated_of_judged_cases(result.count(witness.invariant)),
+                                         witness.family)},
+                   Picture{[formula = invariant.formula](pugi::xml_node node) {
+                     add_formula(add(node, "div", {{"class", "formula"}, {"tabindex", "0"}}), formula);
+                   }},
+                   Box{"columns", {Box{"witness-numbers", std::move(numbers)}, Box{"pictures", {std::move(picture)}}}},
+                   Paragraph{"To replay this witness:"},
+                   Code{replay},
+                   drawn_case(witness, replay)};
   return {title, std::move(content), anchor, "article"};
 }
 

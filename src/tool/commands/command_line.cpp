@@ -2,7 +2,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,7 +18,7 @@
 
 #include "commands/commands.hpp"
 #include "io/memory_reserve.hpp"
-#include "io/usage_error.hpp"
+#include "io/standard_output.hpp"
 
 namespace carom::tool {
 namespace {
@@ -62,7 +64,11 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
     std::fputs(meant_words(app).c_str(), stderr);
     return exit_usage;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_usage;
+    std::ostringstream answer;  // to --help or --version
+    const bool is_answered = app.exit(error, answer, std::cerr) == 0;
+    fmt::print("{}", answer.str());
+    flush_output();
+    return is_answered ? exit_all_hold : exit_usage;
   }
   if (!chosen) {
     std::fputs(fmt::format("carom: no command is given; expected one of the subcommands below\n{}", app.help()).c_str(),
@@ -74,9 +80,7 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
     std::fputs(out_of_memory, stderr);
     return exit_usage;
   }
-  if (std::fflush(stdout) != 0) {
-    throw UsageError("standard output cannot be written; check the disk space and the reader of the pipe");
-  }
+  flush_output();
   return status;
 }
 
@@ -94,7 +98,7 @@ void complain(const std::string& what) {
 }  // namespace
 
 int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
-  // A failed write must be reported as an error. It must not end a program that has reports to write.
+  // A failed write must not end a program that has reports to write and programs to stop.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -102,6 +106,9 @@ int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   } catch (const std::bad_alloc&) {
     std::fputs(out_of_memory, stderr);
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::broken_pipe) {
+      end_by_closed_pipe();
+    }
     complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
   } catch (const std::exception& error) {
     complain(error.what());

@@ -33,6 +33,7 @@ struct ReplayArguments {
   std::string subject;  // empty: the one that a witness names
   double timeout = 5;   // for each reply of a program [s]
   YardstickArguments judged;
+  bool shows_all_laws = false;  // whether to show laws that the subject does not claim
   std::string format = "text";
 };
 
@@ -189,9 +190,18 @@ struct Shown {
   std::string text;
 };
 
-/// Adds the exact outcome under each law, and returns all answers of `coulomb`. Precondition: the case is valid.
+/// The law that the judged subject claims. If no subject is judged, the law that the witness names, if it names one.
+Law claimed_law(const ReadCollision& read, const ReplaySubject* open) {
+  if (open != nullptr) {
+    return open->subject().law;
+  }
+  return read.witness && read.witness->law ? *read.witness->law : Law::any;
+}
+
+/// Adds the exact outcome under the law, or under each law for `any`. Returns the answers of `coulomb` if it is shown.
+/// Precondition: the case is valid.
 std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const properties::JudgedCase& judged_case,
-                                               Shown& shown) {
+                                               Law shown_law, Shown& shown) {
   const oracles::ExactCase& exact_case = judged_case.exact();
   const std::vector<const properties::Feature*> features = properties::features_of(collision);
   shown.record["approach"] = name_of(exact_case.approach());
@@ -200,9 +210,16 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
     shown.record["features"].push_back(feature->name);
   }
   shown.text += "  features: " + joined(features) + '\n' + contact_steps(exact_case);
+  const auto is_shown = [&](Law law) { return shown_law == law || shown_law == Law::any; };
   for (const Law law : laws_with_truth) {
+    if (!is_shown(law)) {
+      continue;
+    }
     shown.record["truth"][std::string(carom::name_of(law))] = report::truth_record(exact_case, law);
     shown.text += truth_steps(exact_case, law);
+  }
+  if (!is_shown(Law::coulomb)) {
+    return {};
   }
   std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
   shown.record["answers"]["coulomb"] = report::answers_record(answers);
@@ -246,14 +263,16 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Rep
   const properties::JudgedCase judged_case(read.one, !arguments.judged.exact);
   Shown shown{{{"place", read.place}, {"collision", collision_to_json(read.one.collision)}},
               fmt::format("{}\n{}", read.place, in_words(read.one.collision, "  "))};
+  ReplaySubject* const open = subjects.subject_for(read);
   std::vector<oracles::CoulombAnswer> answers;
   if (judged_case.is_valid()) {
-    answers = show_truth(read.one.collision, judged_case, shown);
+    answers = show_truth(read.one.collision, judged_case, arguments.shows_all_laws ? Law::any : claimed_law(read, open),
+                         shown);
   } else {
     shown.text += "  an invalid collision: it has no exact outcome, and a subject must refuse it\n";
   }
   bool violated = false;
-  if (ReplaySubject* const open = subjects.subject_for(read)) {
+  if (open != nullptr) {
     const ReplayedCase replayed = open->judge(read.one);
     violated = is_violated(replayed.judgement);
     show_judgement(*open, replayed, shown);
@@ -301,7 +320,7 @@ void add_replay(CLI::App& app, Chosen& chosen) {
   CLI::App* command =
       app.add_subcommand("replay", "Show each step of the exact outcome of collisions, and judge a subject on them");
   CLI::Option* replayed_file =
-      command->add_option("FILE", arguments->file, "A witness, a vector file, or JSON Lines of collisions");
+      command->add_option("FILE", arguments->file, "Witnesses or collisions: JSON Lines, one object or an array");
   command->add_flag("--drawn", arguments->drawn, "Use the collision of a witness as it was drawn, before shrinking")
       ->needs(replayed_file);
   CLI::Option* replayed_family =
@@ -318,6 +337,8 @@ void add_replay(CLI::App& app, Chosen& chosen) {
       ->needs(replayed_family);
   command->add_option("--subject", arguments->subject,
                       "Subject to judge (default: the subject of the witness, unless it is a program)");
+  command->add_flag("--all-laws", arguments->shows_all_laws,
+                    "Show the outcome of every law, not only of the law that the subject claims");
   add_yardstick(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});

@@ -5,10 +5,23 @@
 
 #include <carom/subjects/protocol/child.hpp>
 
+#include "io/json_file.hpp"
 #include "io/output_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
+namespace {
+
+/// In a dark page the picture is dark too: light and dark change places, and the hues stay.
+void add_dark_style(const std::filesystem::path& svg) {
+  std::string text = content_of_file(svg.string());
+  text.insert(
+      text.find("<g "),
+      "<style>@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }</style>\n");
+  write_file(svg, text);
+}
+
+}  // namespace
 
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
   const std::filesystem::path scripts = directory / "gnuplot";
@@ -30,6 +43,7 @@ void draw(std::span<const report::Plot> pictures, const std::filesystem::path& d
                                                limits, {});
       try {
         gnuplot.finish("");
+        add_dark_style(directory / (picture.name() + ".svg"));
       } catch (const subjects::protocol::ChildError& error) {
         throw UsageError(fmt::format("gnuplot {}: {}", error.what(), gnuplot.standard_error()));
       }

@@ -2,6 +2,7 @@
 #include "io/input_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
@@ -63,6 +64,18 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
     facts.subject = text_field(subject.at("name"), "/subject/name", place);
     if (subject.contains("specification")) {
       facts.subject = text_field(subject.at("specification"), "/subject/specification", place);
+    }
+    if (subject.contains("model")) {
+      const std::string model = text_field(subject.at("model"), "/subject/model", place);
+      facts.law = law_named(model);
+      if (!facts.law) {
+        std::vector<std::string_view> known;
+        for (const Law law : all_laws) {
+          known.push_back(name_of(law));
+        }
+        fail(place,
+             fmt::format("/subject/model: there is no law '{}'; expected one of {}", model, fmt::join(known, ", ")));
+      }
     }
   }
   return facts;

@@ -15,6 +15,7 @@ namespace carom::tool {
 struct WitnessFacts {
   std::string subject;  // as the command line names it
   std::string invariant;
+  std::optional<Law> law = {};  // that the subject claims
 
   /// Whether the invariant is about invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "io/present_run.hpp"
 
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 
@@ -12,7 +11,7 @@
 
 #include "io/old_witnesses.hpp"
 #include "io/output_file.hpp"
-#include "io/usage_error.hpp"
+#include "io/standard_output.hpp"
 
 namespace carom::tool {
 namespace {
@@ -42,12 +41,6 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
   staged.put_in_place("report.json");
   remove_old_witnesses(out, old);
   remove_abandoned_stages(out);
-}
-
-void flush_output() {
-  if (std::fflush(stdout) != 0) {
-    throw UsageError("standard output cannot be written; check the disk space and the reader of the pipe");
-  }
 }
 
 void print_run(const report::Run& run, const Presentation& presentation) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-import { path_of, ticks, value_at } from "./chart_parts.mjs";
+import { path_of, spread, ticks, value_at } from "./chart_parts.mjs";
 import { svg } from "./elements.mjs";
 import { prefix_of, quantity } from "./units.mjs";
 
 const names = { kinetic: "kinetic", spin: "rotational part", potential: "potential", lost: "lost", total: "total" };
-const margin = { left: 40, right: 10, top: 16, bottom: 20 };
+const margin = { left: 40, right: 78, top: 16, bottom: 20 };
 
 /** Energy over time, with a cursor at the present time, and the values at that time. */
 export class Chart {
@@ -23,9 +23,7 @@ export class Chart {
       row.className = name;
       const heading = document.createElement("th");
       heading.scope = "row";
-      const key = svg("svg", { class: "key", viewBox: "0 0 22 10", "aria-hidden": "true" });
-      key.append(svg("line", { x1: 0, x2: 22, y1: 5, y2: 5 }));
-      heading.append(key, names[name]);
+      heading.append(names[name]);
       row.append(heading);
       return { name, cell: row.insertCell() };
     });
@@ -60,8 +58,8 @@ export class Chart {
     const [letter, factor] = prefix_of(Math.max(greatest, -least));
     this.element.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.element.replaceChildren();
-    const text = (x, y, anchor, content) => {
-      const node = svg("text", { x, y, "text-anchor": anchor });
+    const text = (x, y, anchor, content, look = "") => {
+      const node = svg("text", { x, y, "text-anchor": anchor, class: look });
       node.textContent = content;
       this.element.append(node);
     };
@@ -77,6 +75,14 @@ export class Chart {
     for (const [name, y] of Object.entries(this.series)) {
       this.element.append(svg("path", { class: `${name} series`, d: path_of(this.t, y, this.x_of, this.y_of) }));
     }
+    // At the end of each line is the first word of its name.
+    const ends = Object.entries(this.series).map(([name, y]) => ({ name, y: this.y_of(y.at(-1)) }));
+    const heights = spread(ends.map(({ y }) => y), 13, margin.top, height - margin.bottom);
+    ends.forEach(({ name, y }, i) => {
+      const [from, to] = [width - margin.right, width - margin.right + 8];
+      this.element.append(svg("line", { class: `${name} leader`, x1: from, y1: y, x2: to, y2: heights[i] }));
+      text(to + 2, heights[i] + 4, "start", names[name].split(" ")[0], name);
+    });
     this.cursor = svg("line", { class: "cursor", y1: margin.top - 4, y2: height - margin.bottom });
     this.element.append(this.cursor);
     this.dots = Object.keys(this.series).map((name) => {

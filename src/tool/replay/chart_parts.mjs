@@ -61,3 +61,12 @@ export function value_at(t, y, time) {
   const share = (time - t[low - 1]) / (t[low] - t[low - 1]);
   return y[low - 1] + (y[low] - y[low - 1]) * share;
 }
+
+/** The heights moved apart to at least `gap`, in their order. The highest (the least) is at `least` or lower. */
+export function spread(heights, gap, least, greatest) {
+  const order = heights.map((_, i) => i).sort((a, b) => heights[a] - heights[b]);
+  const moved = [];
+  order.forEach((i, n) => { moved[i] = Math.max(heights[i], n ? moved[order[n - 1]] + gap : least); });
+  order.reverse().forEach((i, n) => { moved[i] = Math.min(moved[i], n ? moved[order[n - 1]] - gap : greatest); });
+  return moved;
+}

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/quantities.hpp>
@@ -64,7 +65,7 @@ TEST(Where, AFeatureOfEitherBodyIsFound) {
                               return approach == colliding && (c.a.orientation[0] < 0 || c.b.orientation[0] < 0) &&
                                      !c.a.immovable && !c.b.immovable;
                             }).words();
-  expect_in("A or B: the quaternion's w < 0", words);
+  expect_in("for A or B the quaternion's w < 0, then 100 % of the colliding contacts (N·V⁻ < 0) fail: ", words);
 }
 
 TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
@@ -73,14 +74,14 @@ TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
                                      (c.a.mass > 100 * c.b.mass || c.b.mass > 100 * c.a.mass);
                             }).words();
   expect_in("If the larger mass over the smaller is at least 1", words);
-  expect_in("100 % of the colliding contacts (N·V⁻ < 0) fail", words);
+  expect_in(", then 100 % of the colliding contacts (N·V⁻ < 0) fail", words);
 }
 
 TEST(Where, AnAbsenceIsFound) {
   const std::string words = Sampled([](const Collision& c, auto approach) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable;
                             }).words();
-  expect_in("neither A nor B: the body is immovable", words);
+  expect_in("If it holds for neither A nor B that the body is immovable, then ", words);
 }
 
 /// Chance alone produces no finding.
@@ -89,6 +90,25 @@ TEST(Where, NothingIsFoundWhereThereIsNothing) {
   const std::string words =
       Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 7 == 0; }).words();
   expect_in("no feature distinguishes them from the others", words);
+}
+
+TEST(Where, NothingIsSaidOfFewerViolatedCasesThanAHintNeeds) {
+  const auto words_of_first = [](std::uint64_t number) {
+    std::uint64_t count = 0;
+    return Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count <= number; }).words();
+  };
+  EXPECT_EQ(words_of_first(least_violated - 1), "");
+  EXPECT_NE(words_of_first(least_violated), "");
+}
+
+/// Some of several hundred possible conditions hold by chance in all of a dozen cases.
+TEST(Where, AConditionOfADozenCasesByChanceIsNoFinding) {
+  for (int offset = 0; offset < 8; ++offset) {
+    int count = offset;
+    const std::string words =
+        Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 150 == 0; }).words();
+    expect_in("no feature distinguishes them from the others", words);
+  }
 }
 
 }  // namespace

@@ -151,6 +151,16 @@ TEST(Lint, FindsLengthsFarFromOne) {
   EXPECT_EQ(found(c), Found{}) << "an immovable body has none";
 }
 
+TEST(Lint, SaysWhichLengthIsFarFromOne) {
+  Collision c = cube();
+  c.normal = {0, 1.1, 0};
+  c.a.orientation = {0.9, 0, 0, 0};
+  const std::vector<LintFinding> findings = findings_of({"", c, "here:1"});
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_TRUE(findings[0].text.starts_with("the normal has length 1.1;")) << findings[0].text;
+  EXPECT_TRUE(findings[1].text.starts_with("the quaternion has length 0.9;")) << findings[1].text;
+}
+
 TEST(Lint, FindsCoefficientsOutOfRange) {
   Collision c = cube();
   c.restitution = 1.5;

@@ -109,7 +109,7 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
 /// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and the masses
 /// are so large that the scale of friction does not. It is undecidable whether the contact point slips, so friction
 /// need not be on the cone.
-TEST(Trial, ASlipThatCannotBeToldFromSlippingIsNoViolation) {
+TEST(Trial, ASlipThatCannotBeToldFromStickingIsNoViolation) {
   const auto verdict_with = [](double normal, double mass) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};
     one.collision.a.mass = mass;

@@ -6,6 +6,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/oracles/models/coulomb.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "formulas/formulas.hpp"
@@ -78,6 +79,31 @@ TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
                 .norm(),
             0x1p-50);
   expect_impulse("ode-double-coulomb", c, {-0.5, 1.25, 0}, some_roundings);
+}
+
+/// r × N = (1, −3/4, 0) lies across the rod, so N·KN = 1 + (25/16) / (25/16) = 2, F = N and w⁺ = (16, −12, 0)/25. In
+/// world axes, the greatest entry of J⁻¹ is about 2²⁶ · 16/25 and is rounded by up to 4 · 10⁻⁹.
+TEST(EngineWitnesses, ASlenderRodLosesHalfOfItsDigitsByAnInverseInertiaInWorldAxes) {
+  const Collision rod = witness("slender_rod");
+  const Vector3<double> spin{16.0 / 25, -12.0 / 25, 0};
+  for (const char* name : {"bullet-double", "ode-double", "frictionless-world-double", "frictionless-double"}) {
+    const Subject subject = *subjects::subject_named(name);
+    if (!subject.absent.empty()) {
+      continue;
+    }
+    properties::Claim claim = properties::claim_of(subject, {});
+    claim.invariants = {properties::invariant_named("angular_momentum")};
+    const properties::AnswerAndJudgement judged = properties::judge_one(subject, claim, {rod, false});
+    const auto& answered = std::get<ReportedOutcome>(judged.answer).a.angular_velocity;
+    EXPECT_LE((answered.cast<double>() - spin).norm(), 1e-7) << name;
+    const properties::Verdict& verdict = judged.judgement.verdicts.at(0).verdict;
+    if (name == std::string("frictionless-double")) {
+      EXPECT_EQ(verdict.status, properties::Status::holds);
+    } else {
+      EXPECT_EQ(verdict.status, properties::Status::violated) << name;
+      EXPECT_GT(verdict.residual, 1e-10) << name;
+    }
+  }
 }
 
 struct ByHand {

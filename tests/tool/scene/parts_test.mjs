@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { path_of, ticks, value_at } from "../../../src/tool/replay/chart_parts.mjs";
+import { path_of, spread, ticks, value_at } from "../../../src/tool/replay/chart_parts.mjs";
 import { dot } from "../../../src/tool/replay/quaternion.mjs";
 import { face_of, grid_on, grid_step, half_spaces, steepness } from "../../../src/tool/replay/region.mjs";
 import { count_up_to, radius_of, read } from "../../../src/tool/replay/replay_data.mjs";
@@ -74,6 +74,10 @@ test("a path with many points to a column keeps the extremes", () => {
   assert.ok(path.includes(" 7.00") && path.includes(" -7.00"));
   assert.ok(path.split("L").length <= 4 * 300);
   assert.equal(path_of([0, 1], [1, 2], (x) => 10 * x, (x) => x), "M0.00 1.00L10.00 2.00");
+});
+
+test("names at the ends of lines are apart, in the order of the ends", () => {
+  assert.deepEqual(spread([50, 0, 49, 98, 99], 10, 5, 100), [59, 5, 49, 90, 100]);
 });
 
 test("values of a series are in a straight line between its points, and jump where it jumps", () => {

@@ -97,6 +97,10 @@ TEST(SceneCommand, WritesWhatItPromises) {
        {"events.csv", "series.csv", "scene.json", "report.html", "energy.svg", "momentum.svg", "spin.svg"}) {
     EXPECT_GT(fs::file_size(out / name), 0U) << name;
   }
+  for (const auto& [name, unit] : {std::pair{"energy.svg", "energy [J]"}, std::pair{"momentum.svg", "momentum [N s]"},
+                                   std::pair{"spin.svg", "[rad/s]"}}) {
+    EXPECT_NE(content_of(out / name).find(unit), std::string::npos) << name;
+  }
   const json record = json::parse(content_of(out / "scene.json"));
   const std::string events = content_of(out / "events.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::count(events.begin(), events.end(), '\n')),

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// The diagnosis of a built-in subject that a gate with these options rejects.
+Diagnosis diagnosis_of(const std::string& subject, GateOptions options, const std::vector<const char*>& families) {
+  options.shrinks = false;
+  for (const char* name : families) {
+    options.families.push_back(family_named(name));
+  }
+  const GateReport report = run_gate({subjects::subject_named(subject).value()}, options);
+  return diagnose_all(report).at(0);
+}
+
+TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
+  GateOptions options;
+  options.fail_fast = true;
+  const Diagnosis diagnosis = diagnosis_of("reflection-in-basis-double", options, {"structured", "near_head_on"});
+  EXPECT_EQ(diagnosis.violated, 1U);
+  EXPECT_EQ(
+      diagnosis.what,
+      "Only 1 violated case was examined, and a hint on the cause needs 5. Judge more cases without --fail-fast.");
+  EXPECT_EQ(diagnosis.where, "");
+  EXPECT_EQ(diagnosis.look_at, "");
+}
+
+/// The inverse inertia of `frictionless-world-double` is a matrix in world axes. The cases of `structured` also have
+/// features that might distinguish the violated ones.
+TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
+  GateOptions options;
+  options.cases = 200;
+  const Diagnosis slender = diagnosis_of("frictionless-world-double", options, {"physical", "structured"});
+  EXPECT_NE(slender.where.find("If a body's greatest moment over its least is at least "), std::string::npos)
+      << slender.where;
+  EXPECT_TRUE(slender.look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes ")) << slender.look_at;
+  const Diagnosis others = diagnosis_of("reflection-in-basis-double", options, {"near_head_on", "head_on"});
+  EXPECT_EQ(others.look_at.find("world axes"), std::string::npos) << others.look_at;
+}
+
+}  // namespace
+}  // namespace carom::properties::diagnosis

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/report/pages/pages.hpp>
+
+/// All forms of a report count violations out of the judged cases.
+namespace carom::report {
+namespace {
+
+properties::Witness witness_of(const std::string& invariant, const std::string& family) {
+  properties::Witness witness;
+  witness.invariant = invariant;
+  witness.family = family;
+  witness.verdict.status = properties::Status::violated;
+  witness.answer = ReportedOutcome{};
+  return witness;
+}
+
+/// A subject was judged on 80 of 100 cases of `slow`, and on 60 of them for `restitution`. It answers invalid
+/// collisions.
+report::Run violated_run() {
+  report::Run run;
+  run.settings.cases = 100;
+  run.families = {{"slow", "", {}, {}}, {"invalid", "", {}, {}}};
+  JudgedSubject subject;
+  subject.counts = true;
+  subject.status = "violated";
+  properties::SubjectResult& result = subject.result;
+  result.subject.name = "solver";
+  result.subject.law = Law::frictionless;
+  result.families.resize(2);
+  properties::FamilyResult& slow = result.families[0];
+  slow.cases = 100;
+  slow.skipped = 15;
+  slow.unjudged[properties::Unjudged::leaves_range] = 5;
+  slow.violated = 20;
+  slow.worst_backward_error = 1900;
+  slow.counts["restitution"] = {48, 12, 20};
+  properties::FamilyResult& invalid = result.families[1];
+  invalid.cases = 50;
+  invalid.violated = 39;
+  invalid.counts["invalid_refused"] = {11, 39, 0};
+  for (properties::FamilyResult* family : {&slow, &invalid}) {
+    for (const auto& [invariant, count] : family->counts) {
+      family->worst[invariant] = {};
+    }
+  }
+  result.witnesses = {witness_of("restitution", "slow"), witness_of("invalid_refused", "invalid")};
+  run.subjects = {subject};
+  return run;
+}
+
+void expect_in(const std::string& part, const std::string& text) {
+  EXPECT_NE(text.find(part), std::string::npos) << "expected: " << part << "\nin: " << text;
+}
+
+TEST(Violations, AreCountedOutOfTheJudgedCasesInEachForm) {
+  const report::Run run = violated_run();
+  for (const std::string& text : {run_text(run, ""), run_markdown(run, "")}) {
+    expect_in("12 of 60 judged cases", text);
+    expect_in("slow (12 of 60 judged cases)", text);
+  }
+  expect_in("12 of 60 judged cases, most often in slow.", github_annotations(run, ""));
+  expect_in("12 of 60 judged cases violate it", junit_xml(run));
+  expect_in("The subject violates this in 12 of 60 judged cases.", run_html(run, ""));
+}
+
+TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps) {
+  for (const std::string& text : {run_text(violated_run(), ""), run_markdown(violated_run(), "")}) {
+    expect_in("in: 78 % of the judged cases of invalid, 25 % of slow (backward error up to 1.9e+03 ulps)\n", text);
+  }
+}
+
+/// A diagnosis of too few cases has no `where` and no `look at`.
+TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
+  report::Run run = violated_run();
+  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{"restitution", 2, 2, "Only 2 were examined.", "", ""};
+  expect_in("::notice title=diagnosis of solver::Only 2 were examined.\n", github_annotations(run, ""));
+  run.subjects[0].diagnosis->where = "Nearly all cases fail.";
+  run.subjects[0].diagnosis->look_at = "the test";
+  expect_in("examined.%0ANearly all cases fail.%0ALook at: the test\n", github_annotations(run, ""));
+}
+
+}  // namespace
+}  // namespace carom::report
