@@ -105,6 +105,12 @@ TEST(Rational, TimesAPowerOfTwo) {
   }
 }
 
+TEST(Rational, HasARootOnlyIfItIsASquare) {
+  EXPECT_EQ(sqrt(Rational(9) / Rational(4)), Rational(3) / Rational(2));
+  EXPECT_EQ(sqrt(Rational(0)), Rational(0));
+  EXPECT_THROW(static_cast<void>(sqrt(Rational(2))), std::domain_error);
+}
+
 TEST(Lift, IsExactForDoubles) {
   EXPECT_EQ(lift(0.0L), 0);
   EXPECT_EQ(lift(-0.0L), 0);

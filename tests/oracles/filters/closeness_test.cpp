@@ -241,6 +241,22 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
 }
 
+/// A spin of σ = 2¹⁰ rad/s that the impulse nearly stops. The slope J ŵ must be at least 2⁻¹⁹ J σ, above its noise.
+TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
+  Collision c;
+  c.a.angular_velocity = {0x1p10, 0, 0};
+  const ExactCase exact_case(c);
+  const PerVector<double> error_above{0, 0x1p-60, 0, 0};
+  const auto is_shown = [&](double spin_after) {
+    Outcome<double> after = unchanged(c);
+    after.a.angular_velocity = {spin_after, 0, 0};
+    const LiftedOutcome outcome(map_outcome<long double>(after, [](double x) { return x; }));
+    return Closeness(exact_case.bounds(), Law::frictionless, outcome, error_above, 0x1p-48).shows_energy();
+  };
+  EXPECT_TRUE(is_shown(0x1p-8));
+  EXPECT_FALSE(is_shown(0x1p-10));
+}
+
 /// Closeness does not show an equation that the law's truth violates, even for an outcome close to the truth.
 TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   const ExactCase exact_case(unit::case_of("elastic", 0).collision);

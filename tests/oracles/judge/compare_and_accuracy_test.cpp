@@ -342,23 +342,26 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   EXPECT_EQ(exact.digits(), 40);
 }
 
-/// On both sides of limit · u · sensitivity, with the filter and without.
+/// On both sides of limit · u · sensitivity, with the filter and without, for moderate and for extreme numbers.
 TEST(Accuracy, AllowsWhatTheYardstickSays) {
-  Collision c;
-  c.a.velocity = {0, -1, 0};
-  c.b.immovable = true;
-  const ExactCase exact_case(c);
-  for (const bool filtered : {false, true}) {
-    Yardstick yardstick;
-    yardstick.unit_roundoff = 0x1p-30;
-    yardstick.limit_ulps = 8;
-    yardstick.filtered = filtered;
-    const double allowed = 0x1p-27 * exact_case.sensitivity(Law::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
-    for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
-      ReportedOutcome outcome;
-      outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
-      const Accuracy result = accuracy(exact_case, Law::reflection, LiftedOutcome(outcome), yardstick);
-      EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
+  for (const double speed : {1.0, 0x1p200}) {
+    Collision c;
+    c.a.velocity = {0, -speed, 0};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.bounds().is_moderate(), speed == 1);
+    for (const bool filtered : {false, true}) {
+      Yardstick yardstick;
+      yardstick.unit_roundoff = 0x1p-30;
+      yardstick.limit_ulps = 8;
+      yardstick.filtered = filtered;
+      const double allowed = 0x1p-27 * exact_case.sensitivity(Law::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
+      for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
+        ReportedOutcome outcome;
+        outcome.a.velocity = {0, speed + static_cast<long double>(part * allowed), 0};
+        const Accuracy result = accuracy(exact_case, Law::reflection, LiftedOutcome(outcome), yardstick);
+        EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
+      }
     }
   }
 }
