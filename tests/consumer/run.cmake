@@ -58,7 +58,7 @@ expect_output("its component juggling is not installed here" "scene_polyhedra" "
 
 # README.md has a property, and RapidCheck's output for the solver in my_solver.hpp.
 file(READ ${CONSUMER}/../../README.md readme)
-if(NOT readme MATCHES "    (#include <carom/properties/three_properties.hpp>\n.*\n    }\n)\nRapidCheck prints[^\n]*\n\n(    [^#]*\n)\nThis is")
+if(NOT readme MATCHES "    (#include <carom/properties/three_properties.hpp>\n.*\n    }\n)\n[^\n]*RapidCheck prints[^\n]*\n\n((    [^\n]*\n)+)")
   message(FATAL_ERROR "README.md shows no property and what RapidCheck prints")
 endif()
 set(property "${CMAKE_MATCH_1}")
