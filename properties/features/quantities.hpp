@@ -15,12 +15,12 @@ struct ComparedQuantity {
   double (*of)(const Collision&);  // not positive or not finite if the collision does not have it
 };
 
-/// The quantities that solvers compare with limits: masses, moments and their products, lengths, speeds, ratios. Most
-/// quantities of a body occur twice, as the lesser and the greater of the two bodies.
+/// Masses, moments and their products, lengths, speeds, ratios. Most quantities of a body have two entries: the lesser
+/// and the greater of the two bodies.
 [[nodiscard]] std::span<const ComparedQuantity> all_compared_quantities();
 
-/// The decimal logarithms of the collision's quantities, in the order of all_compared_quantities(); NaN for a quantity
-/// that the collision does not have. Precondition: the collision is valid.
+/// The decimal logarithms of the collision's quantities, in this order; NaN for a quantity that it does not have.
+/// Precondition: the collision is valid.
 [[nodiscard]] std::vector<float> quantities_of(const Collision& collision);
 
 }  // namespace carom::properties

@@ -16,7 +16,7 @@ bool is_same(long double x, long double y, Sameness sameness) {
 
 Verdict differs(const char* what) { return {Status::violated, what, 0, 0, {}, {}}; }
 
-/// A violation, if the numbers at one place of both answers differ; otherwise no value.
+/// A violation if the numbers at this place of the two answers differ; otherwise no value.
 std::optional<Verdict> difference(std::string_view place, std::span<const long double> first,
                                   std::span<const long double> again, Sameness sameness) {
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -7,7 +7,6 @@ namespace {
 
 Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
 
-/// `finite`, for the answer to a valid collision.
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Law /*law*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
     return violated("the outcome contains infinities or NaN");
@@ -33,7 +32,6 @@ bool is_invalid_by_unread_fields(const Collision& collision, Law law) {
   return validate(without).empty();
 }
 
-/// `invalid_refused`, for the answer to an invalid collision.
 Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Law law) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};

@@ -24,11 +24,10 @@ Wide spin_at(const Arc& arc, double time) {
          (static_cast<long double>(time) - arc.path.start) * wide(arc.turning.angular_acceleration);
 }
 
-/// The energy that a law adds to two spheres, or to a sphere and a plane [J]. The normal part is (ε² − 1)(N·V)²/(2 λ),
-/// with λ the sum of the inverse masses. Tangentially, K is λ + R_A²/I_A + R_B²/I_B. An impulse −j against the slip of
-/// speed t does the work −j t + K j²/2. Under `sticking`, j = t/K. Under `rough`, j is the lesser of (1 + e_t) t/K and
-/// μ times the normal impulse. Under `coulomb` it is the same with e_t = 0 (mathematics of spheres:
-/// docs/guide/laws.md).
+/// The energy that a law adds to two spheres, or to a sphere and a plane [J]. The part along the normal is (ε² −
+/// 1)(N·V)²/(2 λ), with λ the sum of the inverse masses. Across the normal, an impulse −j against the slip of speed t
+/// adds −j t + k j²/2, with k = λ + R_A²/I_A + R_B²/I_B. Under `sticking`, j = t/k. Under `rough`, j is the lesser of
+/// (1 + e_t) t/k and μ times the normal impulse. `coulomb` is `rough` with e_t = 0 (docs/guide/laws.md).
 long double energy_of_impact(Law law, const Collision& collision) {
   const Wide n = wide(collision.normal).normalized();
   const auto arm = [&](const Body& body) -> Wide { return -wide(body.position); };
@@ -73,8 +72,8 @@ long double energy_of_impact(Law law, const Collision& collision) {
   return normal_energy - friction_impulse * slip + tangential * friction_impulse * friction_impulse / 2;
 }
 
-/// The energy that an impulse on A, and its opposite on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A +
-/// F/m_B + (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
+/// The energy that an impulse F on A, and −F on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A + F/m_B +
+/// (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
 long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   long double work = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
@@ -91,7 +90,7 @@ long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   return work;
 }
 
-/// The distance [m] over a time span at a speed that falls by `loss` [m/s²]. Precondition: the speed does not fall
+/// The distance [m] over a span of time, at a speed that falls by `loss` [m/s²]. Precondition: the speed does not fall
 /// below 0, except by rounding.
 long double distance(long double speed, long double loss, long double span) {
   return speed * span - loss * span * span / 2;

@@ -43,8 +43,8 @@ Velocities seen(const Plane& plane, const ContactPicture& picture, const Pick& p
   return velocities;
 }
 
-/// Pixels for a unit of velocity [1 m/s], so that all arrows fit. The computed velocities count only if all others are
-/// 0.
+/// Pixels for a unit of velocity [1 m/s], so that all arrows fit. The computed velocities count only if the velocities
+/// before and the exact ones are all 0.
 long double velocity_scale(const std::vector<Velocities>& all) {
   long double true_ones = 0;
   long double computed = 0;

@@ -11,7 +11,6 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The sampled cases of a run of these families, and the numbers of the violated ones.
 struct Sampled {
   GateReport report;
   std::vector<std::vector<std::uint64_t>> violated;
@@ -83,7 +82,6 @@ TEST(Where, AnAbsenceIsFound) {
   expect_in("neither A nor B: the body is immovable", words);
 }
 
-/// Chance alone produces no finding.
 TEST(Where, NothingIsFoundWhereThereIsNothing) {
   int count = 0;
   const std::string words =
