@@ -23,13 +23,13 @@ enum class Status {
 /// The decision of one invariant on one answer.
 struct Verdict {
   Status status = Status::holds;
-  std::string detail;  // set if violated or skipped: the comparison, or the reason for the skip
+  std::string detail = {};  // set if violated or skipped: the comparison, or the reason for the skip
   // `residual`, `allowed` (the permitted residual), `left` and `right` are set if an outcome violates the invariant. Of
   // several violated equations, they describe the one with the largest ratio of residual to permitted residual.
   double residual = 0;
   double allowed = 0;
-  std::vector<double> left;  // both sides of the formula
-  std::vector<double> right;
+  std::vector<double> left = {};  // both sides of the formula
+  std::vector<double> right = {};
   bool is_undecided = false;  // a skip inside the domain, because numbers leave their range
 
   /// The residual divided by the permitted residual; infinite if one of them is zero. 0 if not violated.

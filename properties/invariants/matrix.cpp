@@ -18,7 +18,7 @@ using oracles::LiftedMatrix;
 using oracles::Rational;
 
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
-  Verdict verdict{Status::violated, what, 0, 0, {}, {}};
+  Verdict verdict{.status = Status::violated, .detail = what};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       verdict.left.push_back(oracles::to_double(matrix(row, column)));
@@ -95,7 +95,7 @@ Verdict of_shown_matrix(const Evidence& e) {
     return outside_domain("the subject shows no collision matrix for this contact");
   }
   if (!shown->is_finite()) {
-    return {Status::violated, "the shown C contains infinities or NaN", 0, 0, {}, {}};
+    return {.status = Status::violated, .detail = "the shown C contains infinities or NaN"};
   }
   return check(e, *shown);
 }
@@ -165,13 +165,14 @@ Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (oracles::norm_at_most(missed, *allowed)) {
     return {};
   }
-  Verdict verdict{Status::violated, "C and its transpose", 0, *allowed, {}, {}};
+  const double residual =
+      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
+  Verdict verdict{
+      .status = Status::violated, .detail = "C and its transpose", .residual = residual, .allowed = *allowed};
   for (const auto& [row, column] : {std::pair{2, 1}, std::pair{0, 2}, std::pair{1, 0}}) {
     verdict.left.push_back(oracles::to_double(c(row, column)));
     verdict.right.push_back(oracles::to_double(c(column, row)));
   }
-  verdict.residual =
-      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
   return verdict;
 }
 

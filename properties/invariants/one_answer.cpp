@@ -5,7 +5,7 @@
 namespace carom::properties {
 namespace {
 
-Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
+Verdict violated(std::string detail) { return {.status = Status::violated, .detail = std::move(detail)}; }
 
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Law /*law*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
@@ -40,7 +40,7 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
     return violated("the subject did not refuse an invalid collision: it " + failed->why);
   }
   if (is_invalid_by_unread_fields(collision, law)) {
-    return {Status::skipped, "the law does not use the invalid field", 0, 0, {}, {}};
+    return {.status = Status::skipped, .detail = "the law does not use the invalid field"};
   }
   return violated("the subject answered an invalid collision");
 }

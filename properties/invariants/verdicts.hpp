@@ -19,11 +19,13 @@
 
 namespace carom::properties {
 
-[[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
+[[nodiscard]] inline Verdict outside_domain(std::string why) {
+  return {.status = Status::skipped, .detail = std::move(why)};
+}
 
 /// An undecided check is never a pass.
 [[nodiscard]] inline Verdict beyond_range() {
-  return {Status::skipped, "the scale overflows or underflows", 0, 0, {}, {}, true};
+  return {.status = Status::skipped, .detail = "the scale overflows or underflows", .is_undecided = true};
 }
 
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {

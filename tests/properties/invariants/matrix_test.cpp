@@ -127,15 +127,24 @@ TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
 }
 
 /// Adds a multiple of the cross matrix [F]×. As [F]× F = 0, C F does not change.
-TEST(ShownMatrix, IsToBeSymmetric) {
-  expect_violated(
-      [](const Solved& one) -> Matrix {
-        const Vector f = one.impulse().normalized() * (one.matrix().trace() / 1000);
-        Matrix skew;
-        skew << 0, -f[2], f[1], f[2], 0, -f[0], -f[1], f[0], 0;
-        return one.matrix() + skew;
-      },
-      {"matrix_used"});
+Matrix asymmetric(const Solved& one) {
+  const Vector f = one.impulse().normalized() * (one.matrix().trace() / 1000);
+  Matrix skew;
+  skew << 0, -f[2], f[1], f[2], 0, -f[0], -f[1], f[0], 0;
+  return one.matrix() + skew;
+}
+
+TEST(ShownMatrix, IsToBeSymmetric) { expect_violated(asymmetric, {"matrix_used"}); }
+
+TEST(ShownMatrix, IsPrintedBesideItsTranspose) {
+  const Solved one = solved("physical", 3, *subjects::subject_named("reflection-double"));
+  const Matrix c = asymmetric(one);
+  const Verdict verdict = verdict_of("matrix_used", one, c, true);
+  const auto sides = [](long double x, long double y, long double z) {
+    return std::vector{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  };
+  EXPECT_EQ(verdict.left, sides(c(2, 1), c(0, 2), c(1, 0)));
+  EXPECT_EQ(verdict.right, sides(c(1, 2), c(2, 0), c(0, 1)));
 }
 
 /// C changes, but C F does not.
